@@ -182,7 +182,7 @@ void agreement::follow_shape(vertex_index t) {
   // The inverse of the sum of e e^T over the edges is that tensor but for a factor.
   const metric_tensor shape{uy * uy + wy * wy + vy * vy, -(ux * uy + wx * wy + vx * vy),
                             ux * ux + wx * wx + vx * vx};
-  const double root = root_of_determinant(shape);
+  const double root = plain_root_of_determinant(shape);
   if (!(root > 0)) return;
   for (const vertex_index v : f.v) {
     const double factor = m_.at(v).root / root;

@@ -27,7 +27,7 @@ double cotangent_at(const metric_tensor& m, const node& a, const node& b, const 
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
   const double inner = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
-  return inner / (root_of_determinant(m) * (ux * wy - uy * wx));
+  return inner / (plain_root_of_determinant(m) * (ux * wy - uy * wx));
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ void grade_mesh(working_mesh& m, double distortion, double unit, const cancellat
       m.set_metric(v, tensors[v]);
 }
 
-nodal_field field_of(working_mesh& m) {
+background_metric field_of(working_mesh& m) {
   std::vector<vertex_index> renumbered;
-  nodal_field made(m.triangulation(renumbered));
+  background_metric made(m.triangulation(renumbered));
   // Cells are the faces there are, in their order: every face turns left.
   vertex_index cell = 0;
   for (const face& f : m.faces()) {

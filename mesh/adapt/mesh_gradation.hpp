@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -16,7 +16,7 @@ namespace asterism::internal::adapting {
 void grade_mesh(working_mesh& m, double distortion, double unit, const cancellation& stop = {});
 
 // Returns the field that the nodes' tensors are, and sets the nodes' hints to where they are in it.
-nodal_field field_of(working_mesh& m);
+background_metric field_of(working_mesh& m);
 
 // Makes all pairs of these nodes' tensors alike, to a part of the greatest distortion they have.
 // Calls changed(v, w) for each pair to which other tensors were given.

@@ -18,14 +18,6 @@ bool is_metric(const metric_tensor& m) {
          std::fma(m.m11, m.m22, -m.m12 * m.m12) > 0;
 }
 
-// Returns the length of an edge in a metric that changes geometrically along it, from those its
-// ends measure.
-double logarithmic_mean(double a, double b) {
-  // With x = ratio - 1 the arithmetic mean is too large by x^2 / 12: below 1e-7 there.
-  const double ratio = a / b;
-  return std::abs(ratio - 1) > 1e-3 ? (a - b) / quick_log(ratio) : (a + b) / 2;
-}
-
 // True if the tensors, reduced, are alike to this limit without a doubt, by |ln x| <= |x - 1| /
 // root x for the root of a ratio: for most pairs no logarithm is needed. False says nothing.
 bool are_surely_alike(const simultaneous_reduction& r, double most) {
@@ -76,7 +68,7 @@ double log_distortion(const metric_tensor& a, const metric_tensor& b) {
 double log_variation(const site& a, const site& b) {
   const point d{b.position.x - a.position.x, b.position.y - a.position.y};
   return log_distortion(a.metric, b.metric) /
-         logarithmic_mean(plain_length(a.metric, d), plain_length(b.metric, d));
+         logarithmic_mean(plain_length(a.metric, d), plain_length(b.metric, d), quick_log);
 }
 
 bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part) {
@@ -105,7 +97,7 @@ std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge
       // The geometric mean is less than the logarithmic one.
       const simultaneous_reduction r = reduce(tensors[e.a], tensors[e.b]);
       if (are_surely_alike(r, most_at(std::sqrt(at_a * at_b)))) continue;
-      const double most = most_at(logarithmic_mean(at_a, at_b));
+      const double most = most_at(logarithmic_mean(at_a, at_b, quick_log));
       if (!make_alike_by(r, most, coarser_part, tensors[e.a], tensors[e.b])) continue;
       changed_in[e.a] = changed_in[e.b] = round + 1;
       any = true;

@@ -18,13 +18,10 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/search/triangle_locator.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
-
-struct graph_edge {
-  vertex_index a = 0, b = 0;
-};
 
 struct gradation_limit {
   // Distortion allowed over an edge of length 1 (metric_tensor pairs: the greatest ratio of

@@ -28,7 +28,7 @@ metric_tensor between(const metric_tensor& a, const metric_tensor& b, double sha
 }
 
 bool is_usable(const metric_tensor& m) {
-  return std::isfinite(m.m11) && std::isfinite(m.m22) && root_of_determinant(m) > 0;
+  return std::isfinite(m.m11) && std::isfinite(m.m22) && plain_root_of_determinant(m) > 0;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ settling::settling(working_mesh& m, double angle_bound, double unit, wanted_at w
 
 settling::wanted_tensor settling::look_up(const point& q, vertex_index& hint) const {
   const metric_tensor there = field_(q, hint);
-  return {there, root_of_determinant(there)};
+  return {there, plain_root_of_determinant(there)};
 }
 
 // With angles of less than half of the bound around many nodes the metric is not resolved: in two

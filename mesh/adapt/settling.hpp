@@ -23,7 +23,7 @@ namespace asterism::internal::adapting {
 
 class settling {
  public:
-  // Metric wanted at a place; `hint` helps the next look-up near it (nodal_field.hpp).
+  // Metric wanted at a place; `hint` helps the next look-up near it (background_metric.hpp).
   using wanted_at = std::function<metric_tensor(const point& q, vertex_index& hint)>;
 
   // `unit` is the length wanted of an edge. The mesh must outlive the object.

@@ -104,7 +104,7 @@ class noise_finder {
 
 }  // namespace
 
-std::vector<metric_tensor> without_noise(const nodal_field& field, const cancellation& stop) {
+std::vector<metric_tensor> without_noise(const background_metric& field, const cancellation& stop) {
   // Fewer say nothing of a noise; more are a fan, and cost their square.
   constexpr std::size_t least_neighbours = 3, most_neighbours = 64;
   std::vector<metric_tensor> tensors = field.tensors();
@@ -119,7 +119,7 @@ std::vector<metric_tensor> without_noise(const nodal_field& field, const cancell
     if (w == v) continue;
     const double trace = shapes[v].trace, x = shapes[w].x;
     const metric_tensor made = exponential({trace + x, shapes[w].y, trace - x});
-    if (std::isfinite(made.m11) && std::isfinite(made.m22) && root_of_determinant(made) > 0)
+    if (std::isfinite(made.m11) && std::isfinite(made.m22) && plain_root_of_determinant(made) > 0)
       tensors[v] = made;
   }
   return tensors;

@@ -15,13 +15,14 @@
 #include <vector>
 
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/adapt/nodal_field.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
 
 // Returns the tensors of the field, those of noise in the shapes around them, the others to the
 // last bit. Charges the account of `stop`.
-std::vector<metric_tensor> without_noise(const nodal_field& field, const cancellation& stop = {});
+std::vector<metric_tensor> without_noise(const background_metric& field,
+                                         const cancellation& stop = {});
 
 }  // namespace asterism::internal::adapting

@@ -17,7 +17,7 @@
 
 namespace asterism::internal::adapting {
 
-// Returns the metric at a point; `hint` helps the next look-up near it (nodal_field.hpp).
+// Returns the metric at a point; `hint` helps the next look-up near it (background_metric.hpp).
 using metric_at = std::function<metric_tensor(const point& q, vertex_index& hint)>;
 
 struct unit_mesh_options {

@@ -282,7 +282,7 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
     const node &a = m_.at(f.v[after(i)]), &b = m_.at(f.v[before(i)]);
     const metric_tensor m{a.metric.m11 + b.metric.m11, a.metric.m12 + b.metric.m12,
                           a.metric.m22 + b.metric.m22};
-    const double root = root_of_determinant(m);
+    const double root = plain_root_of_determinant(m);
     const double ex = b.position.x - a.position.x, ey = b.position.y - a.position.y;
     const double length = std::sqrt(squared(m, ex, ey) / 2);
     if (!(root > 0 && length > 0)) continue;

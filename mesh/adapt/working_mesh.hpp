@@ -22,6 +22,7 @@
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/domain/curve_chords.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
@@ -39,7 +40,7 @@ struct node {
   double root = 0;              // of the determinant of the metric
   vertex_index face = none;     // one of those at it
   vertex_index segment = none;  // segment that a sliding node divides
-  vertex_index hint = none;     // where the field was looked up last (nodal_field.hpp)
+  vertex_index hint = none;     // where the field was looked up last (background_metric.hpp)
   node_kind kind = node_kind::free;
 };
 
@@ -71,10 +72,6 @@ inline double squared(const metric_tensor& m, double x, double y) {
   return x * (m.m11 * x + 2 * m.m12 * y) + m.m22 * y * y;
 }
 
-inline double root_of_determinant(const metric_tensor& m) {
-  return std::sqrt(std::max(0.0, std::fma(m.m11, m.m22, -m.m12 * m.m12)));
-}
-
 // Returns the length from one node to another: the mean of what the two measure where they differ
 // little, and about that of a metric that changes geometrically between them where they differ
 // much.
@@ -99,7 +96,7 @@ class working_mesh {
 
   void set_metric(vertex_index v, const metric_tensor& m) {
     nodes_[v].metric = m;
-    nodes_[v].root = root_of_determinant(m);
+    nodes_[v].root = plain_root_of_determinant(m);
   }
 
   // Charges the account with the faces looked at since the last time: those listed around nodes,

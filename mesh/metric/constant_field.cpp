@@ -25,10 +25,7 @@ std::unique_ptr<metric_field> same_everywhere(const metric_tensor& m) {
 metric_tensor mean_of(const std::vector<metric_tensor>& tensors) {
   tensor_logarithm mean;
   const double part = 1 / static_cast<double>(tensors.size());
-  for (const metric_tensor& m : tensors) {
-    const tensor_logarithm l = logarithm(m);
-    mean = {mean.l11 + part * l.l11, mean.l12 + part * l.l12, mean.l22 + part * l.l22};
-  }
+  for (const metric_tensor& m : tensors) add_weighted(part, logarithm(m), mean);
   return exponential(mean);
 }
 

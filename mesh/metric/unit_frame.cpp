@@ -8,14 +8,12 @@
 #include <numbers>
 #include <utility>
 
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
+
 namespace asterism::internal {
 namespace {
 
 constexpr int ordinary_side = 32, ordinary_length = 64;
-
-metric_tensor scaled(const metric_tensor& m, int exponent) {
-  return {std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent), std::scalbn(m.m22, exponent)};
-}
 
 }  // namespace
 
@@ -26,10 +24,10 @@ point unit_frame::outward(const point& q) const {
   return {std::scalbn(q.x, coordinates_), std::scalbn(q.y, coordinates_)};
 }
 metric_tensor unit_frame::inward(const metric_tensor& m) const {
-  return scaled(m, 2 * coordinates_ - squares_);
+  return times_power_of_two(m, 2 * coordinates_ - squares_);
 }
 metric_tensor unit_frame::outward(const metric_tensor& m) const {
-  return scaled(m, squares_ - 2 * coordinates_);
+  return times_power_of_two(m, squares_ - 2 * coordinates_);
 }
 double unit_frame::length_outward(double length) const {
   const double root = squares_ % 2 == 0 ? 1 : std::numbers::sqrt2;

@@ -7,14 +7,11 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
 
 namespace asterism::internal {
 
 namespace {
-
-metric_tensor scaled(const metric_tensor& m, int exponent) {
-  return {std::ldexp(m.m11, exponent), std::ldexp(m.m12, exponent), std::ldexp(m.m22, exponent)};
-}
 
 int exponent_of(const metric_tensor& m) { return std::ilogb(std::max(m.m11, m.m22)); }
 
@@ -59,7 +56,7 @@ decomposition decompose(double m11, double m12, double m22) {
 
 tensor_logarithm logarithm(const metric_tensor& m) {
   const int exponent = exponent_of(m);
-  const metric_tensor unit = scaled(m, -exponent);
+  const metric_tensor unit = times_power_of_two(m, -exponent);
   const decomposition d = decompose(unit.m11, unit.m12, unit.m22);
   // A determinant that rounding made vanish stands for the least one a double can hold here.
   const double low = std::max(determinant(unit) / d.high, std::numeric_limits<double>::min());
@@ -88,7 +85,7 @@ double difference(const tensor_logarithm& a, const tensor_logarithm& b) {
 bool exceeds(const metric_tensor& b, const metric_tensor& a, double slack) {
   if (!moderate(a) || !moderate(b)) {
     const int exponent = -std::max(exponent_of(a), exponent_of(b));
-    const metric_tensor s = scaled(a, exponent), t = scaled(b, exponent);
+    const metric_tensor s = times_power_of_two(a, exponent), t = times_power_of_two(b, exponent);
     if (moderate(s) && moderate(t)) return exceeds(t, s, slack);
   }
   const double f = 1 + slack;
@@ -98,7 +95,7 @@ bool exceeds(const metric_tensor& b, const metric_tensor& a, double slack) {
 
 metric_tensor intersection(const metric_tensor& a, const metric_tensor& b) {
   const int exponent = std::max(exponent_of(a), exponent_of(b));
-  const metric_tensor s = scaled(a, -exponent), t = scaled(b, -exponent);
+  const metric_tensor s = times_power_of_two(a, -exponent), t = times_power_of_two(b, -exponent);
   const decomposition da = decompose(s.m11, s.m12, s.m22), db = decompose(t.m11, t.m12, t.m22);
   const bool first = da.high >= db.high;
   const metric_tensor &strong = first ? s : t, &weak = first ? t : s;
@@ -112,14 +109,15 @@ metric_tensor intersection(const metric_tensor& a, const metric_tensor& b) {
   const double enough = gap > 0 ? tt + nt * (nt / gap) : nt == 0 ? tt : d.high;
   const double more = std::min(enough, d.high) - determinant(strong) / d.high;
   if (!(more > 0)) return first ? a : b;
-  return scaled({strong.m11 + more * (d.s * d.s), strong.m12 - more * (d.c * d.s),
-                 strong.m22 + more * (d.c * d.c)},
-                exponent);
+  return times_power_of_two({strong.m11 + more * (d.s * d.s), strong.m12 - more * (d.c * d.s),
+                             strong.m22 + more * (d.c * d.c)},
+                            exponent);
 }
 
 double density_ratio(const metric_tensor& b, const metric_tensor& a) {
   const int p = exponent_of(b), q = exponent_of(a);
-  const double ratio = std::sqrt(determinant(scaled(b, -p)) / determinant(scaled(a, -q)));
+  const double ratio =
+      std::sqrt(determinant(times_power_of_two(b, -p)) / determinant(times_power_of_two(a, -q)));
   return std::ldexp(ratio, p - q);
 }
 
@@ -127,7 +125,7 @@ unit_displacements unit_circle(const metric_tensor& m) {
   const int exponent = exponent_of(m);
   // Even, so that its half scales lengths.
   const int even = exponent - exponent % 2;
-  const metric_tensor s = scaled(m, -even);
+  const metric_tensor s = times_power_of_two(m, -even);
   const double x = 1 / std::sqrt(s.m11);
   const double least = std::numeric_limits<double>::min();
   const double y = 1 / std::sqrt(std::max(determinant(s) / s.m11, least));

@@ -27,6 +27,11 @@ struct tensor_logarithm {
 tensor_logarithm logarithm(const metric_tensor& m);
 metric_tensor exponential(const tensor_logarithm& l);
 
+// Adds a term of a weighted mean of logarithms to the sum so far.
+inline void add_weighted(double weight, const tensor_logarithm& term, tensor_logarithm& sum) {
+  sum = {sum.l11 + weight * term.l11, sum.l12 + weight * term.l12, sum.l22 + weight * term.l22};
+}
+
 // Returns the larger eigenvalue of |a - b|: twice the logarithm of the largest ratio of lengths, to
 // first order.
 double difference(const tensor_logarithm& a, const tensor_logarithm& b);

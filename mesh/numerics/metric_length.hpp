@@ -18,6 +18,22 @@ inline double plain_length(const metric_tensor& m, const point& d) {
   return std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
 }
 
+// Returns the root of the determinant in plain doubles, 0 where rounding makes it negative.
+// root_of_determinant() of numerics/ill_conditioned_metric.hpp is right for thin tensors, too.
+inline double plain_root_of_determinant(const metric_tensor& m) {
+  return std::sqrt(std::max(0.0, std::fma(m.m11, m.m22, -m.m12 * m.m12)));
+}
+
+// Returns the logarithmic mean of what the two ends of an edge measure: its length in a metric that
+// changes geometrically along it. `log` returns the natural logarithm.
+template <class Logarithm>
+double logarithmic_mean(double a, double b, const Logarithm& log) {
+  // With x = ratio - 1 the arithmetic mean is too large by x^2 / 12: below 1e-7 there.
+  constexpr double alike = 1e-3;
+  const double ratio = a / b;
+  return std::abs(ratio - 1) > alike ? (a - b) / log(ratio) : (a + b) / 2;
+}
+
 // Returns the distance from the site to q, as the site measures.
 inline double metric_distance(const site& from, const point& q) {
   return std::sqrt(squared_distance(from, q));

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
 #include "asterism/mesh/pipeline/background.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
 #include "asterism/mesh/pipeline/local_adaptation.hpp"
@@ -17,8 +19,6 @@
 
 namespace asterism::internal {
 namespace {
-
-using adapting::nodal_field;
 
 // Number of vertices of a mesh whose edges have length 1, for each unit of its area.
 constexpr double vertices_of_unit = 2 / std::numbers::sqrt3;
@@ -30,16 +30,12 @@ mesh in_frame(const unit_frame& frame, const mesh& m) {
 }
 
 // Returns the mesh with all tensors times 2^k, if that is exact.
-std::optional<mesh> times_power_of_two(const mesh& m, int k) {
-  const auto scaled = [](const metric_tensor& t, int power) {
-    return metric_tensor{std::scalbn(t.m11, power), std::scalbn(t.m12, power),
-                         std::scalbn(t.m22, power)};
-  };
+std::optional<mesh> exactly_times_power_of_two(const mesh& m, int k) {
   mesh made = m;
   for (site& s : made.sites) {
     const metric_tensor before = s.metric;
-    s.metric = scaled(before, k);
-    if (!identical(scaled(s.metric, -k), before)) return std::nullopt;
+    s.metric = times_power_of_two(before, k);
+    if (!identical(times_power_of_two(s.metric, -k), before)) return std::nullopt;
   }
   return made;
 }
@@ -110,7 +106,7 @@ bool metric_delivery::wants_few_sites() const {
   for (const point& q : places) {
     const auto there = image_.field().at(q);
     if (!there) return false;
-    roots += adapting::root_of_determinant(there.value());
+    roots += plain_root_of_determinant(there.value());
   }
   return vertices_of_unit * roots * cell.x * cell.y < few;
 }
@@ -128,26 +124,25 @@ std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) c
 
 // Returns the metric wanted, in the field divided by 2^halved: a formula with samples as dense as
 // the sites will be, unless the ones that there are will do.
-std::optional<nodal_field> metric_delivery::wanted_in(const metric_field& coarser, int halved,
-                                                      const nodal_field& sampled) const {
+std::optional<background_metric> metric_delivery::wanted_in(
+    const metric_field& coarser, int halved, const background_metric& sampled) const {
   constexpr double as_sites = 1;
   const bool is_formula = field_.background() == nullptr;
   if (halved == 0 && (!is_formula || longest_ <= as_sites)) return sampled;
   if (is_formula) {
     auto fine = sample_field(image_.shape(), *start_, coarser, as_sites, options_.stop);
     if (!fine) return std::nullopt;
-    return nodal_field(fine->nodes);
+    return background_metric(fine->nodes);
   }
   mesh background = *background_;
   const double factor = elementary::exp2(-halved);
-  for (site& s : background.sites)
-    s.metric = {s.metric.m11 * factor, s.metric.m12 * factor, s.metric.m22 * factor};
-  return nodal_field(background);
+  for (site& s : background.sites) s.metric = times(s.metric, factor);
+  return background_metric(background);
 }
 
 std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
   if (!prepare()) return std::nullopt;
-  const nodal_field sampled(*background_);
+  const background_metric sampled(*background_);
   const auto halved = halvings(vertices_of_unit * sampled.complexity(), few);
   if (!halved) return std::nullopt;
   const coarser_field coarser(image_.field(), *halved);
@@ -174,7 +169,7 @@ void metric_delivery::bring_density_near(mesh_outcome& made) const {
   constexpr double most = 1000;  // a double has no more
   if (!(std::abs(power) < most)) return;
   const int k = static_cast<int>(std::lround(power));
-  auto scaled = k == 0 ? std::nullopt : times_power_of_two(made.result, k);
+  auto scaled = k == 0 ? std::nullopt : exactly_times_power_of_two(made.result, k);
   if (!scaled) return;
   auto compared = compare_with_wanted(*scaled, field_, options_.angle_bound);
   if (!compared) return;

@@ -11,11 +11,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 
 namespace asterism::internal {
@@ -47,8 +47,8 @@ class metric_delivery {
  private:
   bool prepare();
   std::optional<int> halvings(double vertices, std::size_t few) const;
-  std::optional<adapting::nodal_field> wanted_in(const metric_field& coarser, int halved,
-                                                 const adapting::nodal_field& sampled) const;
+  std::optional<background_metric> wanted_in(const metric_field& coarser, int halved,
+                                             const background_metric& sampled) const;
   std::optional<mesh_outcome> in_given_units(mesh_outcome made, int halved);
   void bring_density_near(mesh_outcome& made) const;
 

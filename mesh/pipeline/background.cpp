@@ -7,24 +7,15 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/sampled_background.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
-#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
+#include "asterism/mesh/metric/constant_field.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 
 namespace asterism::internal {
 namespace {
-
-class constant_field final : public metric_field {
- public:
-  explicit constant_field(const metric_tensor& everywhere) : everywhere_(everywhere) {}
-  result<metric_tensor> at(const point&) const override { return everywhere_; }
-
- private:
-  metric_tensor everywhere_;
-};
 
 // Part of the work that is allowed for so many sites.
 constexpr double work_share = 0.1;
@@ -39,22 +30,20 @@ std::optional<mesh> coarse_mesh_in(const metric_tensor& m, const domain& d,
   coarse.stop = options.stop;
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
-  const constant_field everywhere(m);
-  auto made = mesh_domain({stars_on, d, everywhere, coarse, {}, work_share});
+  const auto everywhere = same_everywhere(m);
+  auto made = mesh_domain({stars_on, d, *everywhere, coarse, {}, work_share});
   if (!made || !made.value().complete) return std::nullopt;
   return std::move(made.value().result);
 }
 
 std::optional<metric_tensor> mean_at_vertices(const domain& d, const metric_field& field) {
-  tensor_logarithm sum;
-  const auto count = static_cast<double>(d.vertices.size());
+  std::vector<metric_tensor> tensors;
   for (const point& q : d.vertices) {
     const auto there = field.at(q);
     if (!there) return std::nullopt;
-    const tensor_logarithm l = logarithm(there.value());
-    sum = {sum.l11 + l.l11 / count, sum.l12 + l.l12 / count, sum.l22 + l.l22 / count};
+    tensors.push_back(there.value());
   }
-  return exponential(sum);
+  return mean_of(tensors);
 }
 
 }  // namespace
@@ -79,9 +68,9 @@ std::optional<adapting::sampled_background> sample_field(const domain& d, const 
 }
 
 double sampled_variation(const mesh& nodes, std::size_t one_in) {
-  const adapting::nodal_field graph(nodes);
+  const background_metric graph(nodes);
   std::vector<double> found;
-  for (const adapting::graph_edge& e : graph.edges())
+  for (const graph_edge& e : graph.edges())
     found.push_back(adapting::log_variation({graph.places()[e.a], graph.tensors()[e.a]},
                                             {graph.places()[e.b], graph.tensors()[e.b]}));
   const auto place =

@@ -11,9 +11,9 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal {
@@ -26,7 +26,7 @@ double area_in_metric(const mesh& m) {
                 &c = m.sites[t[2]].position;
     const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     double roots = 0;
-    for (const vertex_index v : t) roots += adapting::root_of_determinant(m.sites[v].metric);
+    for (const vertex_index v : t) roots += plain_root_of_determinant(m.sites[v].metric);
     sum += twice * roots / 6;
   }
   return sum;

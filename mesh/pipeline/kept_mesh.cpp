@@ -25,10 +25,7 @@ constexpr double least_length = 1.0 / 3, greatest_length = 1.75;
 // changes geometrically from one to the other.
 double logarithmic_mean_length(const site& a, const site& b) {
   const point d{b.position.x - a.position.x, b.position.y - a.position.y};
-  const double at_a = plain_length(a.metric, d), at_b = plain_length(b.metric, d);
-  const double ratio = at_a / at_b;
-  constexpr double alike = 1e-3;  // the two means differ by less than 1e-7 of them there
-  return std::abs(ratio - 1) > alike ? (at_a - at_b) / elementary::log(ratio) : (at_a + at_b) / 2;
+  return logarithmic_mean(plain_length(a.metric, d), plain_length(b.metric, d), elementary::log);
 }
 
 }  // namespace

@@ -7,17 +7,18 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/agreement.hpp"
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/settling.hpp"
 #include "asterism/mesh/adapt/shape_filter.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/pipeline/audited_mesh.hpp"
 #include "asterism/mesh/pipeline/giving_back.hpp"
 #include "asterism/mesh/pipeline/one_metric.hpp"
@@ -130,10 +131,8 @@ class adaptation {
 
   // Orders the places of the background along a space-filling curve.
   void order_places() {
-    std::vector<site> sites;
-    for (const point& q : wanted_.places()) sites.push_back({q, {}});
-    sort_along_curve(sites, domain_.box());
-    for (const site& s : sites) seeds_.push_back(s.position);
+    seeds_ = wanted_.places();
+    sort_along_curve(std::span(seeds_), domain_.box());
   }
 
   // True if one node of ten or more is a vertex of the domain.
@@ -156,7 +155,7 @@ class adaptation {
   void make_room_where_needed() {
     constexpr std::size_t many = 100;  // a few vertices are no coast
     if (!domain_has_many_vertices() || domain_.vertices.size() < many) return;
-    nodal_field finer = fitted_;
+    background_metric finer = fitted_;
     finer.set_tensors(with_room());
     const double with_all = finer.complexity();
     if (static_cast<double>(count_) < too_small_a_part * vertices_for_area * with_all)
@@ -231,8 +230,8 @@ class adaptation {
     return count_ < few;
   }
 
-  nodal_field graded(double distortion) const {
-    nodal_field made = fitted_;
+  background_metric graded(double distortion) const {
+    background_metric made = fitted_;
     std::vector<metric_tensor> tensors = fitted_.tensors();
     gradation_limit limit;
     limit.distortion = distortion;
@@ -246,7 +245,7 @@ class adaptation {
   }
 
   // Returns the field as a function, the work of which counts as that of the mesh.
-  static metric_at field_by(const nodal_field& field, const working_mesh& m) {
+  static metric_at field_by(const background_metric& field, const working_mesh& m) {
     return [&field, &m](const point& q, vertex_index& hint) {
       const metric_tensor there = field.at(q, hint);
       m.note_looked_at(field.take_looked_at());
@@ -293,7 +292,7 @@ class adaptation {
     auto built = working_mesh::build(domain_, start);
     if (!built) return false;
     working_mesh m = std::move(built).value();
-    const nodal_field background = graded(how.background);
+    const background_metric background = graded(how.background);
     unit_mesh_options making;
     making.count = count_;
     // Ends splitting: if edges are still too long with so many more nodes, the metric is too thin
@@ -311,7 +310,7 @@ class adaptation {
     constexpr double tolerable = 0.015;
     if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
     if (off_count(m.count(), count_) > tolerable && !stop_reason() && !are_many_given(m)) {
-      const nodal_field own = field_of(m);
+      const background_metric own = field_of(m);
       maker.meet_count(field_by(own, m));
       if (is_overworked() || !take_wanted(m)) return false;
       grade_mesh(m, how.turning, maker.unit(), options_.stop);
@@ -355,7 +354,7 @@ class adaptation {
     else if (!take_wanted(m))
       return false;
     const double distortion = grade_as_needed(m, how, maker.unit());
-    const nodal_field own = field_of(m);
+    const background_metric own = field_of(m);
     maker.refit(field_by(own, m));
     if (is_overworked() || !take_wanted(m)) return false;
     grade_mesh(m, distortion, maker.unit(), options_.stop);
@@ -523,9 +522,9 @@ class adaptation {
   const metric_field& field_;
   mesh_options options_;  // with the work that the step at hand may do
   const mesh& start_;
-  const nodal_field& wanted_;
+  const background_metric& wanted_;
   // What the mesh is made in: the metric wanted, maybe without noise, and finer at short segments.
-  nodal_field fitted_;
+  background_metric fitted_;
   bool is_fitted_to_other_ = false;  // is that another metric?
   bool is_field_itself_;
   std::size_t count_;

@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 
 namespace asterism::internal {
 
@@ -21,10 +21,10 @@ struct adaptation_job {
   const domain& shape;
   const metric_field& field;
   const mesh_options& options;
-  const mesh& start;                    // a coarse mesh of the domain
-  const adapting::nodal_field& wanted;  // at the nodes of a background
-  bool is_field_itself = false;         // rather than samples of it
-  std::size_t count = 0;                // of vertices wanted
+  const mesh& start;                // a coarse mesh of the domain
+  const background_metric& wanted;  // at the nodes of a background
+  bool is_field_itself = false;     // rather than samples of it
+  std::size_t count = 0;            // of vertices wanted
 };
 
 // Makes everything of the outcome but the counters. Returns none where this way did not lead to a

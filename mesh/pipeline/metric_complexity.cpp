@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/mesh/adapt/nodal_field.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/pipeline/background.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
@@ -36,7 +36,7 @@ class density_integral {
     if (failure_) return 0;
     const auto there = field_.at(q);
     if (!there) failure_ = there.failure();
-    return there ? adapting::root_of_determinant(there.value()) : 0;
+    return there ? plain_root_of_determinant(there.value()) : 0;
   }
 
   // The rule of the three middles, exact for polynomials of degree two.
@@ -108,8 +108,8 @@ graded_metric grade_at_nodes(const mesh& background, double beta) {
   report.sweeps = static_cast<int>(done.rounds);
   report.settled = done.ended;
   for (std::size_t v = 0; v < tensors.size(); ++v) {
-    const double growth = adapting::root_of_determinant(tensors[v]) /
-                          adapting::root_of_determinant(background.sites[v].metric);
+    const double growth = plain_root_of_determinant(tensors[v]) /
+                          plain_root_of_determinant(background.sites[v].metric);
     report.largest_growth = std::max(report.largest_growth, growth);
     graded.sites[v].metric = tensors[v];
   }
@@ -131,7 +131,7 @@ result<graded_metric> grade_as_given(std::unique_ptr<metric_field> field, const 
 result<double> complexity_over(const domain& d, const metric_field& field,
                                const cancellation& stop) {
   if (const mesh* const background = field.background())
-    return adapting::nodal_field(*background).complexity();
+    return background_metric(*background).complexity();
   mesh_options options;
   options.stop = stop;
   options.max_sites = std::max(options.max_sites, 4 * d.vertices.size());

@@ -7,15 +7,12 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/metric/constant_field.hpp"
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
 #include "asterism/mesh/pipeline/count_search.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 
 namespace asterism::internal {
 namespace {
-
-metric_tensor scaled(const metric_tensor& m, double factor) {
-  return {m.m11 * factor, m.m12 * factor, m.m22 * factor};
-}
 
 // Returns a mesh with unit edges that meets the demands, or none.
 std::optional<mesh> unit_mesh(const domain& shape, const metric_tensor& metric,
@@ -36,13 +33,12 @@ std::optional<mesh> unit_mesh(const domain& shape, const metric_tensor& metric,
 
 }  // namespace
 
-std::optional<metric_tensor> one_metric_for(const adapting::nodal_field& wanted,
-                                            const mesh& start) {
+std::optional<metric_tensor> one_metric_for(const background_metric& wanted, const mesh& start) {
   const metric_tensor mean = mean_of(wanted.tensors());
   mesh same = start;
   for (site& s : same.sites) s.metric = mean;
-  const double factor = wanted.complexity() / adapting::nodal_field(same).complexity();
-  const metric_tensor one = scaled(mean, factor);
+  const double factor = wanted.complexity() / background_metric(same).complexity();
+  const metric_tensor one = times(mean, factor);
   const bool is_metric =
       factor > 0 && std::isfinite(one.m11 + one.m22) && one.m11 * one.m22 - one.m12 * one.m12 > 0;
   return is_metric ? std::optional(one) : std::nullopt;
@@ -58,9 +54,9 @@ std::optional<mesh_of_one_metric> mesh_in_one_metric(const domain& shape,
   constexpr double tolerable = 0.03;
   std::optional<mesh_of_one_metric> nearest;
   count_search search(static_cast<double>(count));
-  for (int times = 0; times < most_times; ++times) {
+  for (int round = 0; round < most_times; ++round) {
     const double factor = search.factor();
-    auto made = unit_mesh(shape, scaled(metric, factor), options);
+    auto made = unit_mesh(shape, times(metric, factor), options);
     if (!made) break;
     if (search.take(static_cast<double>(made->sites.size())))
       nearest = {std::move(*made), 1 / std::sqrt(factor)};

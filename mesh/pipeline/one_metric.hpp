@@ -8,16 +8,16 @@
 #include <optional>
 
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 
 namespace asterism::internal {
 
 // Returns the mean of the metric wanted, made as dense on the whole; none where that is no metric
 // in doubles. `start` is any triangulation of the domain.
-std::optional<metric_tensor> one_metric_for(const adapting::nodal_field& wanted, const mesh& start);
+std::optional<metric_tensor> one_metric_for(const background_metric& wanted, const mesh& start);
 
 // Mesh in one metric, with edges so many times as long as one.
 struct mesh_of_one_metric {

@@ -9,14 +9,11 @@
 #include <vector>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 
 namespace asterism::internal {
 namespace {
-
-metric_tensor scaled(const metric_tensor& m, int exponent) {
-  return {std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent), std::scalbn(m.m22, exponent)};
-}
 
 // Returns the length times 2^(halvings / 2), rounded once.
 double restored(double length, int halvings) {
@@ -36,8 +33,8 @@ double sites_on_segments(const mesh& m) {
 result<metric_tensor> coarser_field::at(const point& q) const {
   auto given = field_->at(q);
   if (!given) return given;
-  const metric_tensor m = scaled(given.value(), -halvings_);
-  if (scaled(m, halvings_) == given.value()) return m;
+  const metric_tensor m = times_power_of_two(given.value(), -halvings_);
+  if (times_power_of_two(m, halvings_) == given.value()) return m;
   return error{fmt::format("the metric at ({}, {}) is ({}, {}, {}): with edges so much longer "
                            "lengths in it leave the range of doubles",
                            q.x, q.y, given.value().m11, given.value().m12, given.value().m22),
@@ -45,7 +42,7 @@ result<metric_tensor> coarser_field::at(const point& q) const {
 }
 
 void restore_lengths(int halvings, mesh_outcome& outcome) {
-  for (site& s : outcome.result.sites) s.metric = scaled(s.metric, halvings);
+  for (site& s : outcome.result.sites) s.metric = times_power_of_two(s.metric, halvings);
   refinement_ending& ended = outcome.ended;
   ended.tolerance = restored(ended.tolerance, halvings);
   if (ended.steep) ended.steep->spacing = restored(ended.steep->spacing, halvings);

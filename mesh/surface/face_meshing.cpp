@@ -10,18 +10,11 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
 
 namespace asterism::internal {
-namespace {
-
-metric_tensor scaled(const metric_tensor& m, double factor) {
-  return {m.m11 * factor, m.m12 * factor, m.m22 * factor};
-}
-
-}  // namespace
-
 face_meshing::face_meshing(const surface_chart& chart, const surface_sizes& sizes, int cells)
     : chart_(&chart), sizes_(sizes), cells_(cells) {
   find_base();
@@ -130,7 +123,7 @@ metric_tensor face_meshing::metric_at(const point& p) const {
       m.m22 += share * base_[n].m22;
       log_factor += share * log_factor_[n];
     }
-  return scaled(m, elementary::exp(log_factor));
+  return times(m, elementary::exp(log_factor));
 }
 
 void face_meshing::add_everywhere(double log_factor) {
@@ -168,7 +161,7 @@ mesh face_meshing::background() const {
   for (int k = 0; k <= cells_; ++k)
     for (int i = 0; i <= cells_; ++i) {
       const auto n = static_cast<std::size_t>(k * (cells_ + 1) + i);
-      m.sites.push_back({node(i, k), scaled(base_[n], elementary::exp(log_factor_[n]))});
+      m.sites.push_back({node(i, k), times(base_[n], elementary::exp(log_factor_[n]))});
     }
   const auto row = static_cast<vertex_index>(cells_ + 1);
   for (vertex_index k = 0; k + 1 < row; ++k)

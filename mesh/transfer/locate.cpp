@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "asterism/mesh/data/site_box.hpp"
-#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/transfer/triangle_finder.hpp"
 
@@ -22,13 +21,10 @@ namespace {
 class locator {
  public:
   locator(const mesh& in, const mesh_links& links, const mesh& of, const mesh_links& of_links)
-      : links_(links), of_(of), of_links_(of_links), finder_(in, links) {
-    found_.triangle.assign(of.sites.size(), no_triangle);
-  }
+      : links_(links), of_(of), of_links_(of_links), finder_(in, links) {}
 
   result<located_vertices> run() {
-    walk_to_all();
-    look_up_the_rest();
+    found_.triangle = finder_.find_all(positions_of(of_.sites), box_of_sites(of_.sites));
     choose_sides();
     for (const vertex_index v : missing()) ++found_.outside, outside_.push_back(v);
     if (auto failed = follow_neighbours()) return *failed;
@@ -36,39 +32,11 @@ class locator {
   }
 
  private:
-  void walk_to_all() {
-    // The number of a vertex travels in its tensor, which the order along the curve does not look
-    // at.
-    std::vector<site> order;
-    for (std::size_t v = 0; v < of_.sites.size(); ++v)
-      order.push_back({of_.sites[v].position, {static_cast<double>(v), 0, 0}});
-    sort_along_curve(order, box_of_sites(of_.sites));
-    parallel_chunks(order.size(), nodal_chunk,
-                    [&](std::size_t, std::size_t begin, std::size_t end) {
-                      vertex_index last = 0;
-                      for (std::size_t i = begin; i < end; ++i) {
-                        const vertex_index t = finder_.walk(order[i].position, last);
-                        found_.triangle[static_cast<std::size_t>(order[i].metric.m11)] = t;
-                        if (t != no_triangle) last = t;
-                      }
-                    });
-  }
-
   std::vector<vertex_index> missing() const {
     std::vector<vertex_index> all;
     for (vertex_index v = 0; v < found_.triangle.size(); ++v)
       if (found_.triangle[v] == no_triangle) all.push_back(v);
     return all;
-  }
-
-  void look_up_the_rest() {
-    const std::vector<vertex_index> rest = missing();
-    if (rest.empty()) return;
-    finder_.make_boxes();
-    for_each_node(rest.size(), [&](std::size_t i) {
-      found_.triangle[rest[i]] =
-          finder_.first_with(of_.sites[rest[i]].position, [](vertex_index) { return true; });
-    });
   }
 
   // True if t, which has q in it, goes on from there towards m.

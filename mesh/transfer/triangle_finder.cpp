@@ -45,18 +45,16 @@ void triangle_finder::make_boxes() {
   }
 }
 
-std::vector<vertex_index> locate_points(const mesh& m, const std::vector<point>& points) {
+std::vector<vertex_index> triangle_finder::find_all(const std::vector<point>& points,
+                                                    const bounding_box& box) {
   std::vector<vertex_index> found(points.size(), no_triangle);
-  if (m.triangles.empty() || points.empty()) return found;
-  const mesh_links links(m);
-  triangle_finder finder(m, links);
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  sort_along_curve(order, points, box_of_sites(m.sites));
+  sort_along_curve(order, points, box);
   parallel_chunks(order.size(), nodal_chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
     vertex_index last = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      const vertex_index t = finder.walk(points[order[i]], last);
+      const vertex_index t = walk(points[order[i]], last);
       found[order[i]] = t;
       if (t != no_triangle) last = t;
     }
@@ -65,11 +63,18 @@ std::vector<vertex_index> locate_points(const mesh& m, const std::vector<point>&
   for (std::uint32_t i = 0; i < found.size(); ++i)
     if (found[i] == no_triangle) rest.push_back(i);
   if (rest.empty()) return found;
-  finder.make_boxes();
+  make_boxes();
   for_each_node(rest.size(), [&](std::size_t i) {
-    found[rest[i]] = finder.first_with(points[rest[i]], [](vertex_index) { return true; });
+    found[rest[i]] = first_with(points[rest[i]], [](vertex_index) { return true; });
   });
   return found;
+}
+
+std::vector<vertex_index> locate_points(const mesh& m, const std::vector<point>& points) {
+  if (m.triangles.empty() || points.empty())
+    return std::vector<vertex_index>(points.size(), no_triangle);
+  const mesh_links links(m);
+  return triangle_finder(m, links).find_all(points, box_of_sites(m.sites));
 }
 
 }  // namespace asterism::internal

@@ -16,8 +16,8 @@
 
 namespace asterism::internal {
 
-// Refers to the mesh and its links, which must be a triangulation's. All but make_boxes may be
-// called from several threads.
+// Refers to the mesh and its links, which must be a triangulation's. All const functions may
+// be called from several threads.
 class triangle_finder {
  public:
   triangle_finder(const mesh& in, const mesh_links& links) : in_(in), links_(links) {}
@@ -43,6 +43,10 @@ class triangle_finder {
     });
     return least;
   }
+  // Returns a triangle that each point is in, or no_triangle: by a walk from one to the next along
+  // the space-filling curve through the box, or by first_with() where a walk meets the boundary.
+  // Parallel, the same for any number of threads.
+  std::vector<vertex_index> find_all(const std::vector<point>& points, const bounding_box& box);
   const filtered_kernel& kernel() const { return kernel_; }
 
  private:
@@ -52,9 +56,8 @@ class triangle_finder {
   std::optional<box_index> boxes_;  // of the triangles
 };
 
-// Returns a triangle that each point is in, or no_triangle; `m` must be a triangulation. Time is
-// that of a walk from one point to the next along a space-filling curve; parallel, the same for any
-// number of threads.
+// Returns what triangle_finder::find_all does with the box of the mesh, which must be a
+// triangulation.
 ASTERISM_EXPORT std::vector<vertex_index> locate_points(const mesh& m,
                                                         const std::vector<point>& points);
 

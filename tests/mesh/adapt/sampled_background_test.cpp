@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/pipeline/background.hpp"
 #include "fixtures/domain_kinds.hpp"
@@ -73,7 +73,7 @@ TEST_CASE("a sampled metric is near to the one wanted half way along every edge"
   const auto sampled = sample_background(coarse_square(d), front, limits);
   REQUIRE(sampled);
   CHECK(sampled->nodes.sites.size() < limits.most_nodes);
-  const nodal_field graph(sampled->nodes);
+  const background_metric graph(sampled->nodes);
   for (const graph_edge& e : graph.edges()) {
     const point &p = graph.places()[e.a], &q = graph.places()[e.b];
     const point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};

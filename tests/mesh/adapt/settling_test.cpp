@@ -48,7 +48,7 @@ std::size_t count_low(const working_mesh& m, const settling::wanted_at& wanted) 
     const node &a = m.at(f.v[0]), &b = m.at(f.v[1]), &c = m.at(f.v[2]);
     for (const vertex_index v : f.v) {
       const metric_tensor as = wanted(m.at(v).position, hint);
-      if (greatest_cotangent(as, root_of_determinant(as), a, b, c) > cotangent_of(bound))
+      if (greatest_cotangent(as, plain_root_of_determinant(as), a, b, c) > cotangent_of(bound))
         is_low[v] = 1;
     }
   }

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -50,7 +50,7 @@ bool all_but_one_are_as_before(const mesh& m, const std::vector<metric_tensor>& 
 
 TEST_CASE("a metric without noise keeps its tensors to the last bit") {
   const mesh m = grid();
-  CHECK(all_but_one_are_as_before(m, without_noise(nodal_field(m)), row * row));
+  CHECK(all_but_one_are_as_before(m, without_noise(background_metric(m)), row * row));
 }
 
 TEST_CASE("a small tensor that is turned gets the shape around, and keeps its density") {
@@ -58,7 +58,7 @@ TEST_CASE("a small tensor that is turned gets the shape around, and keeps its de
   metric_tensor& turned = m.sites[middle].metric;
   turned = {turned.m22 / 2, 0, turned.m11 / 2};
   const double density = determinant(turned);
-  const std::vector<metric_tensor> made = without_noise(nodal_field(m));
+  const std::vector<metric_tensor> made = without_noise(background_metric(m));
   CHECK(made[middle].m22 == Approx(16 * made[middle].m11));
   CHECK(determinant(made[middle]) == Approx(density));
   CHECK(all_but_one_are_as_before(m, made, middle));
@@ -68,5 +68,5 @@ TEST_CASE("a peak of the density keeps its shape, as a feature at a single node 
   mesh m = grid();
   metric_tensor& turned = m.sites[middle].metric;
   turned = {turned.m22 * 2, 0, turned.m11 * 2};
-  CHECK(all_but_one_are_as_before(m, without_noise(nodal_field(m)), row * row));
+  CHECK(all_but_one_are_as_before(m, without_noise(background_metric(m)), row * row));
 }

@@ -100,7 +100,7 @@ TEST_CASE("a mesh fitted again to its own graded metric keeps its count") {
   unit_mesher maker(m, options);
   maker.run(layer, {});
   grade_mesh(m, 2, maker.unit());
-  const nodal_field own = field_of(m);
+  const background_metric own = field_of(m);
   maker.refit([&own](const point& q, vertex_index& hint) { return own.at(q, hint); });
   CHECK(std::abs(static_cast<double>(m.count()) / 1000 - 1) < 0.03);
   CHECK(is_whole(m));
@@ -133,7 +133,7 @@ TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
   options.count = 200;
   unit_mesher maker(m, options);
   maker.run(layer, {});
-  const nodal_field own = field_of(m);
+  const background_metric own = field_of(m);
   for (const node& n : m.nodes()) {
     if (n.kind == node_kind::gone) continue;
     vertex_index hint = n.hint;

@@ -10,9 +10,9 @@
 #include <functional>
 #include <numbers>
 
-#include "asterism/mesh/adapt/nodal_field.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
@@ -59,7 +59,7 @@ certified_mesh adapted(const metric_field& field) {
 }
 
 double wanted_sites(const mesh& of) {
-  return 2 / std::numbers::sqrt3 * adapting::nodal_field(of).complexity();
+  return 2 / std::numbers::sqrt3 * background_metric(of).complexity();
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/metric/background_metric.hpp"
+
+#include <algorithm>
+
+#include "asterism/mesh/numerics/metric_length.hpp"
+
+namespace asterism::internal {
+
+background_metric::background_metric(const mesh& background)
+    : locator_(std::make_shared<const triangle_locator>(background)) {
+  std::vector<metric_tensor> tensors;
+  for (const site& s : background.sites) tensors.push_back(s.metric);
+  set_tensors(std::move(tensors));
+}
+
+void background_metric::set_tensors(std::vector<metric_tensor> tensors) {
+  tensors_ = std::move(tensors);
+  logarithms_.clear();
+  for (const metric_tensor& m : tensors_) logarithms_.push_back(logarithm(m));
+}
+
+metric_tensor background_metric::mean(const triangle_locator::located& where) const {
+  const triangle& t = locator_->triangles()[where.triangle];
+  const auto& w = where.weights;
+  double sum = 0;
+  for (const double x : w) sum += x;
+  tensor_logarithm l;
+  for (std::size_t i = 0; i < 3; ++i) add_weighted(w[i] / sum, logarithms_[t[i]], l);
+  return exponential(l);
+}
+
+metric_tensor background_metric::at(const point& q) const {
+  const triangle_locator::located where = locator_->deepest(q);
+  for (const vertex_index v : locator_->triangles()[where.triangle])
+    if (places()[v] == q) return tensors_[v];
+  return mean(where);
+}
+
+triangle_locator::located background_metric::nearby(const point& q, vertex_index hint) const {
+  const triangle_locator::located where = locator_->nearby(q, hint);
+  looked_at_ += where.looked_at;
+  return where;
+}
+
+metric_tensor background_metric::at(const point& q, vertex_index& hint) const {
+  const triangle_locator::located where = nearby(q, hint);
+  hint = where.triangle;
+  return mean(where);
+}
+
+std::optional<metric_tensor> background_metric::where_other(const background_metric& than,
+                                                            const point& q,
+                                                            vertex_index hint) const {
+  const triangle_locator::located where = nearby(q, hint);
+  const triangle& t = locator_->triangles()[where.triangle];
+  const auto is_same = [&](vertex_index v) { return identical(tensors_[v], than.tensors_[v]); };
+  if (std::all_of(t.begin(), t.end(), is_same)) return std::nullopt;
+  const metric_tensor own = mean(where);
+  return identical(own, than.mean(where)) ? std::nullopt : std::optional(own);
+}
+
+double background_metric::complexity() const {
+  double sum = 0;
+  for (const triangle& t : locator_->triangles()) {
+    const point &a = places()[t[0]], &b = places()[t[1]], &c = places()[t[2]];
+    const double area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+    for (const vertex_index v : t) sum += area / 3 * plain_root_of_determinant(tensors_[v]);
+  }
+  return sum;
+}
+
+}  // namespace asterism::internal

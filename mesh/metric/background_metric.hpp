@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Interpolates tensors that are given at the vertices of a background mesh: their logarithms
+// linearly in each triangle ("log-Euclidean", numerics/metric_algebra.hpp).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/search/triangle_locator.hpp"
+
+namespace asterism::internal {
+
+// Copies share the background, and may have other tensors on it.
+class background_metric {
+ public:
+  // Leaves out flat and clockwise triangles; requires one that is neither.
+  explicit background_metric(const mesh& background);
+
+  const std::vector<point>& places() const { return locator_->places(); }
+  const std::vector<metric_tensor>& tensors() const { return tensors_; }
+  void set_tensors(std::vector<metric_tensor> tensors);
+
+  // Returns the tensor at the point, interpolated in the triangle that it is farthest inside of, or
+  // in one near it; at a vertex of that triangle the vertex's own, bit for bit. Several threads may
+  // ask.
+  metric_tensor at(const point& q) const;
+  // Returns about the same, sooner near the place asked about before: the walk begins at `hint`,
+  // which is set to the triangle where it ended. One thread asks.
+  metric_tensor at(const point& q, vertex_index& hint) const;
+  // Returns what at() with a hint does, where that is another tensor than a field says which has
+  // the same triangles.
+  std::optional<metric_tensor> where_other(const background_metric& than, const point& q,
+                                           vertex_index hint) const;
+  // Returns how many triangles searches of at() with a hint have looked at since the last call:
+  // few, but where triangles are so thin that the box of each overlaps those of thousands.
+  std::size_t take_looked_at() const { return std::exchange(looked_at_, 0); }
+
+  // Returns the edges, each once.
+  std::vector<graph_edge> edges() const { return locator_->edges(); }
+  // Returns the integral of the root of the determinant: the area as the metric measures it.
+  double complexity() const;
+
+ private:
+  triangle_locator::located nearby(const point& q, vertex_index hint) const;
+  metric_tensor mean(const triangle_locator::located& where) const;
+
+  std::shared_ptr<const triangle_locator> locator_;
+  std::vector<metric_tensor> tensors_;
+  std::vector<tensor_logarithm> logarithms_;
+  mutable std::size_t looked_at_ = 0;
+};
+
+}  // namespace asterism::internal
