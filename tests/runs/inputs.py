@@ -50,6 +50,15 @@ FRAME = """13 2 0 0
 2 2 0.75 2
 """
 
+# Two provinces that touch, one with a lake.
+PROVINCES = """{"type": "FeatureCollection", "features": [
+{"type": "Feature", "properties": {"name": "west"}, "geometry": {"type": "Polygon", "coordinates":
+[[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]], [[0.25, 0.25], [0.25, 0.75], [0.75, 0.5], [0.25, 0.25]]]}},
+{"type": "Feature", "properties": {"name": "east"}, "geometry": {"type": "Polygon", "coordinates":
+[[[1, 0], [2, 0.25], [2, 0.75], [1, 1], [1, 0]]]}}]}
+"""
+WKT = "MULTIPOLYGON (((0 0, 2 0, 2 1, 0 1, 0 0), (0.5 0.25, 0.5 0.75, 1.5 0.5, 0.5 0.25)), ((3 0, 4 0, 3 1, 3 0)))"
+
 # The same kind of domain with its vertices in a file of their own, numbered from 0.
 NODES = """# the vertices
 5 2 1 1
@@ -204,6 +213,12 @@ def solution(tensors):
     return "\n".join([*lines[:4], "1 3", *lines[4:]])
 
 
+def values(numbers):
+    """Returns a .sol file of a number at each vertex."""
+    lines = ["MeshVersionFormatted 1", "Dimension 2", *section("SolAtVertices", [(u,) for u in numbers]), "End", ""]
+    return "\n".join([*lines[:4], "1 1", *lines[4:]])
+
+
 def tensors_of_bamg(rows):
     """Returns a .mtr file. Each row is a tensor, or one length."""
     return "\n".join([f"{len(rows)} {len(rows[0])}", *(" ".join(map(str, r)) for r in rows), ""])
@@ -224,6 +239,11 @@ def grid(n):
 
 def grid_tensors(n, tensor):
     return [tensor(x, y) for x, y in grid_places(n)]
+
+
+def grid_values(n):
+    """Returns values of a front along a parabola: quotients, the same on every machine."""
+    return [1 / (1 + 400 * (y - x * x) ** 2) for x, y in grid_places(n)]
 
 
 def slanted(_x, _y):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The recorded runs: sixty jobs, each a few commands in a folder of its own. Names stay as they are,
+"""The recorded runs: jobs, each a few commands in a folder of its own. Names stay as they are,
 since records are compared by them."""
 import dataclasses
 import re
@@ -186,6 +186,75 @@ def of_other_commands():
               {"in.txt": given.RECORDS, "bad.txt": given.BAD_RECORDS}, given.RECORDS)
 
 
+def of_adaptation():
+    """What follows a solution: metrics, meshes and fields for it, in loops."""
+    files = {"in.mesh": given.grid(8), "u.sol": given.values(given.grid_values(8)),
+             "next.sol": given.values([y - x for x, y in given.grid_places(8)])}
+    yield Job("adapt", ("adapt in.mesh --solution u.sol --vertices 200 -o out.mesh", "verify out.mesh",
+                        "adapt in.mesh --solution u.sol --error 0.01 --relative --aspect 50 -o err.mesh",
+                        "adapt in.mesh --solution u.sol --vertices 150 --keep always --no-split-across "
+                        "-o kept.mesh", "adapt in.mesh --solution u.sol --vertices 150 --periodic 1,3 "
+                        "-o periodic.mesh", "adapt in.mesh --solution u.sol --vertices 1 -o none.mesh",
+                        "adapt in.mesh --solution missing.sol --vertices 9 -o none.mesh"), files)
+    yield Job("metric", ("metric in.mesh --solution u.sol --vertices 200 -o m.mesh",
+                         "mesh in.mesh --metric m.mesh --threads 2 -o out.mesh", "verify out.mesh",
+                         "metric in.mesh --solution u.sol -o none.sol"), files)
+    yield Job("transfer", ("mesh square --size 0.2 --quiet -o new.mesh",
+                           "transfer in.mesh u.sol new.mesh -o moved.sol",
+                           "transfer in.mesh u.sol new.mesh --transfer project -o kept.sol",
+                           "transfer in.mesh missing.sol new.mesh -o none.sol"), files)
+
+
+def of_wishes():
+    """Sizes at places, layers, seams that repeat, regions, and guarantees."""
+    yield Job("sizes", ("mesh in.poly --size 0.4 --size-at 0.2,0.2,0.3:0.05 "
+                        "--size-box 2,1,3,2:0.1 -o at.mesh", "verify at.mesh",
+                        "mesh in.poly --size 0.4 --size-near 1:0.05,1.3 --hmax 0.3 -o near.mesh",
+                        "mesh in.poly --size 0.4 --layers 1:0.01,1.4,3 --aspect 20 -o layers.mesh",
+                        "mesh in.poly --size 0.4 --size-in 2:0.05 --regions -o in.mesh"),
+              {"in.poly": given.FRAME})
+    yield Job("periodic", ("mesh square --size 0.2 --periodic 2,4 -o out.mesh", "verify out.mesh",
+                           "mesh square --size 0.2 --periodic 2,9 -o none.mesh"))
+    yield Job("guarantee", ("mesh square --metric swirl:1.2 --size 0.3 --guarantee -o out.mesh",
+                            "verify out.mesh"))
+    yield Job("polygons", ("mesh in.geojson --size 0.3 -o out.mesh", "verify out.mesh",
+                           "info in.geojson", "draw in.geojson -o out.svg", "mesh in.wkt -o wkt.mesh",
+                           "mesh bad.geojson -o bad.mesh"),
+              {"in.geojson": given.PROVINCES, "in.wkt": given.WKT, "bad.geojson": given.PROVINCES[:90]})
+
+
+def of_files():
+    """Formats, what files hold, and meshes in several parts."""
+    endings = ("meshb", "msh", "vtu", "2dm", "fort.14", "su2", "off")
+    yield Job("convert", ("mesh square --size 0.5 --quiet -o in.mesh",
+                          *(f"convert in.mesh out.{ending}" for ending in endings),
+                          *(f"info out.{ending}" for ending in endings),
+                          "certify out.msh --metric identity", "certify out.vtu --metric identity",
+                          "mesh out.su2 --size 0.3 -o again.mesh", "convert in.mesh out.xyz",
+                          "convert missing.msh out.vtu"))
+    yield Job("pieces", ("mesh square --metric swirl:12 --size 0.1 --pieces 4 -o parts/",
+                         "verify parts/", "verify parts/piece_2.mesh",
+                         "mesh square --metric swirl:12 --size 0.1 --pieces 4 --resume -o parts/",
+                         Change("parts/piece_1.mesh", "parts/piece_1.mesh", r"\n0\.", "\n-0."),
+                         "verify parts/"))
+    yield Job("proof", ("mesh in.poly --metric swirl:12 --size 0.2 --proof out.proof -o out.mesh",
+                        "check out.mesh out.proof --domain in.poly --angle-bound 20 --metric out.sol",
+                        "check out.mesh out.proof --domain in.poly --angle-bound 35 --metric out.sol",
+                        "check out.mesh out.mesh --domain in.poly --angle-bound 20 --metric out.sol"),
+              {"in.poly": given.SQUARE})
+    yield Job("second-order", ("mesh square --size 0.5 --order 2 -o out.msh", "verify out.msh",
+                               "convert out.msh corners.mesh"))
+
+
+def of_surfaces():
+    yield Job("surfaces", ("surface octant --chord 0.02 -o out.obj",
+                           "surface saddle --chord 0.05 -o out.mesh", "verify out.mesh",
+                           "deviation out.mesh saddle --at-most 0.05",
+                           "deviation out.mesh saddle --at-most 0.0001",
+                           "surface bad.json --chord 0.1 -o bad.obj"),
+              {"bad.json": "{}"})
+
+
 def refused(name, arguments, files=None):
     """Returns a job of `asterism mesh`, with a command for each of the arguments."""
     return Job(name, tuple(f"mesh {words} -o out.mesh" for words in arguments), files or {})
@@ -279,5 +348,6 @@ def of_bad_meshes():
 
 def all_jobs():
     groups = (of_fields, of_refinement, of_domains, of_runs_not_reached, of_verify, of_certify,
-              of_other_commands, of_bad_arguments, of_bad_domains, of_bad_meshes)
+              of_other_commands, of_adaptation, of_wishes, of_files, of_surfaces, of_bad_arguments,
+              of_bad_domains, of_bad_meshes)
     return [job for group in groups for job in group()]
