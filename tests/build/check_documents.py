@@ -49,6 +49,14 @@ def files_in_comments(top, path):
             yield f"{path}: a comment names {name}, which does not exist"
 
 
+def missing_in_suppressions(top):
+    """Files of the project that the thread sanitizer is told of: an entry for one that moved hides nothing."""
+    listed = (top / "tests/thread_sanitizer.supp").read_text(encoding="utf-8")
+    for name in re.findall(r"^race_top:([a-z_]+/.*\.hpp)$", listed, flags=re.MULTILINE):
+        if not is_there(top, name):
+            yield f"tests/thread_sanitizer.supp: names {name}, which does not exist"
+
+
 def pages_without_figure(top):
     words = re.compile(r"\b(wedged?|wedges|arcs?|gaps?|fans?)\b", re.IGNORECASE)
     for page in sorted((top / "docs/math").glob("*.md")):
@@ -88,7 +96,8 @@ def main():
     problems = [p for document in paths for p in broken_links(top, document)]
     problems += [p for document in paths if document.name != "CHANGELOG.md"
                  for p in missing_files(top, document)]
-    problems += [*pages_without_figure(top), *differences_of_angle_tables(top), *readme_scripts(top)]
+    problems += [*missing_in_suppressions(top), *pages_without_figure(top), *differences_of_angle_tables(top),
+                 *readme_scripts(top)]
     code = sources.files(top, sources.FOLDERS, sources.CODE)
     problems += [p for path in code for p in files_in_comments(top, path)]
     sources.finish(problems, len(paths) + len(code))
