@@ -11,8 +11,8 @@ namespace asterism::internal {
 
 delaunay_net::delaunay_net(std::vector<site> sites, const star_predicates& kernel)
     : sites_(std::move(sites)), frame_(static_cast<vertex_index>(sites_.size())), kernel_(&kernel) {
-  // Sites in a good order take about 20 steps each. These many are ten microseconds a site, less
-  // than stars made one by one take.
+  // Steps allowed a site. In a good order a site takes about 20; this many cost ten microseconds,
+  // less than stars made one by one.
   constexpr std::size_t at_least = 100'000, for_each = 400;
   most_steps_ = at_least + for_each * sites_.size();
   is_framed_ = add_frame();
@@ -73,8 +73,8 @@ delaunay_net::place delaunay_net::next_around(const place& p) const {
   return {next, corner_of(faces_[next], f.corner[p.corner])};
 }
 
-// Looks around both ends in turn, as one of them may have very many edges, or be in the frame,
-// which has faces on one side alone.
+// Searches around both ends in turn: one may have very many edges, or be in the frame, with faces
+// on one side alone.
 std::optional<delaunay_net::place> delaunay_net::find_edge(vertex_index a, vertex_index b) {
   const place first_a = at(a), first_b = at(b);
   place by_a = first_a, by_b = first_b;
@@ -171,7 +171,7 @@ std::optional<delaunay_net::location> delaunay_net::locate_near(const point& q,
   return std::nullopt;
 }
 
-// With v first in all of the new faces.
+// New faces have v as their first corner.
 void delaunay_net::split_face(std::uint32_t f, vertex_index v) {
   const auto [corner, across, fixed] = faces_[f];
   const auto [a, b, c] = corner;
@@ -259,7 +259,7 @@ void delaunay_net::suspect(const face& f) {
   for (std::uint32_t i = 0; i < 3; ++i) suspects_.emplace_back(f.corner[i], f.corner[after(i)]);
 }
 
-// Marks the edge as one that stays; false if it is not there.
+// Fixes the edge; false if it is not there.
 bool delaunay_net::fix(vertex_index a, vertex_index b) {
   const auto left = find_edge(a, b);
   if (!left || faces_[left->face].across[left->corner] == none) return false;
@@ -293,7 +293,7 @@ bool delaunay_net::cross(vertex_index a, vertex_index b,
     if (apex == b) return true;
     const sign side = turn(a, b, apex);
     if (side == sign::zero) return false;  // the segment goes through a site
-    // Goes on across the edge from the apex to the end on the other side.
+    // Continues across the edge from the apex to the end on the other side.
     p = {next, corner_of(o, side == sign::positive ? left : right)};
   }
   return false;
@@ -344,8 +344,8 @@ bool delaunay_net::settle() {
   return true;
 }
 
-// True if the edge across from the corner may go, is not to stay, and the faces on both sides are a
-// convex quadrangle.
+// True if is_better prefers the other diagonal, the edge across from the corner is not fixed, and
+// the faces on both sides form a convex quadrangle.
 bool delaunay_net::may_flip(const place& p, const comparison& is_better) const {
   const face& f = faces_[p.face];
   if (f.across[p.corner] == none || f.fixed[p.corner]) return false;
@@ -356,8 +356,8 @@ bool delaunay_net::may_flip(const place& p, const comparison& is_better) const {
          turn(c, d, b) == sign::positive;
 }
 
-// Flips one edge of the face that is to be; false if there is none. Leaves the faces on both sides
-// in open_. Leaves out edges to faces before `first`.
+// Flips one edge of the face that is to be flipped; false if there is none. Adds the faces on both
+// sides to open_. Leaves out edges to faces before `first`.
 bool delaunay_net::improve(std::uint32_t at, std::uint32_t first, const comparison& is_better) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     const std::uint32_t other = faces_[at].across[i];
@@ -373,7 +373,7 @@ bool delaunay_net::improve(std::uint32_t at, std::uint32_t first, const comparis
 bool delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
   std::size_t flips = 0;
   open_.clear();
-  // Edges to faces before f were asked about from there, and again after each change.
+  // Skips edges to faces before f: they were tested from there, and again after each change.
   for (std::uint32_t f = 0; f < faces_.size() && flips < most; ++f) {
     if (improve(f, f, is_better)) ++flips;
     while (!open_.empty() && flips < most) {

@@ -44,8 +44,8 @@ class delaunay_net {
   // must outlive the net.
   delaunay_net(std::vector<site> sites, const star_predicates& kernel);
 
-  // Each of the following returns false, and the net is of no use, where the sites are not as
-  // required, or where it takes more steps than are allowed for so many sites.
+  // Each of the following returns false, and leaves a triangulation of no use, where the sites are
+  // not as required, or where it takes more steps than are allowed for this number of sites.
 
   // Puts site v in. Requires that it is not in yet and that no segment was put in.
   bool insert(vertex_index v);
@@ -61,8 +61,8 @@ class delaunay_net {
   using comparison =
       std::function<bool(vertex_index a, vertex_index b, vertex_index c, vertex_index d)>;
   bool flip_towards(const comparison& is_better, std::size_t most);
-  // Returns the face that q is in, or on an edge of, on a way from this face; the corner is the one
-  // across from that edge. None where the way crosses an edge that stays, or is long.
+  // Walks from this face to the face that contains q, or has q on an edge; the corner returned is
+  // the one across from that edge. None where the walk meets a fixed edge, or is long.
   struct location {
     place where;
     bool on_edge = false;
@@ -73,9 +73,9 @@ class delaunay_net {
   // which is not the next one: the frame is in between. Requires that it is on no edge that stays.
   vertex_index insert_towards(const site& s, const location& at, const comparison& is_better,
                               std::size_t most);
-  // Does so with a site on or beside the edge across from the corner, which may be one that stays:
-  // then both its parts do. Edges are flipped on the corner's side, and on both if told. Of the two
-  // new faces the first is on the corner's side. Requires a face on either side.
+  // Does so with a site on or beside the edge across from the corner. If that edge is fixed, both
+  // its parts are. Edges are flipped on the corner's side, and on the other side as well if asked.
+  // The first of the two new faces is on the corner's side. Requires a face on either side.
   vertex_index split_towards(const site& s, const place& at, bool on_both_sides,
                              const comparison& is_better, std::size_t most);
   // Returns how many flips these two have made in all.
@@ -120,8 +120,8 @@ class delaunay_net {
   bool stays(const place& p, const star_predicates& kernel) const;
   bool take_step() { return ++steps_ <= most_steps_; }
   std::optional<place> locate(vertex_index v, bool& on_edge);
-  // Tells of a face on the way to q which edge to cross, or, where q is in it, how many edges it is
-  // on.
+  // For a face on the walk to q: the edge to cross, or, where q is in it, the number of edges that
+  // q is on.
   struct way {
     bool goes_on = false;
     std::uint32_t edge = 0, touched = 0;

@@ -21,8 +21,8 @@ namespace asterism::internal {
 
 class edge_test_memory {
  public:
-  // Many places for a whole refinement, few for the stars of a chunk. There are none until the
-  // first question.
+  // Takes many places for a whole refinement, few for the stars of a chunk. Allocates at the first
+  // question.
   enum class extent : unsigned { few = 1U << 10, many = 1U << 14 };
   explicit edge_test_memory(extent places = extent::many) : extent_(places) {}
 

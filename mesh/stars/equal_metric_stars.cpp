@@ -40,7 +40,7 @@ double circumradius_above(const site& v, const point& q, const point& r) {
   return in_range ? std::sqrt(sides / below) * (1 + 0x1p-40) : infinity;
 }
 
-// Reads stars from the triangulation; each notes the faces it is the first to have, for the proof.
+// Reads stars from the triangulation. Each proves the faces of which its site has the least number.
 class star_reader {
  public:
   star_reader(const site_oracle& oracle, const site_triangulation& from,
@@ -105,8 +105,8 @@ class star_reader {
     return false;
   }
 
-  // Counts the face in; false if it is not sound, or reaches out of the domain. The reach is
-  // infinite where a subsegment closes the gap, as that may be split.
+  // Adds the face to the star; false if it is not proved Delaunay, or reaches out of the domain.
+  // The reach becomes infinite where a subsegment closes the gap, as a split opens it.
   bool take(const place& p) {
     const face& f = from_.net.faces()[p.face];
     for (const vertex_index corner : f.corner)
@@ -207,7 +207,7 @@ std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_o
   constexpr std::size_t chunk = 1024;
   std::vector<tier_counters> counts(chunk_count(oracle.size(), chunk));
   std::vector<char> is_made(counts.size(), 0);
-  // Written in place: this is where a large mesh takes most memory.
+  // Written in place: a large mesh has its peak of memory here.
   std::vector<constructed_star> stars(oracle.size());
   parallel_chunks(stars.size(), chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
     const auto kernel = oracle.kernel().fork(counts[i]);

@@ -33,7 +33,7 @@ constexpr std::size_t most_flips = 64;
 
 std::optional<mean_metric_net> mean_metric_net::make(const site_oracle& oracle,
                                                      const cancellation& cancelled) {
-  // Sites whose metrics vary over an edge by little take two or three flips each.
+  // Most flips a site: where metrics vary little over an edge two or three suffice.
   constexpr std::size_t flips_for_each = 16;
   auto questions = std::make_unique<asked>();
   questions->kernel = oracle.kernel().fork(questions->counted);
@@ -54,7 +54,7 @@ mean_metric_net::mean_metric_net(std::unique_ptr<asked> questions, site_triangul
       sites_(from_.net.all_sites()),
       inside_(std::move(inside)) {
   inside_.resize(faces(), 0);
-  // Numbers of the frame are skipped: no site has them.
+  // Skips the numbers of the frame's corners, which are not sites.
   from_.original.resize(sites_.size(), 0);
 }
 
@@ -83,8 +83,8 @@ bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
   return excess(a, b, c, d) > tie;
 }
 
-// Asks no exact numbers: what is undecided stays as it is, as does the rest after so much work that
-// stars made without guesses would be no dearer.
+// Uses doubles alone: an undecided edge stays, and all others do after as much work as making the
+// stars without guesses would cost.
 bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_index c,
                                          vertex_index d) {
   constexpr double most_for_each = 2;
@@ -103,8 +103,8 @@ bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_
   return comes.certain() && comes.value();
 }
 
-// A site that takes fewer leaves some to others. Where a limit of 64 held for each, a circle of
-// 30,000 equal segments was left to stars with thousands of neighbours, and took 62,000 sites in
+// Flips that a site does not use are left to later sites. With a limit of 64 for each site a circle
+// of 30,000 equal segments was left to stars with thousands of neighbours, and took 62,000 sites in
 // place of 52,000.
 std::size_t mean_metric_net::flips_left() const {
   const std::size_t in_all = most_flips * sites_.size(), done = from_.net.flips_of_insertions();

@@ -34,12 +34,12 @@ class mean_metric_net {
   // Returns the corners of a face inside by the numbers of the sites, the least first.
   triangle corners(std::uint32_t face) const;
 
-  // Returns where q is among the faces, found on a way from one of them that is inside; none where
-  // it is on or beyond a subsegment, or far away.
+  // Walks over inside faces to the place of q among the faces; none where q is on or beyond a
+  // subsegment, or the walk is long.
   std::optional<delaunay_net::location> locate(const point& q, std::uint32_t from) const {
     return from_.net.locate_near(q, from);
   }
-  // Puts in the site that is the next one of the mesh, in such a place; adds the faces at it to
+  // Inserts the mesh's next site at a place found by locate; adds the faces at it to
   // `around`.
   void insert(const site& s, const delaunay_net::location& at, std::vector<std::uint32_t>& around);
   // Does so with one that splits the subsegment from a to b, as the sites are numbered. Returns
@@ -50,13 +50,13 @@ class mean_metric_net {
   // Follows a renumbering: what was site v of the mesh is site to[v] from now on.
   void renumber(const std::vector<vertex_index>& to);
 
-  // Flips edges as the sites at both ends want it, where these and the mean of the metrics may
-  // differ, then returns the neighbours of each site, counter-clockwise from the nearest. Marks
-  // those of which doubles tell that each stands, and are not in doubt.
+  // Flips edges as the stars of both ends want, where these and the mean metric may differ. Returns
+  // the neighbours of each site, counter-clockwise from the nearest, and marks the sites all of
+  // whose neighbours are plainly accepted in doubles.
   neighbour_lists settled_neighbours();
 
  private:
-  // Answers questions, and counts them; kept apart so that the net finds it when this is moved.
+  // Answers and counts questions; on the heap, so that its address stays when this object is moved.
   struct asked {
     tier_counters counted;
     std::unique_ptr<star_predicates> kernel;
@@ -75,8 +75,8 @@ class mean_metric_net {
       return is_better(a, b, c, d);
     };
   }
-  // Says whether the stars refuse the edge from a to b and accept that from c to d. Notes at its
-  // ends if they do not plainly accept it.
+  // Says whether the stars refuse the edge from a to b and accept that from c to d. Notes at the
+  // ends of an edge that they do not plainly accept it.
   bool is_better_in_stars(vertex_index a, vertex_index b, vertex_index c, vertex_index d);
   // Returns how many flips the next site may take.
   std::size_t flips_left() const;

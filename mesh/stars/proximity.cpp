@@ -27,7 +27,7 @@ neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edg
       sites_(box_),
       subsegments_(box_),
       influences_(box_) {
-  // Along a curve, so that nodes near each other in the plane are near each other in memory.
+  // Inserts along a curve: nodes near each other in the plane are then near each other in memory.
   for (std::size_t i = 0; i < order_.size(); ++i) {
     if (i + triangles_ahead < order_.size()) prefetch(&sites[order_[i + triangles_ahead]]);
     sites_.insert(sites, order_[i]);

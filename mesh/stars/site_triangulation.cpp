@@ -66,7 +66,7 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
   return site_triangulation{std::move(net), std::move(order), std::move(numbers)};
 }
 
-// Goes from each subsegment over the edges that may go.
+// Floods from each subsegment over the edges that are not fixed.
 std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
   std::vector<char> inside(from.net.faces().size(), 0);
   std::vector<std::uint32_t> open;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who holds stars against all sites before a mesh is called complete.
+// Selects who tests stars against all sites: the mesher or the audit.
 #pragma once
 
 namespace asterism::internal {

@@ -111,8 +111,8 @@ bool is_clear_of_subsegments(const site_oracle& oracle, vertex_index v, const st
   return oracle.near()->subsegments().visit(around, [](std::uint32_t) { return false; });
 }
 
-// True if enough was done. Asked now and then on the way through the neighbours of one star, which
-// may be tens of thousands, with as many subsegments in the way of each.
+// True if the work allowed was done. Asked now and then while the neighbours of one star are gone
+// through: there may be tens of thousands, and as many subsegments that hide each.
 bool is_over_at(const site_oracle& oracle, std::size_t neighbour) {
   constexpr std::size_t at_a_time = 16;
   return neighbour % at_a_time == at_a_time - 1 && oracle.is_over();
@@ -127,7 +127,7 @@ bool sees_neighbours(const site_oracle& oracle, vertex_index v, const star& s) {
   return true;
 }
 
-// Returns the star with these neighbours if each is seen.
+// Returns the star with these neighbours if v sees each of them.
 std::optional<star> seen_star(const site_oracle& oracle, vertex_index v,
                               std::span<const vertex_index> ring) {
   auto s = ring_star(oracle, v, ring);
@@ -183,9 +183,9 @@ std::vector<vertex_index> ring_of(const plain_star& guess) {
   return ring;
 }
 
-// Returns the star to begin with: what is seen and stands of the guess. Most of it stays, where a
-// star that begins without neighbours takes many that are far in direction, and only exact numbers
-// tell when they go.
+// Returns the star to begin with: the neighbours guessed that v sees and that pass their tests.
+// Most stay. A star begun without neighbours takes many in far directions first, which only exact
+// numbers remove.
 star begun_star(const site_oracle& oracle, vertex_index v, const plain_star& guess) {
   auto s = ring_star(oracle, v, ring_of(guess));
   if (!s) return empty_star(oracle.edges(), v);
@@ -378,8 +378,8 @@ std::vector<vertex_index> others_in_reach(const site_oracle& oracle, vertex_inde
   return others;
 }
 
-// Makes the star anew with those of the other sites that it would accept; false if there are none,
-// or the patience is over.
+// Makes the star anew with those other sites that it would accept; false if there are none, or the
+// work allowed was done.
 bool take_missed(const site_oracle& oracle, vertex_index v, star_search search,
                  std::span<const vertex_index> others, local_star& from) {
   std::vector<vertex_index> missed;

@@ -68,8 +68,8 @@ class prepared_sector {
     return reach;
   }
 
-  // Calls visit(w) for each site that is not certainly outside of the gaps that reach beyond this,
-  // and in their reach, or for all sites if one of them is half a turn or more.
+  // Visits every site that may lie in a gap whose reach exceeds `common`, within that reach; all
+  // sites if one of these gaps is half a turn or more.
   template <class Visit>
   bool visit_gaps_beyond(double common, const Visit& visit) const {
     const site_index& near = oracle_->near()->sites();
@@ -136,8 +136,8 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
                                   unbounded_gaps unbounded) {
   std::vector<prepared_sector> sectors;
   sectors.reserve(s.sectors.size());
-  // A site matters to the gap alone that it is in, or to those on both sides of its ray: gaps that
-  // reach much farther than the others need not make more sites matter to these.
+  // Tests a site only against the gap that it is in, or those on both sides of its ray: a gap that
+  // reaches farther than the others adds no sites to these.
   constexpr double much = 1.5;
   double reach = 0, common = 0;
   bool at_boundary = false;

@@ -42,7 +42,7 @@ class site_oracle {
     other.patience_ = &patience;
     return other;
   }
-  // True if a star is to be left as it is (stars/star_patience.hpp); never without a patience.
+  // True once the work allowed was done: the star is left as it is (stars/star_patience.hpp).
   bool is_over() const { return patience_ != nullptr && patience_->is_over(*kernel_); }
 
   // Returns the orientation of u, v, w: positive when they turn counter-clockwise.

@@ -26,13 +26,13 @@ constexpr double most_work = 1.1;
 // Fewest sites for which guesses are made.
 constexpr vertex_index worth_guessing = 100;
 
-// Returns the stars that a new site is offered to: about those it will be a neighbour in are those
-// it has as neighbours. A thorough search finds what this local one misses
+// Returns the stars that a new site is offered to: those of its own neighbours, as a site is mostly
+// a neighbour of its neighbours. A thorough search finds what this local one misses
 // (stars/star_construction.hpp).
 std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w,
                                           const star& own) {
-  // Twice the distance of the farthest vertex holds all of them where metrics are equal, and a
-  // tenth more most where they vary (docs/results/constants.md).
+  // A reach of twice the distance of the farthest vertex holds all of them where metrics are equal,
+  // and a tenth more holds most where they vary (docs/results/constants.md).
   constexpr double reach_of_candidates = 2.2;
   std::vector<vertex_index> candidates;
   const neighbourhood* near = oracle.near();
@@ -118,8 +118,8 @@ void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& g
   guesses_ = nullptr;
 }
 
-// Adds empty stars up to so many. Makes room for some more: a large mesh gets few others, and
-// twice the room is more than what it is held in.
+// Adds empty stars up to this number. Reserves room for few more: a large mesh gets few others, and
+// doubled room would exceed what holds it.
 void star_set::add_empty_stars(std::size_t size) {
   if (size > stars_.capacity()) {
     const std::size_t room = size + size / 16;
@@ -163,9 +163,9 @@ std::size_t star_set::stars_missing() const {
       std::count_if(stars_.begin(), stars_.end(), [](const star& s) { return s.sectors.empty(); }));
 }
 
-// Works in blocks and checks the work done between them. Blocks grow while it stays little, up to
-// so many stars that those made beside the ones there are take little memory. What a block leaves
-// for later, as its share of the work was used up, is first in the next one.
+// Makes stars block by block and checks the work done in between. Blocks grow while that is little,
+// up to a size at which the stars held beside the old ones take little memory. A star that a block
+// leaves out, its share of work being used up, comes first in the next block.
 std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
                                               const std::vector<vertex_index>& which,
                                               star_search search) {
@@ -200,9 +200,9 @@ std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
   return changed;
 }
 
-// Returns the stars that changed or did not settle, and those left for later: each thread may use
-// an even part of the work that is left. `latest` is given if settled stars are to be confirmed;
-// `in_all` is how many are made in all blocks.
+// Returns the stars that changed or did not settle, and those left for later: each thread may do an
+// equal part of the work that is left. `latest` is given if settled stars are to be confirmed;
+// `in_all` is the number of stars in all blocks.
 std::vector<star_set::made_star> star_set::construct_block(const site_oracle& oracle,
                                                            std::span<const vertex_index> which,
                                                            star_search search,
@@ -217,7 +217,7 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
   std::vector<made_star> all = collect_chunks<made_star>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
-        // Remembers answers for good if there are few stars, as this thread alone then makes them.
+        // Uses the common cache if stars are few: this thread makes them alone then.
         star_patience patience(cancelled_, few ? done + part : part);
         edge_test_memory memory(edge_test_memory::extent::few);
         const site_oracle own =
@@ -368,7 +368,7 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         star_patience patience(cancelled_, part);
         const site_oracle own = oracle.with_kernel(*kernel).with_patience(patience);
-        // A star that nobody asks, for want of work, is made anew like one that accepts.
+        // A star that was not tested, for want of work, is made anew like one that accepts a site.
         for (std::size_t i = begin; i < end; ++i)
           for (const vertex_index v : candidate_stars(own, added[i], stars_[added[i]]))
             if (v < first && (own.is_over() || would_accept(own, v, stars_[v], added[i])))

@@ -83,16 +83,16 @@ class star_set {
                                      const std::vector<vertex_index>& which,
                                      const neighbour_lists& others);
 
-  // Returns how many stars sites were looked at for that were added one by one. Where metrics vary
-  // wildly these are all there are, each time.
+  // Returns the number of stars that sites added one by one were offered to: all stars, each time,
+  // where metrics vary wildly.
   std::size_t candidates_looked_at() const { return candidates_; }
 
   // Stars that were changed, and the neighbours they had before; either may hold an index twice.
   struct touched_stars {
     std::vector<vertex_index> changed, neighbours_before;
   };
-  // Returns those since the last call. Whatever was known of a triangle at one of these sites is to
-  // be looked at again.
+  // Returns the changes since the last call. Triangles at these sites have to be examined
+  // again.
   touched_stars take_touched() { return std::exchange(touched_, {}); }
 
  private:
@@ -139,7 +139,7 @@ class star_set {
   touched_stars touched_;
   const neighbour_lists* guesses_ = nullptr;                    // while all stars are made
   star_confirmation confirmed_ = star_confirmation::by_mesher;  // the guesses
-  // Holds what exchange() was given, while it is at work.
+  // Arguments of exchange() while it runs.
   struct exchanged {
     const std::vector<vertex_index>* which = nullptr;
     const neighbour_lists* others = nullptr;

@@ -40,7 +40,7 @@ bool sees(const boundary& b, const std::vector<site>& sites, const star_predicat
     ++looked_at;
     const point &r = sites[subsegment.a].position, &s = sites[subsegment.b].position;
     if (boxes_apart(p, q, r, s)) return true;
-    // Looks at the starts alone: every boundary vertex starts a subsegment.
+    // Tests the starts alone: every boundary vertex is the start of a subsegment.
     if (subsegment.a != v && subsegment.a != w && on_open_segment(kernel, p, q, r)) return false;
     const bool shares_end =
         subsegment.a == v || subsegment.a == w || subsegment.b == v || subsegment.b == w;
