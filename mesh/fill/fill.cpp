@@ -99,7 +99,7 @@ class filling {
     if (!is_over()) crowded_ = !stars_.renew(distance);
   }
 
-  // Makes room for the sites of the next level: half the distance takes up to four times as many.
+  // Makes room for the sites of the next level, up to four times as many as now.
   void reserve_next_level() {
     constexpr std::size_t times = 4;
     sites_.reserve(times * sites_.size());
@@ -156,8 +156,8 @@ class filling {
     return on_segments * elementary::exp2(level) + inside * elementary::exp2(2 * level);
   }
 
-  // Takes apart what the fill was made with, piece by piece, as soon as nothing is read from it any
-  // more: at the end of a fill a run needs most memory.
+  // Frees each part of the fill's working memory as soon as nothing reads it any more: the end of a
+  // fill is where a run needs most memory.
   filled_domain outcome() && {
     filled_domain filled;
     filled.rounds = rounds_;
@@ -246,8 +246,8 @@ class filling {
   std::optional<error> failure_;  // of the field, where a site was proposed
 };
 
-// Puts the divisions that were decided before in place of those measured. Their lengths tell on
-// which level of the fill a point is its turn, and nothing else: about even ones will do.
+// Replaces the divisions measured by those prescribed. Their lengths only decide on which level of
+// the fill a point is added, so parts of equal length are assumed.
 void keep_prescribed(const domain& d, const prescribed_divisions& prescribed,
                      std::vector<division>& divisions) {
   for (std::size_t s = 0; s < divisions.size(); ++s) {

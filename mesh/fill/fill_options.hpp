@@ -14,9 +14,9 @@ struct fill_options {
   double distance = 0.75;  // from every point of the domain to the nearest site, metric length
   double longest_subsegment = 0.9;  // of the segments, metric length
   std::size_t max_sites = 100000;
-  // Lengths wanted may differ by large factors from one site to its neighbours: all segments are
-  // divided and coarse sites put inside before there is a star, and where no Voronoi vertex is
-  // found, the bisector on the way to the neighbour will do.
+  // Set where wanted lengths differ by large factors between a site and its neighbours. All
+  // segments are then divided and coarse sites placed inside before any star is made; a gap without
+  // a Voronoi vertex proposes a point of the bisector on the way to the neighbour.
   bool is_uneven = false;
   // Divisions that segments have already, which are kept to; null or by segment.
   const prescribed_divisions* prescribed = nullptr;

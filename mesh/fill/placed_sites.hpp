@@ -16,7 +16,7 @@ namespace asterism::internal {
 
 class placed_sites {
  public:
-  // For at most `most` sites in the box.
+  // Makes an empty list with an index for the box, for at most `most` sites.
   placed_sites(const bounding_box& box, std::size_t most)
       : index_(box, site_index::purpose::places), most_(most) {}
 
@@ -49,7 +49,7 @@ class placed_sites {
   // True once a site was wanted for which there was no room.
   bool is_exhausted() const { return exhausted_; }
 
-  // Makes room for as many sites in all: a list that grows otherwise is there twice while it does.
+  // Reserves room for this many sites in all: a list that grows by itself is held twice meanwhile.
   void reserve(std::size_t count) {
     sites_.reserve(std::min(count, most_));
     on_segment_.reserve(std::min(count, most_));

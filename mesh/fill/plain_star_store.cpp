@@ -35,7 +35,7 @@ bool has_neighbour(const plain_star& star, vertex_index w) {
                      [w](const plain_gap& gap) { return gap.neighbour == w; });
 }
 
-// Adds what append(begin, end, claims) adds to `claims` for each chunk, in order.
+// Concatenates, in order, what append(begin, end, claims) adds to `claims` for each chunk.
 template <class Append>
 void collect_claims(std::size_t count, claim_list& claims, const Append& append) {
   std::vector<claim_list> parts(chunk_count(count, stars_a_chunk));
@@ -47,8 +47,8 @@ void collect_claims(std::size_t count, claim_list& claims, const Append& append)
 
 }  // namespace
 
-// Makes the stars anew that something is claimed of, each as `make` does of its neighbours and what
-// makes the claims.
+// Makes the stars with claims anew: make(star, claimants) builds each from its neighbours and the
+// sites that claim it.
 template <class Make>
 void plain_star_store::make_anew(const claims_by_star& all, const Make& make) {
   parallel_chunks(all.stars.size(), stars_a_chunk,
@@ -74,8 +74,8 @@ void plain_star_store::make_anew(const claims_by_star& all, const Make& make) {
 }
 
 bool plain_star_store::renew(double distance) {
-  // Stars made between two looks at the meter, before and after a quarter of the work that may be
-  // was done. What is found is put together block by block, since it is much at once.
+  // Number of stars made between two questions to the meter, before and after a quarter of the work
+  // allowed is done. Claims are put together block by block, as all at once would take much memory.
   constexpr std::size_t ordinary_block = 65536, late_block = 1024;
   constexpr std::uint64_t quarter = 4;
   const std::size_t count = sites_->size();
@@ -87,7 +87,7 @@ bool plain_star_store::renew(double distance) {
     const std::size_t end = std::min(count, at + block);
     const std::size_t claims = disturbed.size();
     make_stars(at, end, distance, disturbed);
-    // Where the first stars disturb many, others need not.
+    // Reserves no more than this for each star to come: the first may disturb more than others.
     constexpr std::size_t likely = 8;
     if (claims == 0)
       disturbed.reserve(
@@ -165,8 +165,8 @@ void plain_star_store::follow_moves(const std::vector<vertex_index>& order) {
             });
 }
 
-// Returns the stars that lack a site which follows them around another star, each with that site.
-// The site that lacks them is told by the star on the other side of the two.
+// Returns the pairs y, x such that the star of y lacks x, although x follows y in a star. The pairs
+// the other way round come from the star on the other side of the two.
 claim_list plain_star_store::new_neighbours(const std::vector<vertex_index>& order) const {
   claim_list lacking;
   collect_claims(order.size(), lacking, [&](std::size_t begin, std::size_t end, claim_list& out) {
@@ -187,7 +187,7 @@ std::vector<char> plain_star_store::mend_disagreeing(const std::vector<vertex_in
   make_anew(all, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
     return build_careful_star(sites_->all(), v, candidates);
   });
-  // Asks those again that were made anew, or have one of them: others are as they were.
+  // Asks again only the stars made anew and their neighbours: others have not changed.
   std::vector<vertex_index> doubtful = all.stars;
   doubtful.insert(doubtful.end(), all.by.begin(), all.by.end());
   sort_unique(doubtful);
@@ -248,11 +248,11 @@ void plain_star_store::renew_disturbed(const claim_list& disturbed) {
   }
 }
 
-// Takes the vertex of a gap of an older site v from the star of a new one beside the gap, if that
-// has the same triangle. Stars of new sites do not change while others are renewed.
+// Copies the Voronoi vertex of a gap of an older site v from the star of a new site beside that
+// gap, if it has the same triangle. Stars of new sites do not change while older ones are renewed.
 bool plain_star_store::take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const {
   const auto take = [&](vertex_index w, vertex_index first, vertex_index second) {
-    // A large star, as where lengths differ by large factors, is not gone through for one gap.
+    // Searching a star with more gaps costs more than computing the vertex again.
     constexpr std::size_t most_gaps = 16;
     if (w < finished_ || stars_[w].size() > most_gaps) return false;
     const plain_star& star = stars_[w];
@@ -281,7 +281,7 @@ bool plain_star_store::find_near(vertex_index w, double known, double reach,
   const double squared_known = known < 0 ? known : known * known;
   const double squared_reach = reach * reach;
   std::size_t count = near.size();
-  // Every site is written, and stays if it is one of those: which ones are is past guessing.
+  // Writes every site, and advances only past those that qualify: branches would be mispredicted.
   sites_->index().visit_clusters(
       sites_->all(), box, [&](std::span<const point> places, std::span<const vertex_index> which) {
         looked_at += places.size();
@@ -338,15 +338,15 @@ void plain_star_store::make_star(vertex_index w, double distance, std::vector<ve
   }
 }
 
-// Asks for what is read of a star of few gaps.
+// Prefetches what is read of a star of few gaps.
 void plain_star_store::prefetch_star(vertex_index v) const {
   constexpr std::size_t line = 64, most = 4;
   const char* const at = reinterpret_cast<const char*>(&stars_[v]);
   for (std::size_t i = 0; i < most; ++i) prefetch(at + i * line);
 }
 
-// Makes the star of w anew with more sites. What it did not take of those it was made from, it does
-// not take now.
+// Makes the star of w anew from its neighbours and more sites. Sites that it refused before stay
+// refused.
 void plain_star_store::extend_star(vertex_index w, std::span<const vertex_index> more) {
   std::vector<vertex_index> candidates;
   candidates.reserve(stars_[w].size() + more.size());
@@ -382,9 +382,9 @@ bool plain_star_store::is_hopeless(vertex_index w, int attempt, bool is_ordinary
   return is_ordinary || (is_late && looked_at > many);
 }
 
-// Returns some spacings of the sites around an isolated vertex w of the domain, where they are much
-// closer than the distance, so that no star is made from a large part of them all; infinite
-// elsewhere.
+// Returns the first reach for an isolated vertex w of the domain: a few spacings of the sites
+// around it where these are much closer than the distance, so that its star is not made from a
+// large part of all sites; infinite elsewhere.
 double plain_star_store::first_reach_among_dense(vertex_index w, double distance) const {
   if (!sites_->is_isolated(w)) return std::numeric_limits<double>::infinity();
   constexpr double much_closer = 0.25, spacings = 2.2;

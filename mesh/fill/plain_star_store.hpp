@@ -40,11 +40,11 @@ class plain_star_store {
   // True if each triangle of v's star is in the stars of its other two corners; but for those
   // between three sites on segments, which may be outside the domain.
   bool agrees_with_neighbours(vertex_index v) const;
-  // Makes all stars anew from their neighbours, after sites have moved by parts of their distances,
-  // and tells each of what became a neighbour by that. The order is as below.
+  // Makes all stars anew from their neighbours after sites have moved by parts of their distances,
+  // and offers each what became a neighbour of a neighbour. Ordered as for the function below.
   void follow_moves(const std::vector<vertex_index>& order);
-  // Makes those stars anew, with more care, that do not agree with their neighbours, from what they
-  // have and what has them; most agree then. Returns which stars do. To be called when no more
+  // Makes the disagreeing stars anew with more care, each from its neighbours and the sites that
+  // have it as a neighbour; most agree then. Returns a flag a star: it agrees. Call it when no more
   // sites come, with all sites in an order in which neighbours are near each other.
   std::vector<char> mend_disagreeing(const std::vector<vertex_index>& order);
   // Returns the stars that the last renewal made anew, or all after mark_all_changed(): those that
@@ -85,7 +85,7 @@ class plain_star_store {
   bounding_box box_;
   const fill_options* options_;
   work_meter* work_;
-  // Many and large: a vector would hold them twice while it grows.
+  // Paged: a vector would hold these many large records twice while it grows.
   using star_blocks =
       boost::container::deque_options_t<boost::container::block_bytes<within_large_page>>;
   boost::container::deque<plain_star, large_page_allocator<plain_star>, star_blocks> stars_;

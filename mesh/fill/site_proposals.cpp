@@ -39,8 +39,8 @@ void site_proposals::scatter(double distance) {
       [this](const std::function<std::vector<point>()>& next) { parts_.field.expect(next); });
 }
 
-// Places a site at q if there is room. Returns whether a cell with this half of its diagonal may
-// hold more.
+// Places a site at q if there is room. Returns whether a cell with this half diagonal is to be
+// divided further.
 bool site_proposals::scatter_at(const filtered_kernel& kernel, const point& q, const point& half,
                                 double distance) {
   const auto metric = parts_.field.at(q);
@@ -102,9 +102,9 @@ void site_proposals::propose(const filtered_kernel& kernel, vertex_index v, doub
   }
 }
 
-// Returns the gap's Voronoi vertex if it is in the box, farther than `distance` from v, and for v
-// to propose: of the three stars that have it, the one of the first site does. The metric is left
-// out.
+// Returns the gap's Voronoi vertex if it is in the box, farther than `distance` from v, and v is
+// the first of the three sites whose stars have it: the others leave it to v. The metric is not
+// set.
 std::optional<site_proposal> site_proposals::vertex_of_gap(vertex_index v, std::size_t i,
                                                            double distance) const {
   const plain_star& star = parts_.stars[v];
@@ -153,9 +153,9 @@ bool site_proposals::has_room(const site_index& among, const site& s, double dis
   });
 }
 
-// Places those of a block that have room beside the blocks before side by side, and then those of
-// them that have room beside each other in turn: the same are placed as if all were gone through in
-// turn.
+// Tests the candidates of a block against earlier blocks in parallel, then places those
+// that keep their distance from each other one by one: the result is that of one pass in
+// order.
 void site_proposals::place(std::vector<site_proposal> proposals, double distance) {
   const std::vector<std::uint32_t> order = in_order_of_placing(proposals, distance);
   constexpr std::size_t block = 8192;
@@ -195,7 +195,7 @@ std::vector<std::uint32_t> site_proposals::in_order_of_placing(
   return order;
 }
 
-// Leaves out those that have no room beside the sites placed so far.
+// Removes the proposals that are too near to sites placed so far.
 void site_proposals::leave_out_crowded(std::vector<const site_proposal*>& ready,
                                        const site_index& placed, double distance) {
   ready = collect_chunks<const site_proposal*>(

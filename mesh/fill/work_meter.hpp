@@ -19,7 +19,7 @@ class work_meter {
   void count_disturbed(std::uint64_t stars) { disturbed_ += stars; }
   // Adds sites and subsegments looked at. Safe to call from several threads.
   void count_candidates(std::uint64_t looked_at) { candidates_ += looked_at; }
-  // Adds gaps of stars that were held against a site, or made. Safe to call from several threads.
+  // Adds gaps of stars that were tested against a site, or made. Safe to call from several threads.
   void count_gaps(std::uint64_t looked_at) { gaps_ += looked_at; }
 
   // True if `parts` times the work done is more than so many sites may take. Fills of metrics that
@@ -34,8 +34,8 @@ class work_meter {
   }
 
   // Returns the work done in the units of kernels/work_units.hpp. Where metrics vary wildly stars
-  // have hundreds of gaps: to find the one that a site lies in takes less, since they are halved
-  // and not gone through, and to make such a star takes more than two microseconds.
+  // have hundreds of gaps. Finding the gap of a site costs less than one test a gap, as it is a
+  // bisection; making such a star costs more than two microseconds.
   double units() const {
     return work_weights::plain_star * static_cast<double>(disturbed_) +
            work_weights::plain_candidate * static_cast<double>(candidates_) +
