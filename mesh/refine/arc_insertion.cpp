@@ -41,9 +41,9 @@ arc_insertion::pass_result arc_insertion::insert_at_worst() {
   return pass_result::exhausted;
 }
 
-// Comes when no tolerance leaves a candidate. Where metrics vary, candidates are outside for other
-// reasons than rounding, and smaller tolerances cost less: splitting before the tolerance shrinks
-// takes 143 sites in place of 110 for the square in swirl:12.
+// Splits a subsegment where no tolerance leaves a candidate. Where metrics vary, candidates are
+// outside for other reasons than rounding, and smaller tolerances cost less: splitting before the
+// tolerance shrinks takes 143 sites in place of 110 for the square in swirl:12.
 bool arc_insertion::split_before_worst() {
   if (state_.is_full() || cancelled_.is_requested()) return false;
   return std::any_of(queue_.bad().begin(), queue_.bad().end(), [&](const bad_triangle& b) {
@@ -52,8 +52,8 @@ bool arc_insertion::split_before_worst() {
   });
 }
 
-// Off-centres are tried first where collateral angles are mended: Voronoi vertices there encroach
-// on the long subsegments at the tips of wedges, which then are split, and all begins anew at half
+// Tries off-centres first where collateral angles are mended. Voronoi vertices there encroach on
+// the long subsegments at the tips of wedges; these are split, and the same happens again at half
 // the size. A quarter more than the bound leaves room for metrics that vary.
 bool arc_insertion::insert_at(const triangle& t, double tolerance) {
   constexpr double part_of_bound = 1.25;

@@ -36,16 +36,16 @@ class arc_insertion {
   // to see.
   bool insert();
   // Inserts a site each for many bad triangles; does nothing when they are few. Skips a triangle
-  // one of whose sites, or a neighbour of one, already was in a triangle that got a site: what
-  // comes of that is looked at anew first. Splits no subsegments; insert() does, one by one.
-  // Returns false when nothing was inserted.
+  // that shares a site or a neighbour with a triangle that got a site: it has to be examined again
+  // first. Splits no subsegments; insert() does, one by one. Returns false when nothing was
+  // inserted.
   bool insert_in_bulk();
   // Inserts a site for a triangle at a sharp corner whose low angles are not the corner's own
   // alone; true if one was inserted. Takes only places not far below the first tolerance, so that
   // this cannot run away.
   bool insert_at_exempt_corners();
 
-  // From now on tries places nearer to the triangles as well: for collateral angles.
+  // Tries places nearer to the triangles as well from now on: for collateral angles.
   void mend_collateral() { mends_collateral_ = true; }
 
   double tolerance() const { return tolerance_; }  // in force

@@ -18,7 +18,7 @@ struct bad_face {
   std::uint64_t rank;
   triangle where;
   std::uint32_t face;
-  // Orders as a heap wants it that gives the least rank first.
+  // Orders the heap so that the least rank comes first.
   bool operator<(const bad_face& other) const {
     return std::tie(rank, where) > std::tie(other.rank, other.where);
   }

@@ -23,10 +23,10 @@ bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, 
          oracle.orientation(v, y, ends.last) == sign::positive;
 }
 
-// The domain's corner that each corner of a triangle lies in; null where that is none.
+// The domain's corner that contains each corner of a triangle; null where none does.
 using corners_of_domain = std::array<const domain_corner*, 3>;
 
-// Returns the corners of the list, which is sorted by vertex, that the triangle's lie in.
+// Returns the domain corners that contain the triangle's corners. `list` is sorted by vertex.
 corners_of_domain corners_in(const site_oracle& oracle, const triangle& t,
                              const std::vector<domain_corner>& corners) {
   corners_of_domain in{};
@@ -42,8 +42,8 @@ corners_of_domain corners_in(const site_oracle& oracle, const triangle& t,
   return in;
 }
 
-// Returns the angles at those corners that the triangle fills from one subsegment to the other, in
-// all three metrics. A part of a divided corner could be wider.
+// Returns, in all three metrics, the angles at those domain corners that the triangle fills from
+// one subsegment to the other. A part of a divided corner could be wider.
 angle_set unavoidable(const boundary& edges, const triangle& t, const corners_of_domain& in) {
   angle_set at;
   for (std::size_t i = 0; i < 3; ++i)
@@ -71,8 +71,8 @@ angle_set exempt_angles(const refine_state& state, const triangle& t, const corn
   return exempt;
 }
 
-// Returns how many neighbours are looked at when the star of v is held against those of its
-// neighbours: the square of a degree where hubs are neighbours.
+// Returns the cost of comparing the star of v with its neighbours' stars, in neighbours looked at:
+// the square of a degree where vertices of high degree are neighbours.
 std::size_t neighbours_of_neighbours(const star_set& stars, vertex_index v) {
   std::size_t all = 0;
   for (const sector& s : stars[v].sectors)
@@ -147,8 +147,8 @@ std::set<vertex_index> bad_triangle_queue::corners_beside_low(const refine_state
   return all;
 }
 
-// Returns the wedge below half the bound on whose two segments, not both of the rim, the
-// triangle's corners all are, or null.
+// Returns the wedge, below half the bound and with an internal segment, whose two segments hold all
+// corners of the triangle; null if there is none.
 const domain_wedge* bad_triangle_queue::crossed_wedge(const refine_state& state,
                                                       const triangle& t) const {
   const auto accepts = [&](const domain_wedge& w) {
@@ -215,13 +215,13 @@ bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state
       if (!holds_triangle(oracle, v, s, gap)) {
         found.disagreeing.push_back(t);  // a wide gap
       } else if (!has(t[1], t[2], v) || !has(t[2], v, t[1]) || stars.is_unsettled(v)) {
-        // Seen from another star the same triangle holds as well: its orientation is positive.
+        // The same triangle as another star holds it: its orientation is positive there, too.
         found.disagreeing.push_back(canonical(t));
       } else if (v < t[1] && v < t[2]) {
         judge(state, oracle, t, found);
       }
     }
-    // A neighbour that has one of v's triangles has v.
+    // If all triangles of v agree, each neighbour's star contains v, so none is one-sided.
     const bool all_agree = s.gaps() > 0 && found.disagreeing.size() == before;
     for (std::size_t i = 0; !all_agree && i < s.neighbours.size(); ++i)
       if (!stars[s.neighbours[i]].contains(v)) found.one_sided.push_back(s.neighbours[i]);

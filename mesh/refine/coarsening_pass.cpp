@@ -37,14 +37,14 @@ standing standing_of(const mesh& m, const std::vector<triangle>& exempt) {
 }
 
 // True if nothing is worse, and there are fewer sites or a higher mean quality. False if a number
-// to be compared is none.
+// to be compared is NaN.
 bool is_better(const standing& before, const standing& after) {
   return after.sites <= before.sites && after.exempt <= before.exempt &&
          after.worst_angle >= before.worst_angle && after.mean_quality >= before.mean_quality &&
          (after.sites < before.sites || after.mean_quality > before.mean_quality);
 }
 
-// Finds the sites of the mesh before by where they were to be.
+// Finds the sites of the mesh before the pass by the places proposed for them.
 class places_before {
  public:
   explicit places_before(const improvement_proposal& p) {
@@ -72,8 +72,8 @@ class places_before {
   std::vector<entry> sorted_;
 };
 
-// Marks the sites of the mesh before that are in triangles that spoil the mesh after: where an
-// angle is too small, the stars disagree, or a site had to be put in.
+// Marks the sites of the mesh before the pass that have triangles spoilt by it: where an angle is
+// too small, stars disagree, or a site had to be inserted.
 std::vector<char> spoilt_at(const places_before& places, std::size_t count_before,
                             const mesh& after, double worst_before) {
   std::vector<char> spoilt(count_before, 0);

@@ -37,7 +37,7 @@ struct hole {
   std::vector<triangle> filled_by;
 };
 
-// Triangulates the part first..last of a ring, for which `apex` has the third corner.
+// Triangulates the part first..last of a ring; `apex` holds the third corner chosen for each part.
 std::vector<triangle> triangles_below(
     const std::vector<vertex_index>& ring,
     const std::array<std::array<std::size_t, most_sides>, most_sides>& apex) {
@@ -149,8 +149,8 @@ class coarsening {
   }
 
  private:
-  // Marks the sites at a place that an earlier one has, since refinement wants distinct sites. None
-  // meet while triangles turn as doubles say they do.
+  // Marks sites at the place of an earlier one, as refinement requires distinct sites. Sites do not
+  // meet while triangles keep the orientation that doubles compute.
   std::vector<char> at_an_earlier_place() const {
     std::vector<vertex_index> order;
     for (vertex_index v = 0; v < sites_.size(); ++v)

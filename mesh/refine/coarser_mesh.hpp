@@ -31,10 +31,10 @@ class coarser_field : public metric_field {
 // itself.
 void restore_lengths(int halvings, mesh_outcome& outcome);
 
-// Turns the outcome of a coarser mesh into one of what was asked; does nothing without halvings. It
-// is then not complete, and has the number of triangles that are too large and the size that was
-// delivered. Estimates from the sites there are how many would have been wanted, unless the fill
-// was stopped and more were to come.
+// Turns the outcome of a coarser mesh into one of what was asked; does nothing without halvings.
+// The outcome is then not complete, and has the count of too large triangles and the size
+// delivered. Estimates from its sites how many would have been wanted, unless the fill was stopped
+// before its end.
 void report_coarser(int halvings, bool fill_stopped, const mesh_options& options,
                     mesh_outcome& outcome);
 

@@ -64,8 +64,8 @@ bool is_final(const result<mesh_outcome>& kept) {
          kept.value().stopped;
 }
 
-// Returns the mesh of the given vertices alone in place of a crowded fill. The sites of such a fill
-// are each in reach of most others: exact stars of them would take hours.
+// Returns the mesh of the given vertices alone in place of a crowded fill. In such a fill each site
+// is in reach of most others: exact stars would take hours.
 result<mesh_outcome> mesh_without(const crowded_site& crowded, const meshing_context& job) {
   auto kept = mesh_as_given(job, 0);
   if (!kept || kept.value().complete) return kept;
@@ -103,9 +103,9 @@ result<mesh_outcome> mesh_domain(const meshing_context& job) {
   auto filled = fill_within_budget(job);
   if (!filled) return filled.failure();
   if (const auto& crowded = filled.value().proposed.crowded) return mesh_without(*crowded, job);
-  // The mesh given may be as fine as the limit allows already. A mesh made under the same limit is
-  // filled anew with all its vertices given, which may come out finer: by less than edges half as
-  // long.
+  // Keeps the mesh given if it is final at a size that is coarser by two halvings more, at most: it
+  // may already be as fine as the limit allows. A fill with all its vertices given may come out
+  // finer, by less than halved edges.
   const int halvings = filled.value().halvings;
   const int coarsest = halvings > 0 && keep ? halvings + 2 : 0;
   for (int fewer = 1; fewer <= coarsest; ++fewer)

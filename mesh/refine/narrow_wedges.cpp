@@ -23,8 +23,8 @@ double distance_from(const site& corner, const point& q) {
   return std::sqrt(squared_distance(corner, q));
 }
 
-// Returns the point of the segment from `near` to `far` at the distance `wanted` from the corner
-// they are in line with. Their own distances from it are given. None unless it is between them.
+// Returns the point between `near` and `far`, two points in line with a corner at the distances
+// given, that is at the distance `wanted` from the corner. None unless it is strictly between them.
 std::optional<point> point_between(const point& near, const point& far, double near_distance,
                                    double far_distance, double wanted) {
   if (!(near_distance < wanted && wanted < far_distance)) return std::nullopt;

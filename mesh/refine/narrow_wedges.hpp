@@ -47,8 +47,8 @@ class narrow_wedges {
   void note_split(vertex_index v, vertex_index segment);
 
   const std::vector<domain_wedge>& all() const { return wedges_; }
-  // True if the segment is one of a narrow wedge inside the domain. Of other segments
-  // mirrored_point() has none, whatever encroaches on them.
+  // True if the segment is one of a narrow wedge inside the domain. For other segments
+  // mirrored_point() never has a point.
   bool is_mirrored(vertex_index segment) const;
   // Returns the wedges one of whose segments the site splits.
   std::vector<const domain_wedge*> at_split(vertex_index v) const;

@@ -16,14 +16,14 @@
 
 namespace asterism::internal {
 
-// Returns the point on the inner side of the shortest edge from which that is `degrees` wide, both
-// ends being equally far; none if the Voronoi vertex of the triangle, which is as far as `radius`
-// from its sites, is nearer to the edge.
+// Returns the point on the inner side of the shortest edge, equally far from its ends, that sees it
+// under `degrees`; none if the Voronoi vertex of the triangle, which is `radius` from its sites, is
+// nearer to the edge.
 std::optional<point> off_centre(const triangle_sites& s, double degrees, double radius);
 
-// Returns a site from which the shortest edge of the triangle is `degrees` wide. None if the
-// Voronoi vertex is nearer to the edge, or the site would not be strictly inside, farther than
-// `tolerance` from every site as both measure, and encroaching on nothing. In doubles but for these
+// Returns a site that sees the shortest edge of the triangle under `degrees`. None if the Voronoi
+// vertex is nearer to the edge, or the site would not be strictly inside, farther than `tolerance`
+// from every site as both measure, and encroaching on nothing. In doubles except for these
 // conditions.
 std::optional<site> find_off_centre(refine_state& state, const triangle& t, double degrees,
                                     double tolerance);

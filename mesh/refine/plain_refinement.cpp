@@ -74,7 +74,7 @@ class plain_refinement {
       at_wedge_end_[w.first_end] = at_wedge_end_[w.last_end] = 1;
   }
 
-  // Returns false if the net is of no use in the end.
+  // Runs to the end; returns false if the triangulation is of no use then.
   bool run() {
     state_.listen_to_splits([this](vertex_index a, vertex_index b) { note_split(a, b); });
     for (std::uint32_t face = 0; face < net_.faces(); ++face) judge(face);
@@ -100,9 +100,9 @@ class plain_refinement {
   }
 
  private:
-  // Puts a face with a low angle into the queue, unless it is for the stars: at a corner that must
-  // not be divided, across the wedge of a sharp one, or between far ends of such wedges alone. What
-  // is put there would divide the wedges, and so all along them, where stars put one site.
+  // Queues a face with a low angle, unless star refinement is to mend it: at a corner that must not
+  // be divided, across the wedge of a sharp corner, or with all corners at far ends of such wedges.
+  // A site there would divide the wedge all along, where star refinement inserts one site.
   void judge(std::uint32_t face) {
     if (!net_.is_inside(face)) return;
     const triangle t = net_.corners(face);
@@ -162,7 +162,7 @@ class plain_refinement {
     judge_around();
   }
 
-  // Splits these subsegments, and what is encroached then; false if it can split none of these.
+  // Splits these subsegments, and those then encroached; false if none of them can be split.
   bool split(const std::vector<std::size_t>& subsegments) {
     bool any = false;
     for (const std::size_t subsegment : subsegments)
@@ -172,7 +172,7 @@ class plain_refinement {
     return any;
   }
 
-  // Has the net follow a split by the last site.
+  // Updates the triangulation for a split by the last site.
   void note_split(vertex_index a, vertex_index b) {
     const vertex_index m = static_cast<vertex_index>(state_.sites().size() - 1);
     on_boundary_.resize(m + 1, 0);

@@ -4,8 +4,8 @@
 // fill's.
 //
 // Works on one triangulation (stars/mean_metric_net.hpp), which takes a site in a few microseconds
-// where stars take two hundred. What it leaves, or does that stars would not have, is mended by
-// them as ever. Adds nothing where low angles may have to stay.
+// where stars take two hundred. Star refinement repairs whatever it leaves, or triangulates
+// differently from the stars. Adds nothing where low angles may have to stay.
 #pragma once
 
 #include <cstddef>

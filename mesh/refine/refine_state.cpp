@@ -49,9 +49,9 @@ void refine_state::construct_stars(const neighbour_lists& likely, star_confirmat
   has_stars_ = true;
 }
 
-// Divides the segments at the proposed points, or beside them on the curve of a chord. A point that
-// is put on the wrong side of something is left out, and so are all once the run is told to end:
-// where thousands of segments share a vertex each point is held against all of them.
+// Divides the segments at the proposed points, or beside them on the curve of a chord. Leaves out a
+// point that rounding put on the wrong side of something, and all further points once the run is
+// told to end: where thousands of segments share a vertex each point is tested against all of them.
 void refine_state::divide(const domain& d, const filled_domain& filling, numbered_sites& taken) {
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     std::size_t subsegment = segments_.find_subsegment(d.segments[s].a, d.segments[s].b);
@@ -75,8 +75,8 @@ void refine_state::divide(const domain& d, const filled_domain& filling, numbere
   }
 }
 
-// Says for each of a few sites near each other whether it is strictly inside and encroaches on
-// nothing. No subsegment meets their box, most often: then all of them are on the same side.
+// Returns for each of a few sites near each other whether it is strictly inside and encroaches on
+// nothing. Mostly no subsegment meets their box: then all are on the same side.
 void refine_state::ask_of_few(const star_predicates& kernel, std::span<const site> few,
                               std::vector<char>& out) const {
   bounding_box box{few[0].position, few[0].position};
@@ -107,8 +107,8 @@ void refine_state::add_proposed(const std::vector<site>& proposed, numbered_site
     taken.push_back(fits[i] != 0 && !is_full() ? sites_->add(proposed[i]) : left_out);
 }
 
-// Renumbers what the fill saw around its sites, and takes its marks. A star with a neighbour that
-// was left out gets no guess.
+// Renumbers the neighbours that the fill found for its sites, and copies its marks. A star with a
+// neighbour that was left out gets no guess.
 void refine_state::guess_stars(const neighbour_lists& stars, const numbered_sites& taken) {
   guesses_.reserve(sites().size());
   for (std::size_t i = 0; i < stars.size(); ++i) {

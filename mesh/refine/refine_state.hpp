@@ -71,10 +71,10 @@ class refine_state {
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const site& s) const;
 
-  // Makes all stars, of those that the fill guessed not all held against all sites. Until then
-  // subsegments may be split, and nothing else may be asked or done that is about stars.
+  // Makes all stars; those guessed by the fill are not all tested against all sites. Before this
+  // call subsegments may be split, but nothing that concerns stars may be asked or done.
   void construct_stars(star_confirmation confirmed);
-  // Does so from neighbours that they are likely to have.
+  // Makes all stars from the neighbours that they are likely to have.
   void construct_stars(const neighbour_lists& likely, star_confirmation confirmed);
 
   // Adds a site with its star. Requires a site strictly inside the domain and distinct from the
@@ -84,8 +84,8 @@ class refine_state {
   // anything is asked of the stars, add_stars() makes those left out.
   void add_interior_later(const site& s);
   void add_stars();
-  // Numbers sites inside, no vertices of the domain, anew among themselves (site_set). Requires
-  // that there are no stars yet.
+  // Renumbers the inside sites, all but the domain's vertices, among themselves (site_set).
+  // Requires that there are no stars yet.
   std::vector<vertex_index> number_along_curve(const std::vector<vertex_index>& inside) {
     return sites_->number_along_curve(inside);
   }

@@ -22,8 +22,8 @@
 namespace asterism::internal {
 namespace {
 
-// Value a phase returns when something came of it and all is to be looked at anew; otherwise it
-// returns how refinement ended.
+// Return value of a phase that changed something: the step begins again. Otherwise a phase returns
+// how refinement ended.
 constexpr std::optional<ending> go_on;
 
 // Returns the sharpest corner below the bound that some of these sites are beside: at one, or on a
@@ -87,8 +87,8 @@ class refinement_loop {
     return outcome(*ended);
   }
 
-  // Returns the corners beside which low angles could not be mended; with those spared the others
-  // may be.
+  // Returns the corners beside which low angles could not be mended; the caller exempts them and
+  // begins again.
   const std::set<vertex_index>& hopeless() const { return hopeless_; }
 
  private:
@@ -171,12 +171,12 @@ class refinement_loop {
     return go_on;
   }
 
-  // Holds every star against all sites, unless that is left to the auditor.
+  // Tests every star against all sites, unless that is left to the auditor.
   bool repair() { return confirmed_ == star_confirmation::by_mesher && stars_.repair(); }
 
-  // Demands of triangles beside sharp corners what the auditor does. That may call for ever smaller
-  // ones, so the mesh made so far is kept, and few sites are allowed: of the wedges of 0.1 to 19
-  // degrees that were tried, those that could be mended took up to 400 more.
+  // Demands of triangles beside sharp corners what the auditor demands. That may need ever smaller
+  // ones, so the mesh made so far is kept, and few further sites are allowed: of the wedges of 0.1
+  // to 19 degrees that were tried, those that could be mended took up to 400 more.
   void mend_collateral() {
     constexpr std::size_t more = 500, more_for_each = 20;
     before_collateral_ = outcome(ending::collateral);
@@ -270,7 +270,7 @@ class refinement_loop {
   mesh_outcome outcome(ending how) {
     if (how != ending::complete)
       return outcome_with(how, check_consistency(state_.oracle(), state_.stars()));
-    // The queue has found all stars to agree, and the auditor looks again.
+    // Skips the comparison: the queue has made it, and the auditor makes it again.
     consistency_report all_agree;
     all_agree.agreeing = triangles_of_consistent(state_.stars());
     return outcome_with(how, std::move(all_agree));
@@ -323,9 +323,9 @@ class refinement_loop {
 
 }  // namespace
 
-// Low angles beside sharp corners are mended all together or not at all: one corner where it goes
-// on for ever takes all sites allowed. So where some are hopeless it is begun anew without these; a
-// round finds at least one more.
+// Low angles beside sharp corners are mended together or not at all: one corner whose refinement
+// never ends takes all sites allowed. So refinement begins again without the corners found
+// hopeless; each round finds at least one more.
 result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed) {
   constexpr int rounds = 3;
   std::set<vertex_index> spared;

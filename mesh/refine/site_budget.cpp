@@ -22,10 +22,10 @@ namespace {
 constexpr double part_for_filling = 0.8;
 // Bound on the attempts. Each halves the sites at least once, and no problem takes 2^2000 of them.
 constexpr int most_attempts = 2000;
-// Number of vertices from which sites are first spread as the segments will need them, and number
-// of vertices to one site inside beyond which that is not done. Where a domain is narrow everywhere
-// vertices see few others, and refinement finds fewer sites. Without a size only ends of segments
-// count: isolated vertices are spread already.
+// Number of vertices from which sites are first spread as the segments need them, and most vertices
+// for one inside site with which that is done. Where a domain is narrow everywhere vertices see few
+// others, and refinement finds fewer sites. Without a size only ends of segments count: isolated
+// vertices are spread already.
 constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 
 // Returns how many more times the number of sites is to be halved.
@@ -67,7 +67,7 @@ budgeted_filling nothing_proposed(const domain& d) {
   return nothing;
 }
 
-// Measures every proposed site as the field does, not as the one it was spread by.
+// Replaces the metric of every proposed site by the field's own; it was spread by another one.
 std::optional<error> measure_anew(const metric_field& field, filled_domain& proposed) {
   const auto measure = [&](std::vector<site>& sites) -> std::optional<error> {
     for (site& s : sites) {
@@ -105,8 +105,8 @@ result<std::optional<filled_domain>> fill_by_features(const meshing_context& job
   return filling(std::move(proposed));
 }
 
-// Fills the domain as the size wants it, or with edges as much longer as the limit on sites asks
-// for.
+// Fills the domain for the size wanted, or with edges lengthened by the factor that the limit on
+// sites asks for.
 result<budgeted_filling> fill_by_halving(const meshing_context& job) {
   const fill_options wanted = fill_options_for(job);
   budgeted_filling filled;

@@ -13,8 +13,8 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   const star_set& stars = state_.stars();
   std::vector<vertex_index> stale, unconfirmed;
   std::vector<triangle> disagreeing;
-  // So many looks at a neighbour take as long as one look at a triangle, a third of a microsecond
-  // each where metrics are the same, else one.
+  // Looks at a neighbour that cost as much as one look at a triangle: a third of a microsecond each
+  // where metrics are the same, else one.
   constexpr std::size_t as_neighbours = 110;
   for (const bad_triangle& b : queue.bad()) {
     if (b.why != badness::disagreeing) break;
@@ -30,14 +30,14 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   if (steep_.awaits_other_metric()) return false;
   if (rebuild(std::move(stale), star_search::near)) return true;
   if (exchange(disagreeing)) return true;
-  // All sites are in reach where metrics vary much, so this waits until there are a tenth more.
+  // Waits for a tenth more sites: where metrics vary much all sites are in reach.
   if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
   confirmed_at_ = state_.sites().size();
   return rebuild(std::move(unconfirmed), star_search::thorough);
 }
 
-// Offers each corner of these triangles what the others have as neighbours: a site that a search of
-// what is near has missed is in the star of another corner, as a rule. Once for each triangle.
+// Offers each corner of these triangles the neighbours of the other two, once a triangle: a site
+// missed by a local search is, as a rule, in the star of another corner.
 bool stale_stars::exchange(const std::vector<triangle>& disagreeing) {
   const star_set& stars = state_.stars();
   std::vector<std::pair<vertex_index, vertex_index>> offers;  // to whom, and what

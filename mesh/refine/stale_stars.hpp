@@ -25,9 +25,9 @@ class stale_stars {
   // they should not, and near searches miss some.
   bool rebuild_disagreeing(const bad_triangle_queue& queue);
   bool rebuild_all();
-  // Holds every star against all sites that are not certainly out of its reach, since a local
-  // search can have missed some. Sites that were there the last time need not be looked at again
-  // only because others came, so this is done once for each number of sites.
+  // Tests every star against all sites that are not certainly out of its reach, since a local
+  // search can have missed some. Done once for each number of sites: sites tested before need not
+  // be tested again because others came.
   bool repair();
   // Lets rebuild_disagreeing() hold stars against all sites once more before refinement gives up.
   // Returns false if it has held them against these sites already.
