@@ -17,7 +17,7 @@ namespace asterism::internal::adapting {
 namespace {
 
 constexpr double degrees_above = 4;  // the bound, that are aimed at
-// Length of an edge that no merge makes, in units: twice the shortest that stay.
+// Longest edge that a merge may make, in units: twice the shortest that stay.
 constexpr double longest_edge = std::numbers::sqrt2;
 // Directions in which a node is moved, an equal part of a turn apart.
 constexpr std::size_t direction_count = 8;
@@ -129,12 +129,12 @@ double agreement::excess(const node& a, const node& b, const node& c) const {
   return sum;
 }
 
-// Merges a node of a low triangle into its neighbour, where that leaves least trouble, if it leaves
-// much less; true if it did.
+// Merges a node of a low triangle into the neighbour that leaves the least defect, if that is much
+// less than now; true if it did.
 bool agreement::merge_away(vertex_index t) {
   constexpr double enough = 0.5;
   const double longest = longest_edge * options_.unit;
-  // A node with more neighbours is a hub of segments or of a fan: it stays, and costs their square.
+  // A node with more neighbours stays, since trying it costs their square.
   constexpr std::size_t most_neighbours = 64;
   double best = 0;
   vertex_index from = none, into = none;
@@ -170,8 +170,8 @@ bool agreement::merge_away(vertex_index t) {
   return true;
 }
 
-// Changes the tensors of a low triangle's nodes towards the one in which it is equilateral, until
-// that measures its angles as much like theirs as is needed.
+// Moves the tensors of a low triangle's nodes towards the tensor in which it is equilateral, until
+// they differ from it by no more than `enough`.
 void agreement::follow_shape(vertex_index t) {
   constexpr double enough = 0.5;  // log 1.65: angles of 23 degrees and more
   const face& f = m_.faces()[t];
@@ -190,7 +190,7 @@ void agreement::follow_shape(vertex_index t) {
         own = m_.at(v).metric;
     const double apart = log_distortion(own, goal);
     if (!(apart > enough)) continue;
-    // Half of the excess is taken from each side. Only this side counts, so the excess is doubled.
+    // Takes half of the excess from each side. Only this side counts, so the excess is doubled.
     if (!make_alike(own, goal, std::max(0.0, 2 * enough - apart))) continue;
     m_.set_metric(v, own);
     next_[v] = 1;
@@ -198,8 +198,8 @@ void agreement::follow_shape(vertex_index t) {
   }
 }
 
-// Returns how far the angles at these faces are below a few degrees above the bound, or, where that
-// is at least `most`, some number that is.
+// Returns the defect of these faces: how far their angles are below a few degrees above the bound.
+// Stops adding at `most` and returns some number that is no less.
 double agreement::trouble_at(const face_list& at, double most) const {
   double sum = 0;
   for (const vertex_index t : at) {
@@ -218,7 +218,7 @@ double agreement::longest_around(vertex_index v) const {
   return longest;
 }
 
-// Moves v to the place, of several around it, where there is least trouble.
+// Moves v to the place, of several around it, with the least defect.
 void agreement::move_away(vertex_index v) {
   const node here = m_.at(v);
   if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;

@@ -47,7 +47,7 @@ class agreement {
   void run();
   // Makes the tensors of these nodes more alike, where stars disagree that run() did not see to.
   void disagreed_at(const std::vector<vertex_index>& nodes);
-  // Has run() look at the triangles of these nodes, which are new.
+  // Adds the triangles of these nodes, which are new, to those that run() examines.
   void changed_at(const std::vector<vertex_index>& nodes);
   // Returns the report so far.
   const agreement_report& report() const { return report_; }

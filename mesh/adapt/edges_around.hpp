@@ -16,10 +16,10 @@ namespace asterism::internal::adapting {
 
 class edges_around {
  public:
-  // Both must outlive it.
+  // Refers to the mesh and the tests, which must outlive it.
   edges_around(const working_mesh& m, const local_tests& tests) : m_(m), tests_(tests) {}
 
-  // Turns to this node. Until the next time it is the only one that may change.
+  // Selects this node. Until the next call no other node may change.
   void turn_to(vertex_index v) {
     v_ = v;
     m_.around(v, at_);
@@ -28,12 +28,12 @@ class edges_around {
   // Returns the faces around the node.
   const face_list& faces() const { return at_; }
 
-  // Tells the clearance of each edge that has the node at an end or across, infinite at segments,
-  // while the answer is true; returns the last answer. Of the edges at the node each face has one
-  // to tell, which is shared with the next face.
+  // Calls answer(clearance) for each edge with the node at an end or across, infinite at segments,
+  // while it returns true; returns the last answer. Of the edges at the node each face passes one,
+  // which it shares with the next face.
   template <class Tell>
   bool tell_clearances(const Tell& tell);
-  // Tells the centre of each face across from the node, and not across a segment.
+  // Computes the centre of each face across from the node that is not across a segment.
   template <class Tell>
   void tell_centres_across(const Tell& tell) {
     for (std::size_t k = 0; k < at_.size(); ++k) {
@@ -42,7 +42,7 @@ class edges_around {
       if (f.next[i] != none && f.segment[i] == none) tell(centre_at(beyond_, k, f.next[i]));
     }
   }
-  // Keeps what the clearances are.
+  // Remembers the present clearances.
   void remember() {
     clearances_.clear();
     tell_clearances([this](double clear) {
@@ -77,7 +77,7 @@ class edges_around {
   const local_tests& tests_;
   vertex_index v_ = none;
   face_list at_;
-  // Keep what is known of the faces around the node, and of those across from it.
+  // Cached values of the faces around the node, and of those across from it.
   std::vector<known_centre> own_, beyond_;
   std::vector<double> clearances_;
 };

@@ -12,7 +12,7 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Degrees to spare above the angle bound, which rounding cannot turn.
+// Margin above the angle bound, in degrees, that no rounding exceeds.
 constexpr double degrees_to_spare = 0.05;
 
 face_centre find_centre(const node& a, const node& b, const node& c) {
@@ -42,7 +42,7 @@ double greatest_cotangent(const metric_tensor& m, double root, const node& a, co
   return std::max({uw, uu - uw, ww - uw}) * across;
 }
 
-// Keeps the cotangent finite where no angle is asked for.
+// Cotangent of a tiny angle: finite where no angle is demanded.
 double cotangent_of(double degrees) {
   return 1 / elementary::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
 }
@@ -87,9 +87,9 @@ bool local_tests::has_low_angle_beside(vertex_index t, vertex_index v) const {
   return false;
 }
 
-// True if the face is at a corner of the domain that is below the bound in its own metric. Where
-// that is so in its metric alone, and other angles of the face are low as well, for which nothing
-// is exempt, the corner is to have another metric.
+// True if the face is at a corner of the domain that is below the bound in its own metric. False
+// where the corner is not below it in the plane and the face has other low angles, which nothing
+// exempts: the tensor at the corner is to change then.
 bool local_tests::is_exempt(vertex_index t) const {
   for (const vertex_index v : m_.faces()[t].v) {
     if (m_.at(v).kind != node_kind::given) continue;

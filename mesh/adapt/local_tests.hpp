@@ -19,9 +19,9 @@ namespace asterism::internal::adapting {
 // rounding can turn.
 inline constexpr double least_clearance = 1e-3;
 
-// Clearance that an edge is to keep where tensors are given back or nodes moved. With little of it
-// sites farther away are in the way, which only the auditor sees; with much of it little can be
-// given (docs/design/adaptation.md).
+// Clearance that an edge is to keep where tensors are restored or nodes moved. With little of it
+// farther sites violate stars, which only the auditor sees; with much of it little can be restored
+// (docs/design/adaptation.md).
 inline constexpr double clearance_kept = 0.15;
 
 // Edge from a to b with c on its left, d on its right.
@@ -49,7 +49,7 @@ double greatest_cotangent(const metric_tensor& m, double root, const node& a, co
                           const node& c);
 double cotangent_of(double degrees);
 
-// The mesh must outlive it; what is asked is of the mesh at the time.
+// Refers to the mesh, which must outlive it, and tests its present state.
 class local_tests {
  public:
   local_tests(const working_mesh& m, double angle_bound);
@@ -62,9 +62,9 @@ class local_tests {
   double worst_clearance(const edge_quad& q) const;
   // True if an angle of the face is below the bound as one of its nodes measures it.
   bool is_low(vertex_index t) const;
-  // True if the face is at a corner of the domain that is below the bound in its own metric. Where
-  // that is so in its metric alone, and other angles of the face are low as well, for which nothing
-  // is exempt, the corner is to have another metric.
+  // True if the face is at a corner of the domain that is below the bound in its own metric. False
+  // where the corner is not below it in the plane and the face has other low angles, which nothing
+  // exempts: the tensor at the corner is to change then.
   bool is_exempt(vertex_index t) const;
 
  private:

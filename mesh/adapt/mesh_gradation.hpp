@@ -15,7 +15,7 @@ namespace asterism::internal::adapting {
 // Grades the tensors of the nodes to this distortion over an edge of length `unit`.
 void grade_mesh(working_mesh& m, double distortion, double unit, const cancellation& stop = {});
 
-// Returns the field that the nodes' tensors are, and sets the nodes' hints to where they are in it.
+// Returns the field of the nodes' tensors, and sets each node's hint to a triangle of it.
 background_metric field_of(working_mesh& m);
 
 // Makes all pairs of these nodes' tensors alike, to a part of the greatest distortion they have.

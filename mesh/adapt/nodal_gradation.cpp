@@ -18,8 +18,8 @@ bool is_metric(const metric_tensor& m) {
          std::fma(m.m11, m.m22, -m.m12 * m.m12) > 0;
 }
 
-// True if the tensors, reduced, are alike to this limit without a doubt, by |ln x| <= |x - 1| /
-// root x for the root of a ratio: for most pairs no logarithm is needed. False says nothing.
+// True if the reduced pair is certainly within this limit. Uses |ln x| <= |x - 1| / root x, so that
+// most pairs need no logarithm. False says nothing.
 bool are_surely_alike(const simultaneous_reduction& r, double most) {
   constexpr double roundings = 1 - 1e-9;
   const auto is_within = [most](double ratio) {
@@ -33,8 +33,8 @@ bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_
                    metric_tensor& a, metric_tensor& b) {
   const double high = quick_log(r.high), low = quick_log(r.low);
   if (!(std::max(std::abs(high), std::abs(low)) > 2 * most)) return false;
-  // Part of the limit that is aimed at, by whatever is above that: rounds do not creep up to the
-  // limit, and with halves the pair moves to the nearest of all that are alike to such a part.
+  // Part of the limit that a clipped pair is brought to, so that rounds do not creep up to the
+  // limit. With halves the pair moves to the nearest pair within that part of the limit.
   constexpr double aim = 0.98;
   // Signed excess over the aim, and the part of it that a takes: a is the coarser side where b
   // measures more.
@@ -80,7 +80,7 @@ std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge
                   const gradation_limit& limit, std::vector<metric_tensor>& tensors,
                   const cancellation& stop) {
   const double at_unit = elementary::log(limit.distortion);
-  // Edges with an end that changed since they were looked at.
+  // Round from which an edge with this end has to be looked at again.
   std::vector<std::size_t> changed_in(places.size(), 1);
   for (std::size_t round = 1; round <= limit.most_rounds && !stop.is_requested(); ++round) {
     bool any = false;

@@ -46,9 +46,9 @@ restoration::restoration(working_mesh& m, double angle_bound, std::vector<metric
 
 void restoration::run(const cancellation& stop) {
   constexpr int most_sweeps = 8;
-  // Says how few nodes are too few, one in so many: where no more can have what is wanted, as the
-  // metric turns nearly everywhere, what parts of the way are given is mostly taken back again, an
-  // audit after the other.
+  // Least part of nodes, one in this many, that can have the tensor wanted. Below it the metric
+  // turns nearly everywhere, and steps towards the tensors wanted would mostly be taken back, audit
+  // after audit.
   constexpr std::size_t few = 10;
   bool any = true;
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
@@ -62,7 +62,7 @@ void restoration::run(const cancellation& stop) {
   }
 }
 
-// Tries each node that may be given something; true if any was.
+// Tries each node that may still change; true if any changed.
 bool restoration::give_once(bool whole_alone) {
   bool any = false;
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
@@ -90,10 +90,10 @@ void restoration::wake_around(vertex_index v) {
   awake_[v] = 1;
 }
 
-// Moves the tensor towards the one wanted; false if no part of the way will do.
+// Moves the tensor towards the one wanted; false if no part of the way is possible.
 bool restoration::give(vertex_index v, bool whole_alone) {
   const metric_tensor now = m_.at(v).metric;
-  // Below a hundredth only the whole way is worth the while.
+  // With less than a hundredth of the way left only the whole of it is tried.
   constexpr double short_way = 0.01;
   const bool is_short = whole_alone || !(log_distortion(now, wanted_[v]) > short_way);
   bool is_measured = false;
@@ -103,8 +103,8 @@ bool restoration::give(vertex_index v, bool whole_alone) {
     if (!is_usable(tried)) continue;
     m_.set_metric(v, tried);
     if (has_low_around(v)) continue;
-    // Angles alone refuse most nodes where few can be given anything: what the edges keep is
-    // measured only after that.
+    // Tests angles first: they refuse most nodes where few can change, and clearances cost
+    // more.
     if (!is_measured) {
       m_.set_metric(v, now);
       edges_.turn_to(v);
@@ -118,7 +118,7 @@ bool restoration::give(vertex_index v, bool whole_alone) {
   return false;
 }
 
-// True if an angle at the faces around v is low that is to be none.
+// True if a face around v has an angle that must not be low and is.
 bool restoration::has_low_around(vertex_index v) const {
   if (!has_angles_) return false;
   face_list at;
@@ -127,7 +127,7 @@ bool restoration::has_low_around(vertex_index v) const {
                      [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); });
 }
 
-// Lists the nodes of edges, and of faces with low angles, that are not in order around v.
+// Lists the nodes of edges around v that do not agree, and of faces there with low angles.
 void restoration::list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const {
   face_list at;
   m_.around(v, at);

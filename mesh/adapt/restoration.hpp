@@ -24,15 +24,15 @@ class restoration {
   // must outlive the object.
   restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted);
 
-  // Gives back until nothing more can be given, or sweeps are over; whole tensors first, and no
-  // parts of the way where hardly any node can have the whole.
+  // Restores tensors until no node can change, or sweeps are over: whole tensors first, then parts
+  // of the way, unless hardly any node can have the whole.
   void run(const cancellation& stop);
-  // Takes back what was given to these nodes, and to those around whose edges do not agree then.
-  // They keep it from then on. Adds those that had been given something to `taken`.
+  // Undoes the changes of these nodes, and of those around whose edges do not agree then; these
+  // nodes are not tried again. Adds the nodes that had been changed to `taken`.
   void take_back(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& taken);
-  // True if the node has something to take back.
+  // True if the node has been changed, so that it can be undone.
   bool has_given(vertex_index v) const { return !identical(m_.at(v).metric, before_[v]); }
-  // Takes the tensors that these nodes have now for those to return to, and keeps them from now on.
+  // Has undoing return to the present tensors of these nodes, and does not try them again.
   void keep(const std::vector<vertex_index>& nodes);
 
  private:

@@ -22,10 +22,10 @@ double length(const metric_tensor& m, const point& p, const point& q) {
   return plain_length(m, {q.x - p.x, q.y - p.y});
 }
 
-// How many faces are announced to the field at once. Edges that come to be before the next
-// announcement are asked about one by one: of 13,855 questions on a front 2,000 with 32 at once, in
-// 432 announcements; 2,440 in 218 with 64; 2,870 in 147 with 96; 2,956 in 91 with 160. The sum is
-// what a field that is called from another language pays for.
+// Number of faces announced to the field at once. Edges created before the next announcement are
+// asked about one by one: of 13,855 questions on a front 2,000 with 32 at once, in 432
+// announcements; 2,440 in 218 with 64; 2,870 in 147 with 96; 2,956 in 91 with 160. The sum of both
+// is the cost of a field that is called from another language.
 constexpr std::size_t announced_together = 32;
 
 class sampling {
@@ -148,7 +148,7 @@ class sampling {
     return exponential(mean);
   }
 
-  // Returns the longest edge as one metric measures all three.
+  // Returns the longest edge, all three measured by the mean of the corners' metrics.
   std::size_t longest_edge(const face& f) const {
     const metric_tensor mean = mean_of(f);
     std::array<double, 3> lengths{};

@@ -15,9 +15,9 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Degrees above the bound from which an angle is no trouble.
+// Degrees above the bound from which an angle is no defect.
 constexpr double settled_degrees_above = 1;
-// Clearance looked for: more than an edge is to keep, as the tensors around change after this.
+// Clearance aimed at: more than an edge is to keep, since the tensors around change after this.
 constexpr double room_looked_for = 0.3;
 
 constexpr double slant = 1 / std::numbers::sqrt2;
@@ -30,8 +30,8 @@ constexpr std::array<point, 8> directions = {{{1, 0},
                                               {0, -1},
                                               {slant, -slant}}};
 
-// Returns the trouble that something is in that is beyond its limit by so much. What is far beyond
-// counts no more than what is somewhat: it will stay so.
+// Returns the defect of a quantity that exceeds its limit by this much. It saturates: what is far
+// beyond its limit will stay so.
 double trouble(double beyond) {
   constexpr double most = 1, of_any = 0.1;
   return beyond > 0 ? std::min(most, beyond) + of_any : 0;
@@ -92,8 +92,8 @@ void settling::run(const cancellation& stop) {
   }
 }
 
-// Returns by how much the greatest cotangent of an angle of the face is above the one that is no
-// trouble, as the tensor wanted of a node finds it.
+// Returns by how much the greatest cotangent of the face's angles exceeds the one without defect,
+// in the tensor wanted of a node.
 double settling::excess_of(vertex_index t, vertex_index by) const {
   const face& f = m_.faces()[t];
   const point &a = m_.at(f.v[0]).position, &b = m_.at(f.v[1]).position, &c = m_.at(f.v[2]).position;
@@ -109,8 +109,8 @@ double settling::trouble_of(vertex_index t, vertex_index by) const {
   return trouble(excess_of(t, by));
 }
 
-// Returns the trouble that the others have with the faces around the node; where that is at least
-// `most`, or a face does not turn left, some number that is.
+// Returns the defect of the faces around the node in the tensors wanted of their other nodes.
+// Returns some number no less than `most` once it reaches that, or where a face does not turn left.
 double settling::trouble_of_others(vertex_index v, double most) const {
   double sum = 0;
   for (const vertex_index t : edges_.faces()) {
@@ -124,8 +124,8 @@ double settling::trouble_of_others(vertex_index v, double most) const {
   return sum;
 }
 
-// Returns the trouble that the node has with the faces around it, and those across from it with the
-// node.
+// Returns the defect of the faces at the node plus that of the opposite faces towards
+// it.
 double settling::trouble_of_own(vertex_index v) {
   constexpr double weight_of_clearance = 2;
   double sum = 0;
@@ -138,7 +138,7 @@ double settling::trouble_of_own(vertex_index v) {
   return sum;
 }
 
-// Returns what the mesh was fitted by, of the faces around the node.
+// Returns the energy of the faces around the node, by which the mesh was fitted.
 double settling::energy() const {
   double sum = 0;
   for (const vertex_index t : edges_.faces()) {
@@ -148,8 +148,8 @@ double settling::energy() const {
   return sum;
 }
 
-// Lists the places around v, of several, where there is less trouble, the best first. What they
-// spoil of the mesh as it was fitted counts: without that errors grow by 5 %.
+// Lists the places around v, of several tried, with a smaller defect, the best first. What they add
+// to the energy of the fitted mesh counts as well: without it errors grow by 5 %.
 void settling::find_better_places(vertex_index v) {
   constexpr double weight_of_energy = 4;
   better_.clear();
@@ -183,8 +183,8 @@ void settling::find_better_places(vertex_index v) {
                    [](const place& p, const place& q) { return p.trouble < q.trouble; });
 }
 
-// True if an edge at v would be longer than edges may be, and than it is, as the tensors wanted of
-// its two ends find it in the mean.
+// True if an edge at v would be longer than edges may be, and longer than it is, by the mean of
+// what the tensors wanted of its ends measure.
 bool settling::stretches_edge(vertex_index v, const point& here, const place& there) const {
   constexpr double most = 1.4;  // units; beyond 1.5 edges were split before
   const auto length = [&](const point& from, const metric_tensor& wanted, vertex_index u) {
@@ -204,7 +204,7 @@ bool settling::stretches_edge(vertex_index v, const point& here, const place& th
   return false;
 }
 
-// Moves v there, and says whether all is in order around it.
+// Moves v there, and returns whether its edges and angles pass their tests.
 bool settling::may_be_at(vertex_index v, const place& there) {
   m_.move(v, there.at);
   const face_list& at = edges_.faces();
@@ -214,7 +214,7 @@ bool settling::may_be_at(vertex_index v, const place& there) {
   });
 }
 
-// Moves v to a better place, if there is one where all stays in order.
+// Moves v to a better place, if there is one where all edges and angles pass their tests.
 bool settling::settle(vertex_index v) {
   edges_.turn_to(v);
   find_better_places(v);

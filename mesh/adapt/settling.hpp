@@ -29,7 +29,7 @@ class settling {
   // `unit` is the length wanted of an edge. The mesh must outlive the object.
   settling(working_mesh& m, double angle_bound, double unit, wanted_at wanted);
 
-  // True if the metric wanted varies so much over the edges that few nodes would gain.
+  // True if the metric wanted varies so much over the edges that moving would help few nodes.
   bool is_in_vain() const;
   // Moves nodes until none has a better place, or sweeps are over.
   void run(const cancellation& stop);

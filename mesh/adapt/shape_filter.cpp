@@ -70,8 +70,8 @@ class noise_finder {
     return 2 * denser >= lists_.count(v);
   }
 
-  // Returns the neighbour whose shape is nearest to those of the others, where that of the node is
-  // farther away from it than most of them are; else the node.
+  // Returns the neighbour whose shape is nearest to the other neighbours' shapes, if the node's
+  // shape is farther from it than most of theirs are; else the node.
   vertex_index better_shape(vertex_index v) {
     const auto* const first = lists_.all.data() + lists_.first[v];
     const std::size_t count = lists_.count(v);
@@ -89,8 +89,8 @@ class noise_finder {
       distances_.push_back(distance(shapes_[best], shapes_[first[k]]));
     const auto middle = distances_.begin() + static_cast<std::ptrdiff_t>(count / 2);
     std::nth_element(distances_.begin(), middle, distances_.end());
-    // Logarithm of an eigenvalue: lengths differ by a factor of 1.5. Exact Hessians of features
-    // that are resolved turn less, and their errors grow where that is 0.3
+    // Least distance of shapes, as a logarithm of an eigenvalue: a factor of 1.5 in lengths. Exact
+    // Hessians of resolved features differ by less, and their errors grow with 0.3
     // (docs/results/constants.md).
     constexpr double least_distance = 0.8;
     return distance(shapes_[v], shapes_[best]) > std::max(least_distance, *middle) ? best : v;
@@ -105,7 +105,7 @@ class noise_finder {
 }  // namespace
 
 std::vector<metric_tensor> without_noise(const background_metric& field, const cancellation& stop) {
-  // Fewer say nothing of a noise; more are a fan, and cost their square.
+  // Range of degrees: fewer neighbours tell nothing about noise, and more cost their square.
   constexpr std::size_t least_neighbours = 3, most_neighbours = 64;
   std::vector<metric_tensor> tensors = field.tensors();
   stop.charge(work_weights::node_without_noise * static_cast<double>(tensors.size()));

@@ -20,8 +20,8 @@
 
 namespace asterism::internal::adapting {
 
-// Returns the tensors of the field, those of noise in the shapes around them, the others to the
-// last bit. Charges the account of `stop`.
+// Returns the field's tensors, with shapes that are noise replaced by those around, and all others
+// the same to the last bit. Charges the account of `stop`.
 std::vector<metric_tensor> without_noise(const background_metric& field,
                                          const cancellation& stop = {});
 

@@ -14,7 +14,7 @@ namespace asterism::internal::adapting {
 namespace {
 
 constexpr double weight_of_size = 0.3, weight_of_low = 0.5;
-// Energy of shape from which a triangle is poor: one with an angle of 25 degrees has this or more.
+// Energy of shape from which a triangle is poor: every triangle with an angle of 25 degrees has it.
 constexpr double poor = 1.5;
 
 }  // namespace
@@ -25,7 +25,7 @@ double shape_energy(const node& a, const node& b, const node& c, double unit) {
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
   const double vx = wx - ux, vy = wy - uy;
   const double twice = ux * wy - uy * wx;
-  // The squares of the sides, summed over the three.
+  // Sum of the squares of the three sides.
   const double xx = ux * ux + wx * wx + vx * vx, xy = ux * uy + wx * wy + vx * vy,
                yy = uy * uy + wy * wy + vy * vy;
   double shape = 0;
@@ -82,9 +82,9 @@ vertex_index unit_mesher::locate(const point& q, vertex_index from) const {
   return none;
 }
 
-// True if a corner of t is nearer to the place than nodes may be, as either of the two measures it,
-// and the edge between them is not one that will be split twice: beyond a jump of the metric the
-// coarser of the two finds everything near.
+// True if a corner of t is nearer to the place than nodes may be, as either measures it, unless the
+// edge between them would be split twice anyway: across a jump of the metric the coarser side
+// measures everything as near.
 bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
   constexpr double room = 0.8, far = 4;  // units
   const double least = room * room * unit_ * unit_;
@@ -117,8 +117,8 @@ void unit_mesher::seed(const std::vector<point>& seeds) {
   }
 }
 
-// Sets the unit to what the number of nodes wanted would have it, by the area that the metric at
-// the nodes measures: with as many faces, equilateral and alike.
+// Chooses the unit that gives the number of nodes wanted if all faces were equilateral, from the
+// area that the metric at the nodes measures.
 void unit_mesher::measure_unit() {
   if (options_.count == 0) return;
   std::vector<double> logarithms;  // of the nodes' densities
@@ -133,13 +133,13 @@ void unit_mesher::measure_unit() {
     const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
     const double twice = (b.position.x - a.position.x) * (c.position.y - a.position.y) -
                          (b.position.y - a.position.y) * (c.position.x - a.position.x);
-    // Densities are interpolated geometrically, as the metric is. Their mean would count the peak
-    // of a density that a coarse face has at one corner in the whole face.
+    // Interpolates densities geometrically, as the metric is. An arithmetic mean would count the
+    // density at one corner of a coarse face in the whole face.
     area +=
         twice / 2 * quick_exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
     ++faces;
   }
-  // Twice the nodes less the faces is what the boundary makes it (Euler).
+  // Twice the nodes less the faces depends on the boundary alone (Euler).
   const double boundary = 2 * static_cast<double>(m_.count()) - static_cast<double>(faces);
   const double wanted = std::max(1.0, 2 * static_cast<double>(options_.count) - boundary);
   const double unit = crowding_ * std::sqrt(area / (wanted * std::numbers::sqrt3 / 4));
@@ -147,7 +147,7 @@ void unit_mesher::measure_unit() {
   if (std::isfinite(unit) && unit > 0) unit_ = std::clamp(unit, unit_ / most, unit_ * most);
 }
 
-// Splits the longest edges, or merges the shortest, as many as are missing or too many.
+// Splits the longest or merges the shortest edges, as many as there are nodes too few or too many.
 void unit_mesher::meet_count() {
   constexpr int most = 4;
   constexpr std::size_t parts = 200;  // of the count: half a percent more or less is as wanted
@@ -165,8 +165,8 @@ void unit_mesher::meet_count() {
   }
 }
 
-// Splits, merges, flips and moves by turns, with the unit that makes as many nodes as are wanted.
-// There are more rounds where the count is off by more than a part of it.
+// Splits, merges, flips and moves by turns, with the unit that gives as many nodes as are wanted.
+// Adds rounds while the count is off by more than this part of it.
 void unit_mesher::fit(double tolerable) {
   constexpr int rounds = 2, sweeps = 2, most_splits = 40, most_rounds = 10;
   double ratio = 1;
@@ -184,8 +184,8 @@ void unit_mesher::fit(double tolerable) {
     }
     if (options_.count == 0) continue;
     ratio = static_cast<double>(m_.count()) / static_cast<double>(options_.count);
-    // The count would follow the square of the unit if all edges were near it. But those that are a
-    // little too short for it stay, so that half as much again is needed.
+    // Corrects by half as much again: the count would follow the square of the unit if all edges
+    // had length one, but those a little shorter are not merged.
     constexpr double least = 0.8, most = 1.6, power = 0.75;
     crowding_ = std::clamp(crowding_ * quick_exp(power * quick_log(ratio)), least, most);
   }
@@ -197,7 +197,7 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
   forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) measure(v);
   seed(seeds);
-  // Needs as many nodes as are wanted to a few percent alone, as it is fitted again.
+  // The count need only be right to a few percent here, as the mesh is fitted again.
   constexpr double tolerable = 0.05;
   fit(tolerable);
 }

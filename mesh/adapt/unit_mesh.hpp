@@ -21,7 +21,7 @@ namespace asterism::internal::adapting {
 using metric_at = std::function<metric_tensor(const point& q, vertex_index& hint)>;
 
 struct unit_mesh_options {
-  // Number of nodes wanted; 0, the default: as many as edges of length one take.
+  // Number of nodes wanted; by default 0: as many as edges of length one need.
   std::size_t count = 0;
   std::size_t most_nodes = 1000000;
   cancellation stop;
@@ -41,21 +41,21 @@ class unit_mesher {
  public:
   unit_mesher(working_mesh& m, unit_mesh_options options) : m_(m), options_(std::move(options)) {}
 
-  // Makes the mesh anew in this metric, to be fitted again. `seeds` are places to begin with, in an
+  // Makes a new mesh in this metric, to be refitted later. `seeds` are places to begin with, in an
   // order in which neighbours follow each other.
   void run(metric_at field, const std::vector<point>& seeds);
-  // Changes the mesh there is as another metric wants it.
+  // Changes the present mesh to fit another metric.
   void refit(metric_at field);
   // Splits the longest edges, or merges the shortest, until there are as many nodes as are wanted.
   void meet_count(metric_at field);
-  // Splits edges that are much too long in this metric, where the one of the mesh does not object,
-  // the longest first, up to so many nodes. Returns how many.
+  // Splits the edges that are much too long in this metric and not short in the mesh's own, longest
+  // first, up to a number of nodes. Returns how many it split.
   std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);
-  // Splits a few edges, the longest first, that are half as long again as the metric calls one.
-  // More nodes than are wanted would be needed, where it turns fast, for all edges to be near one.
-  // Returns the nodes made.
+  // Splits a few edges of length 1.5 and more in the metric, longest first. Where the metric turns
+  // fast more nodes than wanted would be needed to bring all edges near length one. Returns the
+  // nodes made.
   std::vector<vertex_index> split_outliers(metric_at wanted);
-  // Returns the length of an edge that came out, or was wanted to.
+  // Returns the length in the metric that edges were fitted to.
   double unit() const { return unit_; }
 
  private:
@@ -80,14 +80,14 @@ class unit_mesher {
     return options_.stop.is_requested();
   }
   void measure(vertex_index v) { m_.set_metric(v, field_(m_.at(v).position, m_.at(v).hint)); }
-  // Returns the energy of a face without its size, found once for a face that stays as it is.
+  // Returns the energy of a face without its size; computed once for an unchanged face.
   double shape_of(vertex_index t);
   // Returns the energy of a face, size included.
   double energy(vertex_index t);
-  // Forgets the energies found, where others than this have changed the mesh.
+  // Forgets the energies found; to be called when the mesh was changed from outside.
   void forget_shapes() { shapes_.clear(); }
 
-  // In unit_mesh_changes.cpp.
+  // Defined in unit_mesh_changes.cpp.
   std::size_t split_long(double longest, std::size_t most = no_limit);
   std::size_t merge_short(double shortest, std::size_t most = no_limit);
   bool merge_if_good(vertex_index v, vertex_index w, double longest);

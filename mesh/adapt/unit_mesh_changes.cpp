@@ -110,7 +110,7 @@ std::vector<vertex_index> unit_mesher::split_outliers(metric_at wanted) {
   return split_longer(std::move(wanted), {most * one, own * one}, m_.count() + m_.count() / parts);
 }
 
-// Has the edges of t checked for flips, its nodes tried for moves, and its energy found anew.
+// Queues the edges of t for flips and its nodes for moves, and forgets its energy.
 void unit_mesher::note_change(vertex_index t) {
   if (is_due_.size() < m_.faces().size()) is_due_.resize(m_.faces().size(), 0);
   if (is_restless_.size() < m_.nodes().size()) is_restless_.resize(m_.nodes().size(), 0);
@@ -183,7 +183,7 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
     there.position = q;
     there.hint = m_.at(e.a).hint;
     there.metric = field_(q, there.hint);
-    // Not so near to the nodes across that it would have to go again.
+    // Not so near to the nodes across that it would be merged again.
     bool crowded = false;
     for (const vertex_index s : {t, f.next[edge]}) {
       if (s == none) continue;
@@ -216,7 +216,7 @@ bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) 
     const face& f = m_.faces()[t];
     if (is_far(f.v[after(f.corner_of(v))])) return false;
   }
-  // At the boundary the last face has one more.
+  // At the boundary the last face adds one more neighbour.
   const face& last = m_.faces()[at.back()];
   if (is_far(last.v[before(last.corner_of(v))])) return false;
   if (!m_.can_merge(v, w)) return false;
@@ -249,7 +249,7 @@ std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
   return done;
 }
 
-// Flips where something has changed until nothing gets better.
+// Flips queued edges until no flip lowers the energy.
 void unit_mesher::flip_all() {
   const std::size_t most = 20 * m_.faces().size();
   for (std::size_t next = 0; next < due_.size() && next < most; ++next) {
@@ -272,8 +272,8 @@ double unit_mesher::energies_of(const face_list& at, face_energies& each) {
   return sum;
 }
 
-// Returns the place the triangles around v would have it at: above the edge across from it, as high
-// as an equilateral one is, poor triangles counting more.
+// Returns the weighted mean of the places that the triangles around v want for it: above the edge
+// across from it, as high as an equilateral one is. Poor triangles have more weight.
 point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energies& each) const {
   double x = 0, y = 0, weights = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -286,8 +286,8 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
     const double ex = b.position.x - a.position.x, ey = b.position.y - a.position.y;
     const double length = std::sqrt(squared(m, ex, ey) / 2);
     if (!(root > 0 && length > 0)) continue;
-    // The quarter turn as m sees it, sqrt(det m) m^-1 J, to the height of a unit triangle's and of
-    // one that stands on this edge, half each.
+    // The quarter turn in the metric, sqrt(det m) m^-1 J, scaled to the mean of two heights: of a
+    // unit triangle and of the equilateral one on this edge.
     const double height = std::numbers::sqrt3 / 4 * (1 + unit_ / length);
     const double tx = (-m.m22 * ey - m.m12 * ex) / root, ty = (m.m12 * ey + m.m11 * ex) / root;
     const double w = each[k];
@@ -299,7 +299,7 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
 }
 
 bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at, double before) {
-  // Less is not worth the moves it makes its neighbours try.
+  // Least gain that is worth the moves which it queues for the neighbours.
   constexpr double gain = 1e-3;
   const node old = m_.at(v);
   m_.move(v, to);
@@ -319,7 +319,7 @@ bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at,
   return false;
 }
 
-// Moves each node that may want to where its triangles pull it, if that lowers their energy.
+// Moves each queued node to the place wanted by its triangles, if that lowers their energy.
 void unit_mesher::smooth() {
   face_list at;
   face_energies each;

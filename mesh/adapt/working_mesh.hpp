@@ -116,7 +116,7 @@ class working_mesh {
   }
 
   // Adds a node on edge i of t; on a subsegment it becomes a sliding one. Refused where a face
-  // would not turn left. Its metric is the caller's affair.
+  // would not turn left. The caller sets its metric.
   std::optional<vertex_index> split(vertex_index t, std::size_t edge, const point& where);
   // Adds a node inside t; refused where a face would not turn left.
   std::optional<vertex_index> insert(vertex_index t, const point& where);
