@@ -21,7 +21,7 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Returns the mesh as one of the domain found, where that has its first vertices.
+// Returns the mesh as one of the domain found, if the domain's vertices are its first ones.
 std::optional<mesh> as_mesh_of(const mesh& m, const mesh_outline& outline) {
   if (outline.segment_of_edge.empty()) return std::nullopt;
   mesh same = m;
@@ -31,7 +31,7 @@ std::optional<mesh> as_mesh_of(const mesh& m, const mesh_outline& outline) {
   return same;
 }
 
-// Says when the mesh given stays.
+// Decides whether the mesh given stays.
 class keeping {
  public:
   keeping(const std::optional<mesh>& own, const mesh_adaptation_options& options)
@@ -42,11 +42,11 @@ class keeping {
     if (may_stay_) lengths_ = edge_lengths_of(*own_);
   }
 
-  // True if that needs no comparison with a new mesh.
+  // True if it stays whatever a new mesh would be.
   bool is_at_once() const {
     return may_stay_ && (rule_ == keep_rule::always || are_as_in_new_mesh(lengths_));
   }
-  // True if a new mesh, after all, is no better.
+  // True if it stays because the new mesh made for comparison is no better.
   bool is_as_good_as(const certified_mesh& made) const {
     return may_stay_ && !is_at_once() && made.certified() &&
            are_no_worse(lengths_, edge_lengths_of(made.outcome.result));
@@ -69,15 +69,15 @@ void stay(const keeping& kept, const mesh_adaptation_options& options, adapted_m
   claim_periodic(options.periodic, done.made);
 }
 
-// True if the sides of the mesh match that are to.
+// True if the periodic sides of the mesh match.
 bool has_periodic_sides(const mesh& m, const std::vector<periodic_pair>& pairs) {
   return std::all_of(pairs.begin(), pairs.end(),
                      [&m](const periodic_pair& one) { return match_periodic(m, one).ok(); });
 }
 
-// Sets the number of vertices wanted, and room for it. A metric alone gets ten times as many as the
-// mesh has, and what any run may have: what asks for more is a slip of the unit more often than
-// not, and millions of vertices do not end in a coffee break.
+// Sets the number of vertices wanted, and room for it. A metric alone gets room for ten times the
+// vertices of the mesh, and for no more than any run: a metric that asks for more is mostly in the
+// wrong unit, and a mesh of millions takes hours.
 mesh_options options_for(const mesh& m, const mesh_adaptation_options& asked) {
   mesh_options options = asked.refinement;
   options.limit_size = true;

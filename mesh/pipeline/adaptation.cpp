@@ -80,7 +80,7 @@ bool metric_delivery::varies_fast() {
 }
 
 bool metric_delivery::jumps() const {
-  // Twice the greatest that an edge of a mesh had whose metric was met as it is.
+  // Twice the greatest variation of a mesh whose metric was met as it is.
   constexpr double most_that_is_met = 3;
   constexpr std::size_t one_in = 200;
   const mesh* const given = field_.background();
@@ -122,8 +122,8 @@ std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) c
   return std::max(0, static_cast<int>(std::ceil(elementary::log2(vertices / most))));
 }
 
-// Returns the metric wanted, in the field divided by 2^halved: a formula with samples as dense as
-// the sites will be, unless the ones that there are will do.
+// Returns the metric wanted, divided by 2^halved. A formula is sampled as densely as the sites will
+// be, unless the samples there are suffice.
 std::optional<background_metric> metric_delivery::wanted_in(
     const metric_field& coarser, int halved, const background_metric& sampled) const {
   constexpr double as_sites = 1;
@@ -158,11 +158,11 @@ std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
   return in_given_units(std::move(*made), *halved);
 }
 
-// Multiplies all tensors by the power of two with which they are about as dense as the ones wanted,
-// where half of the sites have another tensor altogether and that brings them nearer. Where a
+// Scales all tensors by the power of two that brings their density nearest to the one wanted, where
+// more than half of the sites have a tensor far from theirs and that brings them nearer. Where a
 // metric turns by any angle from node to node, each clip of two crossed tensors makes both denser,
-// as more of the excess is taken from the coarser side. Stars and angles are those they were, to
-// the last bit; edges are longer or shorter in the one metric as well as in the other.
+// as the coarser side takes more of the excess. Stars and angles stay the same to the last bit;
+// edge lengths change by the same factor in both metrics.
 void metric_delivery::bring_density_near(mesh_outcome& made) const {
   const delivered_report before = *made.delivered;
   const double power = elementary::log2(before.complexity_wanted / before.complexity_delivered);

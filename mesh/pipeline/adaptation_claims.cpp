@@ -197,7 +197,7 @@ words words_of(const transfer_report& report, transfer_method how) {
 
 namespace {
 
-// Holds the words of a request against each other, whatever the files say.
+// Checks the words of a request against each other, whatever the files say.
 void compare_request(const certificate& claim, const metric_request& request, field_check& check) {
   compare(words_of(request), claim, check);
   if (const auto failed = check_sources(request))

@@ -31,27 +31,27 @@ class audited_mesh {
   // True if hard questions were left open.
   bool has_open() const { return !memory_.open.empty(); }
 
-  // True if all sites are held against a gap of which no reach is known, when a mesh with so many
-  // is audited quickly: where they are few, and such gaps are not many.
+  // True if, when a mesh with this many sites is audited quickly, a gap of unknown reach is tested
+  // against all sites: where sites are few, and such gaps are not many.
   bool asks_unbounded(std::size_t sites) const { return sites < many_for_a_gap_; }
-  // Leaves such gaps open from now on, however few sites there are.
+  // Leaves gaps of unknown reach open from now on, however few sites there are.
   void leave_unbounded() { many_for_a_gap_ = 0; }
 
-  // Takes the mesh that the triangulation is now.
+  // Takes the present mesh of the triangulation.
   void take(const adapting::working_mesh& m);
-  // Takes it after changes to the nodes and faces of the last one taken, which was audited.
+  // Takes the present mesh after these changes to the last one taken, which was audited.
   void take_changed(const adapting::working_mesh& m);
 
   // Audits the mesh; an audit that keeps all findings is never cut short.
   void judge(std::size_t findings_kept);
   // Audits the mesh, keeping all findings, but leaves hard questions open.
   void judge_quickly();
-  // Audits the mesh of which only these nodes were changed since the last audit, all corners of
-  // the faces that are new among them, and no node at the boundary but for its tensor. One node at
-  // least is there of each finding about a star and of each question that is open.
+  // Audits the mesh again after changes to these nodes alone. They include all corners of new
+  // faces; at the boundary only tensors may have changed. They include one node of each finding
+  // about a star and of each open question.
   void judge_again(node_list changed, hard_questions hard);
-  // Answers open questions by filters, unless a tensor they are about has changed in m since the
-  // mesh was taken. Calls refuse(nodes) for those that are not found in order.
+  // Answers open questions by filters, except those about a tensor that was changed in m since the
+  // mesh was taken. Calls refuse(nodes) for each that is answered against the mesh.
   void ask_filters(const adapting::working_mesh& m,
                    const std::function<void(const node_list&)>& refuse);
 

@@ -15,8 +15,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Returns the question alone, without the account: what is found of an outcome may not depend on
-// what was done before it, as those who verify have no account.
+// Returns the question without the account of work: an audit's findings may not depend on what was
+// done before it, as `verify` has no account.
 cancellation question_of(const cancellation& stop) {
   return [stop]() { return stop.told(); };
 }
@@ -30,10 +30,10 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
   asked.angle_bound = options.angle_bound;
   asked.original = &d;
   asked.find_exempt_corners = true;
-  // Whoever interrupts a run does not want to wait for the stars of a mesh that is not finished.
+  // Skips the stars of an unfinished mesh: who interrupts a run does not want to wait for them.
   asked.check_stars = !outcome.stopped;
   asked.check_voronoi = options.prove_voronoi && !outcome.stopped;
-  // A run that was told to end has what there is audited all the same.
+  // Audits without asking whether to stop: the mesh of an interrupted run is audited, too.
   if (outcome.ended.how != ending::stopped && !outcome.stopped)
     asked.stop = question_of(options.stop);
   return asked;

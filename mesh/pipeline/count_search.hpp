@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds by trying what makes a mesh have as many sites as are wanted.
+// Finds, by making meshes, the factor of a metric that gives the number of sites wanted.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ namespace asterism::internal {
 // halved at once, and no factor may lead to a number between.
 class count_search {
  public:
-  // `slowest` is the least power of the factor that they are taken to grow by: 1 where all of them
-  // follow the factor, less where some do not, as those of a boundary with narrow parts.
+  // `slowest` is the least exponent p in sites ~ factor^p that is assumed: 1 where all sites depend
+  // on the factor, less where some do not, as on a boundary with narrow parts.
   explicit count_search(double wanted, double slowest = 1) : wanted_(wanted), slowest_(slowest) {}
 
   // Returns the factor to try next, 1 to begin with.
@@ -32,8 +32,8 @@ class count_search {
 
   // Takes the number of sites found with the factor. Returns whether it is the nearest so far.
   //
-  // Sites are taken to grow with the factor, and after that as they did between the last two
-  // factors, though no slower than was said. Once one factor was too large and one too small, the
+  // Assumes that sites are proportional to the factor; later that they grow as between the last two
+  // factors, with no exponent below `slowest`. Once one factor was too large and one too small, the
   // next is between them, where a line through both meets the number wanted, but not near an end.
   bool take(double sites) {
     constexpr double nearest_to_end = 0.2;
@@ -72,7 +72,7 @@ inline bool is_count_near(std::size_t wanted, std::size_t delivered) {
   return std::abs(static_cast<double>(delivered) - n) <= tolerable * n;
 }
 
-// Returns how many vertices to ask a mesh for with a factor of the metric.
+// Returns the number of vertices to ask for when the metric is scaled by a factor.
 inline std::size_t count_aimed_at(std::size_t wanted, double factor, std::size_t max_sites) {
   constexpr double fewest = 3;
   const double aim = std::round(factor * static_cast<double>(wanted));

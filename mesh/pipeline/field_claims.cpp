@@ -107,7 +107,7 @@ bool is_shaped_piece(const certificate& claim) {
          (option_of(claim, "gradation") != "none" || option_of(claim, "sizes") != "none");
 }
 
-// Holds the mesh against the metric it is delivered in another one than.
+// Checks the report on the distance to the metric asked for, where another one is delivered.
 void check_delivered(const mesh& subject, const certificate& claim, const metric_field& wanted,
                      field_check& check) {
   auto measured = compare_with_wanted(subject, wanted, claim.angle_bound);

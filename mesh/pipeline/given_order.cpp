@@ -57,7 +57,7 @@ void given_order::renumber(const bounding_box& box) {
     along_curve_.vertices[isolated_[i]] = given_.vertices[sorted_[i]];
 }
 
-// Triangles stay in their order, which is along the curve.
+// Keeps the order of the triangles, which is along the curve.
 void given_order::restore(mesh_outcome& outcome) const {
   if (isolated_.empty()) return;
   mesh& m = outcome.result;

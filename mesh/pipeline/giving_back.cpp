@@ -13,13 +13,13 @@
 namespace asterism::internal {
 namespace {
 
-// Most audits of a mesh whose tensors alone are changed: those after the first cost little.
+// Most audits of a mesh of which only tensors change: those after the first cost little.
 constexpr int most_audits = 40;
-// Most times that the mesh is mended between those.
+// Most repairs of the mesh between these audits.
 constexpr int most_mended = 8;
 
-// True if it is not known how far the gap of the face at its corner i reaches, so that the star
-// would be held against all sites.
+// True if the reach of the gap at corner i of the face is unknown: an audit would test the star
+// against all sites.
 bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::size_t i) {
   if (f.segment[i] != adapting::none) return false;
   const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
@@ -27,8 +27,8 @@ bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::siz
   return !std::isfinite(gap.reach());
 }
 
-// Takes back what was given to one node of such a gap after the other, until it is none, or has
-// nothing left; of the star's centre first.
+// Undoes the changes of one node of such a gap after the other, the star's centre first, until the
+// reach is known or no change is left.
 void take_back_at(adapting::working_mesh& m, adapting::restoration& giving, vertex_index t,
                   node_list& taken) {
   const adapting::face f = m.faces()[t];
@@ -41,8 +41,8 @@ void take_back_at(adapting::working_mesh& m, adapting::restoration& giving, vert
     }
 }
 
-// Takes back what leaves gaps of which no reach is known: the first audit would leave them open,
-// and another one follow. Each node is taken back once, so this ends.
+// Undoes the changes that leave gaps of unknown reach: the first audit would leave them open, and
+// need another one. Each node is undone once, so this ends.
 void take_back_unbounded(adapting::working_mesh& m, adapting::restoration& giving,
                          const cancellation& stop) {
   node_list faces, taken;
@@ -62,10 +62,10 @@ void take_back_unbounded(adapting::working_mesh& m, adapting::restoration& givin
   }
 }
 
-// Says which nodes are not what they were.
+// Lists the nodes that have changed.
 struct mesh_changes {
   node_list nodes;  // and those of faces that there were not
-  // No node at the boundary is gone or elsewhere: what is seen across it is as it was.
+  // Nodes at the boundary neither go nor move: what they hide from each other stays the same.
   bool are_inside = true;
 };
 
@@ -87,7 +87,7 @@ mesh_changes changes_of(const adapting::working_mesh& before, const adapting::wo
   return found;
 }
 
-// Gives back what an auditor lets pass, of one mesh.
+// Restores the tensors of one mesh as far as an auditor accepts them.
 class giver {
  public:
   giver(adapting::working_mesh& m, std::vector<metric_tensor> wanted, const mesh_options& options,
@@ -110,14 +110,14 @@ class giver {
   }
 
  private:
-  // Takes back what was found by the last audit, or mends, and audits what has changed. Returns
-  // false where that leads nowhere.
+  // Undoes the nodes of the last audit's findings, or repairs the mesh, and audits the changes.
+  // Returns false where neither helps.
   bool go_on() {
     node_list taken;
     const auto take_back = [&](const node_list& nodes) { giving_.take_back(nodes, taken); };
     const std::vector<node_list> found = audited_.nodes_found();
     for (const node_list& nodes : found) take_back(nodes);
-    // Stars that see far have nearly all of the questions, and few have them.
+    // Open questions of one star: those that see far have nearly all, and are few.
     constexpr std::size_t many = 20;
     for (const node_list& star : audited_.stars_with_open(many)) {
       const std::size_t before = taken.size();
@@ -137,8 +137,8 @@ class giver {
     return true;
   }
 
-  // Returns a node of each question that is about none of the nodes in `but`: that will do for it
-  // to be asked again.
+  // Returns a node of each question that is about none of the nodes in `but`: changing that node
+  // has the question asked again.
   static node_list one_of_each(const std::vector<node_list>& questions, node_list but) {
     std::sort(but.begin(), but.end());
     const auto is_in = [&but](vertex_index v) {
@@ -150,9 +150,9 @@ class giver {
     return some;
   }
 
-  // Mends the mesh where nothing is left to take back: sites that are no neighbours are in each
-  // other's way, as neighbours are in rounds of agreement. Stops where that does not lead on, since
-  // a change may be in the way of others.
+  // Repairs the mesh where no change is left to undo: makes the tensors of sites that violate each
+  // other's stars more alike, as rounds of agreement do for neighbours. Stops when findings do not
+  // get fewer, since one repair may cause the next finding.
   bool mend(const std::vector<node_list>& found) {
     if (found.size() > least_found_ || times_mended_++ >= most_mended) return false;
     least_found_ = found.size();

@@ -41,8 +41,8 @@ double greatest_variation(double angle_bound) {
   return greatest;
 }
 
-// Returns the last step of the ladder, k = 2^(step / 2), that is not beyond what the variation
-// asks for. Sites see less of a field than its steepest place, so one step less may do.
+// Returns the last step of the ladder, k = 2^(step / 2), that is no finer than the variation
+// demands. One step less may do, as sites see less of a field than its steepest place.
 int first_step(double variation, double angle_bound) {
   const double k = variation * largest_circumradius / greatest_variation(angle_bound);
   if (!(k > 1)) return 0;

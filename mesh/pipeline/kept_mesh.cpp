@@ -54,8 +54,8 @@ unit_counts vertices_of_unit_edges(const mesh& m) {
   return {inside, inside + boundary / 2 + euler};
 }
 
-// Meshes made with so many vertices wanted have a metric in which the area alone has them, others
-// one of unit edges.
+// The number wanted sets the area of the metric in meshes made for a number of vertices, and unit
+// edges set it in others.
 bool has_enough_vertices(const mesh& m, const mesh_options& options) {
   constexpr double of_named = 0.02, tolerable = 0.1;
   const auto got = static_cast<double>(m.sites.size());
@@ -100,7 +100,7 @@ bool are_no_worse(const edge_lengths& lengths, const edge_lengths& of_new) {
          lengths.greatest <= std::max(greatest_length, of_new.greatest * times);
 }
 
-// What costs little is looked at first.
+// Tests what costs little first.
 std::optional<mesh_outcome> outcome_of_keeping(const mesh& m, const domain& shape,
                                                const mesh_options& options) {
   audit_options asked;

@@ -31,7 +31,7 @@ struct edge_lengths {
   double least = 0, greatest = 0;
 };
 
-// Measures them.
+// Measures the edges of the mesh.
 edge_lengths edge_lengths_of(const mesh& m);
 
 // True if 95 edges of a hundred are near one, and none is below a third or above 1.75, as nearly

@@ -42,7 +42,7 @@ struct strictness {
 };
 constexpr std::array<strictness, 4> ladder = {
     {{4, 2.5, 2}, {3, 1.7, 1.7}, {1.8, 1.4, 1.4}, {1.25, 1.15, 1.15}}};
-// Most audits of one mesh, each after what the one before had found was mended.
+// Most audits of one mesh, each after the findings of the one before were mended.
 constexpr int most_repairs = 12;
 // Number of vertices of a mesh whose edges have length 1, for each unit of its area.
 constexpr double vertices_for_area = 2 / std::numbers::sqrt3;
@@ -71,8 +71,8 @@ class adaptation {
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
-    // A step costs what its nodes do: the stricter ones are tried while all together have no more
-    // than one mesh may have.
+    // Tries stricter steps while the meshes made have, together, no more nodes than one mesh may
+    // have: a step's cost is proportional to its nodes.
     std::size_t made = 0;
     make_room_where_needed();
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
@@ -88,7 +88,7 @@ class adaptation {
       }
       made += std::max(count_, made_.subject().sites.size());
       if (is_certified() || stop_reason() || is_overworked()) break;
-      // Skips to the strictest where mending is in vain: a little more does not help.
+      // Skips to the strictest step: where mending made no progress, a little more does not help.
       if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
     }
     options_.stop = whole;
@@ -105,7 +105,7 @@ class adaptation {
 
   bool is_certified() const { return made_.is_certified(); }
 
-  // True if the most work was done that the run may spend here.
+  // True if the work that the run may spend here was done.
   bool is_overworked() const { return !(options_.stop.units_left() > 0); }
 
   static double off_count(std::size_t sites, std::size_t wanted) {
@@ -141,17 +141,17 @@ class adaptation {
     return part * domain_.vertices.size() > count_;
   }
 
-  // Parts of the vertices of a mesh with all room for short segments: with fewer than the first no
-  // way led to a mesh, after all the work there may be; the second did on the coasts tried.
+  // Parts of the vertices that all the room for short segments takes: below the first no attempt
+  // led to a mesh, with all the work there may be; the second sufficed on the coasts tried.
   static constexpr double too_small_a_part = 0.57, part_that_does = 0.75;
-  // Complexity with that room, of that without, from which it is made at once. On the coasts tried,
-  // with 1.75 and 4.2, the first mesh showed that it was needed, and its work was lost; with 1.1,
-  // where chords of curves are short, it was not.
+  // Ratio of the complexities with and without that room from which the room is made at once. On
+  // the coasts tried, with 1.75 and 4.2, the first mesh showed that it was needed, and its work was
+  // lost; with 1.1, where chords of curves are short, it was not.
   static constexpr double good_part = 1.25;
 
   // Makes room for short segments at once where it is known to be needed: where so few vertices are
-  // wanted that angles at the domain's own cannot be met with them, and where the room takes a good
-  // part of all vertices. Else it is made where the first mesh shows that it is needed.
+  // wanted that angles at the domain's own vertices cannot be met, or where the room takes a good
+  // part of all vertices. Otherwise the first mesh shows whether it is needed.
   void make_room_where_needed() {
     constexpr std::size_t many = 100;  // a few vertices are no coast
     if (!domain_has_many_vertices() || domain_.vertices.size() < many) return;
@@ -164,13 +164,13 @@ class adaptation {
       make_room_for_segments(0);
   }
 
-  // Has as many vertices made as short segments have room for, once; false where there are.
+  // Raises the number of vertices, once, to what short segments have room for; false if it is that.
   bool take_all_room() {
     if (!has_room_ || stop_reason() || is_overworked()) return false;
     return raise_count(1);
   }
 
-  // Has no fewer vertices made than that part of those that the metric with room takes.
+  // Raises the number of vertices to this part of what the metric with room takes.
   bool raise_count(double part) {
     const auto all = static_cast<std::size_t>(part * vertices_for_area * fitted_.complexity());
     if (!(count_ < all && all < options_.max_sites)) return false;
@@ -179,8 +179,8 @@ class adaptation {
     return true;
   }
 
-  // Returns the metric that the mesh is fitted to, finer, alike in all directions, where vertices
-  // of the domain are nearer to each other than it calls one, and beside them.
+  // Returns the metric that the mesh is fitted to, refined by equal factors in all directions where
+  // vertices of the domain are less than one unit apart in it, and beside them.
   std::vector<metric_tensor> with_room() const {
     const std::vector<point>& places = fitted_.places();
     const std::vector<graph_edge> edges = fitted_.edges();
@@ -202,8 +202,8 @@ class adaptation {
     return tensors;
   }
 
-  // Makes that metric the one that the mesh is fitted to. Angles need nodes there, which the metric
-  // wanted does not have; without, none of the ways to a mesh led to one with so many nodes
+  // Fits the mesh to that metric from now on. Angles need nodes there that the metric wanted does
+  // not have; without them no attempt led to a mesh with so many nodes
   // (docs/design/adaptation.md).
   void make_room_for_segments(double part) {
     fitted_.set_tensors(with_room());
@@ -244,7 +244,7 @@ class adaptation {
     return made;
   }
 
-  // Returns the field as a function, the work of which counts as that of the mesh.
+  // Returns the field as a function, and charges its searches to the mesh.
   static metric_at field_by(const background_metric& field, const working_mesh& m) {
     return [&field, &m](const point& q, vertex_index& hint) {
       const metric_tensor there = field.at(q, hint);
@@ -258,23 +258,23 @@ class adaptation {
     return there ? std::optional(there.value()) : std::nullopt;
   }
 
-  // Gives the nodes what is interpolated between the background's: the metric wanted but for
-  // rounding, and looked up sooner.
+  // Sets the nodes' tensors to those interpolated on the background: the metric wanted except for
+  // rounding, and found sooner.
   void take_interpolated(working_mesh& m) const {
     for (vertex_index v = 0; v < m.nodes().size(); ++v)
       if (m.at(v).kind != node_kind::gone)
         m.set_metric(v, fitted_.at(m.at(v).position, m.at(v).hint));
   }
 
-  // Gives the node the metric that the mesh is made in where that is another one than the metric
-  // wanted: both are interpolated by the same operations.
+  // Sets the node's tensor to that of the metric fitted to where that differs from the metric
+  // wanted; both are interpolated by the same operations.
   void take_other(working_mesh& m, vertex_index v) const {
     const auto without = fitted_.where_other(wanted_, m.at(v).position, m.at(v).hint);
     if (without) m.set_metric(v, *without);
   }
 
-  // Gives the nodes the metric wanted where they are, or the other one the mesh is made in. Returns
-  // false where it fails.
+  // Sets the nodes' tensors to the metric wanted there, or to the other metric fitted to. Returns
+  // false where the field fails.
   bool take_wanted(working_mesh& m) const {
     for (vertex_index v = 0; v < m.nodes().size(); ++v) {
       if (m.at(v).kind == node_kind::gone) continue;
@@ -303,10 +303,10 @@ class adaptation {
     making.stop = options_.stop;
     unit_mesher maker(m, making);
     maker.run(field_by(background, m), seeds_);
-    // Splits add nodes, more where the metric turns fast. Where they are too many the shortest
-    // edges of the mesh are merged, in the metric that its nodes have. Where many are given, as
-    // ends of chords are, they may be nearer to each other than the metric wants: they need as many
-    // beside them as splits add.
+    // Merges the shortest edges where splits, of which a metric that turns fast needs more, have
+    // added too many nodes; measured in the metric that the nodes have. Not where many nodes are
+    // given, as ends of chords are: these may be nearer to each other than the metric wants, and
+    // need as many nodes beside them as splits add.
     constexpr double tolerable = 0.015;
     if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
     if (off_count(m.count(), count_) > tolerable && !stop_reason() && !are_many_given(m)) {
@@ -329,7 +329,7 @@ class adaptation {
     return part * given > static_cast<std::ptrdiff_t>(m.count());
   }
 
-  // Grades the nodes' tensors on the mesh's graph. Returns the distortion that it has to be.
+  // Grades the nodes' tensors on the mesh's graph. Returns the distortion that was used.
   double grade_as_needed(working_mesh& m, const strictness& how, double unit) const {
     constexpr double changed = 0.1;        // log distortion: lengths by a tenth
     constexpr std::size_t nearly_all = 4;  // all but one in so many
@@ -371,10 +371,10 @@ class adaptation {
     return agree;
   }
 
-  // Splits the long edges that stars have wanted, where the unit mesh had others.
+  // Splits the long edges that agreement of stars needs and the unit mesh did not have.
   void split_left_long(working_mesh& m, unit_mesher& maker, std::size_t most_nodes) const {
     agreement_options agree = asked_of_agreement(maker.unit());
-    // Enough to see which edges stars want; the rest is mended when the mesh is delivered.
+    // Rounds enough to see which edges stars need; the rest is mended when the mesh is delivered.
     agree.most_rounds = 12;
     agree.angle_bound = 0;  // low angles are mended then, too
     constexpr int rounds = 3;
@@ -387,9 +387,9 @@ class adaptation {
     }
   }
 
-  // Makes tensors alike until the mesh is certified, and gives back what need not be alike. Nearly
-  // always neighbours that agree make a mesh that is certified; so it is not audited before tensors
-  // have been given back, unless that goes wrong.
+  // Makes tensors alike until the mesh is certified, then restores those that need not be alike. A
+  // mesh whose neighbours agree is nearly always certified; so the first audit follows the
+  // restoring, and comes before it only where that fails.
   void deliver(working_mesh& m, unit_mesher& maker) {
     const agreement_options agree = asked_of_agreement(length_factor_);
     agreement agreeing(m, agree);
@@ -416,7 +416,7 @@ class adaptation {
     if (!give_back(m)) made_ = certified;
   }
 
-  // Moves the nodes of a mesh that agrees to where more of them can have the tensors wanted.
+  // Moves the nodes of a mesh that agrees to places where more of them can have the tensors wanted.
   void settle(working_mesh& m, agreement& agreeing) {
     if (agreeing.report().disagreeing + agreeing.report().low > 0 || options_.angle_bound <= 0)
       return;
@@ -450,8 +450,8 @@ class adaptation {
     }
   }
 
-  // Gives tensors wanted back to the nodes, as many as the auditor lets pass. Returns whether the
-  // outcome then is a certified mesh.
+  // Restores the tensors wanted at as many nodes as the auditor accepts. Returns whether the mesh
+  // that comes out is certified.
   bool give_back(working_mesh& m) {
     std::vector<metric_tensor> tensors;
     for (const node& n : m.nodes()) {
@@ -530,7 +530,7 @@ class adaptation {
   std::size_t count_;
   std::vector<point> seeds_;
   double length_factor_ = 1;
-  // True if angles were low beside short segments; true if the metric is finer there since.
+  // True if angles beside short segments were low; true once the metric was refined there.
   bool wants_room_ = false, has_room_ = false;
   bool is_hopeless_ = false;  // mending of the last mesh was given up
   audited_mesh made_;         // the last mesh

@@ -21,14 +21,14 @@
 namespace asterism::internal {
 namespace {
 
-// Notes that the metric is another one altogether.
+// Marks the outcome as not complete where its metric is too far from the one wanted.
 void note_excess(mesh_outcome& made, const mesh_options& options) {
   made.intolerable = excess_of(made, options);
   if (made.intolerable) made.complete = false;
 }
 
-// Returns the mesh delivered if it is what there is to show: near enough, or, where no tolerance is
-// asked for, not complete but as near as was found.
+// Returns the delivered mesh if it is to be shown: within the tolerance, or, without a tolerance,
+// not complete but the nearest found.
 std::optional<mesh_outcome> shown(std::optional<mesh_outcome>& delivered,
                                   const mesh_options& options) {
   if (!delivered) return std::nullopt;
@@ -43,9 +43,9 @@ bool has_one_metric(const mesh& m) {
                      [&m](const site& s) { return identical(s.metric, m.sites.front().metric); });
 }
 
-// True if stars disagree or angles are low, which another metric may mend; false where only the
-// limit on sites made edges longer, or angles are low in one metric for all or beside sharp corners
-// alone: then the domain or its size is in the way.
+// True if stars disagree or angles are low, which another metric may mend. False where the limit on
+// sites made edges longer, or angles are low in one metric for all or beside sharp corners alone:
+// then the domain or its size is the cause.
 bool wants_delivery(const mesh_outcome& made, const mesh_options& options) {
   if (wants_other_metric(made, options)) return true;
   return !made.complete && !made.stopped && made.ended.how != ending::complete &&
@@ -60,26 +60,26 @@ mesh_options with_part_of_work(const mesh_options& options, double share) {
   return limited;
 }
 
-// The work left in the end is for one metric everywhere.
+// Shares of the work; what is left in the end is for one metric for all sites.
 constexpr double for_delivery = attempt_rules[0].share_of_work,
                  for_metric_wanted = attempt_rules[2].share_of_work;
 
-// True if both ways may be gone to the end: a metric delivered, and, where none was within the
-// tolerance, the one wanted.
+// True if two full attempts may be needed: a metric delivered, and the metric wanted where no
+// delivered one was within the tolerance.
 bool may_go_both_ways(const mesh_options& options) {
   return may_adapt(options) && options.metric_tolerance.value_or(0) > 0;
 }
 
-// Returns the work for a run, as a multiple of what one way takes: for the second as much as it has
-// with a tolerance of 0, so that no mesh made then is refused for a larger tolerance.
+// Returns the total budget in units of one attempt's. The second attempt gets what it would get
+// with a tolerance of 0, so raising the tolerance never loses a mesh.
 double work_for_ways(const mesh_options& options) {
   return may_go_both_ways(options) ? 1 + for_metric_wanted : 1;
 }
 
-// Goes through the list of attempts, and chooses what is shown of what they led to.
+// Goes through the list of attempts, and chooses the mesh that is shown.
 class attempts_at_mesh {
  public:
-  // All must outlive it. Takes all work there is, of work_for_ways() ways.
+  // References must outlive it. Takes the budget of work_for_ways() attempts.
   attempts_at_mesh(const domain& d, const metric_field& field, const mesh_options& options,
                    const progress_listener& progress, star_confirmation confirmed, bool may_deliver)
       : domain_(d),
@@ -120,7 +120,7 @@ class attempts_at_mesh {
   // Preconditions, in the order of the list; asked once each.
   bool begins_with_delivery() { return is_first_ && may_deliver_; }
 
-  // Notes why little is to be done in the metric wanted.
+  // Notes why the metric wanted gets a small share of the work.
   bool is_mesh_unlikely() {
     const bool may_give_up = may_adapt(options_) && options_.metric_tolerance != 0.0 && !is_first_;
     wants_few_ = may_give_up && delivery_.wants_few_sites();
@@ -144,8 +144,8 @@ class attempts_at_mesh {
     return wants_other_metric(*as_wanted_, options_) && !options_.metric_tolerance;
   }
 
-  // Makes a mesh in a metric delivered, and shows it if it is what there is to show. Without a size
-  // it has about as many sites as the mesh in the metric wanted.
+  // Makes a mesh in a delivered metric, and shows it if it passes. Without a size it aims at about
+  // as many sites as the mesh in the metric wanted has.
   failure deliver(const attempt_rule& by) {
     constexpr std::size_t fewest = 400, most = 2000;
     const std::size_t few =
@@ -198,9 +198,9 @@ class attempts_at_mesh {
     return std::nullopt;
   }
 
-  // Chooses what there is to show where no metric that is near enough led to a mesh: with a
-  // tolerance of 0 the mesh of the metric wanted, in which not all stars agree, and else the mesh
-  // of a metric too far away, in which they do.
+  // Chooses what to show where no metric within the tolerance led to a mesh. With a tolerance of 0
+  // that is the mesh of the metric wanted, whose stars do not all agree; else the mesh of a metric
+  // that is too far away, whose stars do.
   void choose() {
     if (!delivered_ || as_wanted_->complete || as_wanted_->stopped) return;
     const auto found = excess_of(*delivered_, options_);
@@ -253,8 +253,8 @@ const std::array<attempts_at_mesh::step, attempt_count> attempts_at_mesh::steps 
     {&attempt_rules[5], &attempts_at_mesh::wants_one_metric, &attempts_at_mesh::take_one_metric},
 }};
 
-// Says of a mesh whose improvement was cut short by a limit or an interrupt that it was. It would
-// pass for the mesh of the whole run otherwise, which is another one.
+// Marks a mesh whose improvement was cut short by a limit or an interrupt: it would pass for the
+// mesh of the whole run otherwise, which is another one.
 void note_stop(const cancellation& stop, mesh_outcome& made) {
   if (!made.complete) return;
   const auto why = stop.told();
@@ -274,7 +274,7 @@ result<mesh_outcome> make_by_attempts(const domain& d, const metric_field& field
   mesh_options bounded = options;
   bounded.stop = with_run_work(options.stop, work_for_ways(options));
   bounded.stop.expect(d.vertices.size());
-  // Confirms what an improvement starts from: it compares meshes, and keeps one.
+  // Has the mesher confirm the mesh that an improvement starts from: passes are compared with it.
   if (options.improve_passes > 0) confirmed = star_confirmation::by_mesher;
   const given_order order(d);
   auto outcome =

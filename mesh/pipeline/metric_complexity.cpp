@@ -58,8 +58,8 @@ class density_integral {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > longest_;
   }
 
-  // Returns the integral over the triangle, `before` as it was with one rule for all of it. Long
-  // triangles are halved whatever they say: what is narrow must be noticed.
+  // Returns the integral over the triangle; `before` is that of one rule for all of it. Long
+  // triangles are halved anyway, so that narrow features are noticed.
   double refined(const point& a, const point& b, const point& c, double before, int depth) {
     constexpr double slack = 2e-3;  // of a triangle's own part
     constexpr int deepest = 24;
@@ -87,7 +87,7 @@ class density_integral {
   double longest_;
   const cancellation& stop_;
   std::size_t asked_ = 0;
-  // Four million questions are some seconds. A part of the area that is worth less than this many
+  // Most questions: four million take some seconds. A part of the area worth less than this many
   // vertices is not divided for the sake of its own precision.
   static constexpr std::size_t most_ = 1000000;
   static constexpr double smallest_part_ = 1e-9;

@@ -89,7 +89,7 @@ words words_of(const metric_request& request) {
                {"gradation-space", w.gradation_keeps_shape ? "metric" : "mixed"},
                {"isotropic", yes_or_no(w.isotropic)},
                {"step", optional_text(w.step)}};
-  // Wishes that few runs have are named by these alone.
+  // Words for wishes that few runs have; they are left out where unset.
   if (!request.hessians.empty()) all["given-hessian"] = request.hessians;
   if (w.relative) all["relative"] = "yes";
   if (w.cutoff) all["cutoff"] = number_text(*w.cutoff);

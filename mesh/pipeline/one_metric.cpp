@@ -44,8 +44,8 @@ std::optional<metric_tensor> one_metric_for(const background_metric& wanted, con
   return is_metric ? std::optional(one) : std::nullopt;
 }
 
-// Stars and angles are the same in the metric times a number: sites are as dense as it takes, and
-// have the metric itself.
+// Meshes multiples of the metric, in which stars and angles are the same, until the number of sites
+// fits; the sites get the metric itself.
 std::optional<mesh_of_one_metric> mesh_in_one_metric(const domain& shape,
                                                      const metric_tensor& metric,
                                                      const mesh_options& options,

@@ -15,11 +15,11 @@
 
 namespace asterism::internal {
 
-// Returns the mean of the metric wanted, made as dense on the whole; none where that is no metric
-// in doubles. `start` is any triangulation of the domain.
+// Returns the mean of the metric wanted, scaled to the same complexity; none where that is no
+// metric in doubles. `start` is any triangulation of the domain.
 std::optional<metric_tensor> one_metric_for(const background_metric& wanted, const mesh& start);
 
-// Mesh in one metric, with edges so many times as long as one.
+// Mesh in one metric, and the length of its edges in it as a multiple of one.
 struct mesh_of_one_metric {
   mesh made;
   double length_factor = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what a certificate says of how its run ended against what follows from the rest of it.
+// Checks what a certificate says of how its run ended against the rest of the certificate.
 #pragma once
 
 #include <string>

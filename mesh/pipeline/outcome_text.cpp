@@ -22,7 +22,7 @@ std::string place_text(const point& at) {
   return fmt::format("({}, {})", format_number(at.x), format_number(at.y));
 }
 
-// Returns what is known of the places where bad triangles are; nothing where nothing is.
+// Returns what is known of the places of bad triangles; empty if nothing is.
 std::string places_text(const refinement_ending& e) {
   std::string text;
   if (e.steep)
@@ -158,7 +158,7 @@ std::string one_metric_text(const mesh_outcome& outcome) {
       distances_text(outcome), ending_text(outcome.ended), low_text(outcome));
 }
 
-// Names the distance to the last digit where it is what may be tolerated: rounded, it might not do.
+// Gives a distance that is suggested as a tolerance to its last digit: rounded, it might be less.
 std::string intolerable_text(const mesh_outcome& outcome) {
   using measure = intolerable_distance::measure;
   const intolerable_distance& distance = *outcome.intolerable;

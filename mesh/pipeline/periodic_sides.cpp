@@ -74,8 +74,8 @@ bool is_near_enough(const point& a, const point& b, const point& on_line, const 
   return x <= units * unit && y <= units * unit;
 }
 
-// Finds doubles near `from` and to = sign * from + shift that are related so exactly: with fewer
-// and fewer bits, as the sum of two doubles is a third where none has bits below its last one.
+// Finds doubles near `from` and its image with to = sign * from + shift exactly. Tries fewer and
+// fewer bits: a sum of doubles is a double if neither has bits below its last one.
 std::optional<std::array<double, 2>> exact_relation(double from, double sign, double shift) {
   constexpr int most_bits = 23;
   const double to = sign * from + shift;

@@ -25,7 +25,7 @@ using namespace adapting;
 
 class across_splitter {
  public:
-  // All must outlive it.
+  // References must outlive it.
   across_splitter(const domain& d, const metric_field& field, const mesh_options& options,
                   double unit)
       : domain_(d), field_(field), options_(options), made_(domain_, options_) {
@@ -117,8 +117,8 @@ class across_splitter {
     return false;
   }
 
-  // Gives the nodes the tensors wanted where the auditor lets that pass, or has the mesh mended as
-  // it is. Returns whether it is certified.
+  // Restores the tensors wanted as far as the auditor accepts, or has the mesh repaired with those
+  // it has. Returns whether it is certified.
   bool certify(working_mesh& m) {
     constexpr int most_repairs = 12;
     std::vector<metric_tensor> wanted;

@@ -12,13 +12,13 @@
 
 namespace asterism::internal {
 
-// Returns the distance of the metric delivered from the one wanted; none where that is near enough,
-// where there is no other metric, or where the run was stopped. Without a tolerance what half of
-// the sites find counts, and how dense the metric is on the whole.
+// Returns the distance of the delivered metric from the one wanted if it exceeds the tolerance;
+// none where it does not, where there is no other metric, or where the run was stopped. Without a
+// tolerance the median over sites counts, and the density on the whole.
 std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options);
 
-// The same of what was measured, with a tolerance or without.
+// Returns the same of distances measured, with a tolerance or without.
 std::optional<intolerable_distance> excess_in(const delivered_report& report,
                                               std::optional<double> tolerance);
 
