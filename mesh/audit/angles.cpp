@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Point 3: no angle below the bound, seen from any of the triangle's three vertices, but the
-// domain's own at its sharp corners.
+// Point 3: no angle is below the bound, measured by any of the triangle's three vertices, except
+// the domain's own angles at its sharp corners.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,7 +69,7 @@ std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_ten
   return above;
 }
 
-// Bounds that all triangles are held against.
+// Bounds that all triangles are compared with.
 struct audited_requirement {
   double degrees = 0;
   squared_cotangent bound;
@@ -121,8 +121,8 @@ class angle_check {
     double above;  // its cotangent is at most this
   };
 
-  // True if all angles are ordinary, and wide by their quick bounds alone: then nothing else is to
-  // be said of the triangle. Where its vertices have one metric all see the same.
+  // True if all angles are ordinary, and wide by their quick bounds alone: then the triangle needs
+  // no further test. Where its vertices have one metric one of them is tested.
   bool passes_at_once(vertex_index t, const triangle& c, const plain_triangle& plain) {
     if (beside_) return false;
     constexpr std::size_t perspectives = 3;
@@ -220,7 +220,7 @@ class angle_check {
   // crossed.
   std::array<const narrow_sector*, 3> sector_{};
   bool beside_ = false;
-  // Cotangent of the least angle so far of each standing; a little too small.
+  // Lower bound of the cotangent of the smallest angle so far: ordinary, exempt, collateral.
   std::array<double, 3> greatest_cotangent_ = {-std::numeric_limits<double>::infinity(),
                                                -std::numeric_limits<double>::infinity(),
                                                -std::numeric_limits<double>::infinity()};
@@ -255,9 +255,9 @@ void check_angles(audit_context& context) {
 
 namespace {
 
-// True if all three sides of the triangle are segments, one of them inside the domain: it is what
-// it is because the segments say so. Where all are of the outer boundary, the triangle is all that
-// there is to mesh.
+// True if all three sides of the triangle are segments, one of them inside the domain: the
+// segments alone decide its shape. Where all are of the outer boundary, the triangle is the whole
+// mesh.
 bool is_enclosed(const audit_context& context, vertex_index t) {
   const triangle& c = context.subject.triangles[t];
   bool is_inner = false;
@@ -281,8 +281,8 @@ bool has_no_free_edge(const audit_context& context, std::size_t& inner) {
 }  // namespace
 
 // Refuses a mesh of which next to nothing is judged: more than half of the triangles have an exempt
-// angle, and segments for all their sides. Whoever says what the domain is, nothing of these could
-// be otherwise.
+// angle, and segments for all their sides. With the domain given, the mesher had no choice in any
+// of these.
 void check_something_judged(audit_context& context) {
   const std::vector<vertex_index>& exempt = context.report.exempt_triangles;
   if (exempt.empty()) return;

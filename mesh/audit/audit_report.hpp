@@ -145,7 +145,7 @@ struct audit_report {
   bool domain_checked = false;  // false: no domain was given
   bool angles_checked = false;  // false: no bound was given
   bool stars_checked = false;   // false: not asked for, or the mesh is no triangulation
-  // True if the first reasons against its stars were found, and the rest not looked for.
+  // True if the check of stars ended at the first findings, which refuse the mesh.
   bool stars_cut_short = false;
 
   // Every angle in each of three metrics is of one kind. Exempt are those at a sharp corner in a

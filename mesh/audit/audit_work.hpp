@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds the work of an audit: where metrics vary wildly every site is held against every other, in
-// exact numbers that take milliseconds each. Counted, not timed, so that every audit of a mesh ends
-// at the same place. Internal to the auditor.
+// Bounds the work of an audit: where metrics vary wildly every site is tested against every other,
+// in exact numbers that take milliseconds each. Counted, not timed, so that every audit of a mesh
+// ends at the same place. Internal to the auditor.
 #pragma once
 
 #include <algorithm>
@@ -92,7 +92,7 @@ void check_in_shares(audit_context& context, std::size_t count, const Check& che
     if (!tallies[i].unfinished || !(left > 0) || context.options.stop.is_requested()) continue;
     audit_tally again;
     again.findings_kept = tallies[i].findings_kept;
-    // Counts what was done in vain.
+    // Counts the work that was lost.
     const double done = audit_units(tallies[i].part, tallies[i].looked_units);
     again.looked_units = done;
     again.most_units = done + left;

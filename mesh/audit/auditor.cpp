@@ -15,7 +15,7 @@ namespace {
 
 using namespace audit_detail;
 
-// Charges what an audit took. Angles take the auditor's own arithmetic, and findings sentences.
+// Charges the work of an audit, with its own arithmetic on angles and the sentences of findings.
 void charge(const audit_context& context) {
   const audit_report& report = context.report;
   context.options.stop.charge(
@@ -25,7 +25,7 @@ void charge(const audit_context& context) {
       work_weights::audit_finding_text * static_cast<double>(report.findings.size()));
 }
 
-// Asks everything that the options ask for, one point after the other.
+// Runs all checks that the options call for, one point after the other.
 void check_all(audit_context& context) {
   const audit_options& options = context.options;
   audit_report& report = context.report;
@@ -96,7 +96,7 @@ const audit_report& auditor::recheck(const std::vector<vertex_index>& changed,
   return report_;
 }
 
-// Asks everything, or of the stars only what concerns the sites in `changed`, unless that is null.
+// Runs all checks; those of stars only for the sites in `changed`, unless that is null.
 void auditor::ask(const std::vector<vertex_index>* changed, star_memory* memory,
                   const audit_effort& effort) {
   report_ = counts_of(*subject_);

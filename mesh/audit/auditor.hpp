@@ -40,11 +40,11 @@ class site_tree;
 
 enum class hard_questions { asked, left_open };
 
-// How much is done about stars.
+// How much work is done on stars.
 struct audit_effort {
   hard_questions hard = hard_questions::asked;
-  // Number of sites from which on a gap of which no reach is known is a hard question. Fewer are
-  // held against it one by one.
+  // Number of sites from which a gap of unknown reach is a hard question. Fewer sites are tested
+  // against it one by one.
   std::size_t many_for_a_gap = 0;
 };
 
@@ -74,9 +74,9 @@ class auditor {
   // Checks the numbers of the mesh alone: points and tensors, indices and repetitions.
   const audit_report& check_numbers();
 
-  // Asks the filters of edge_test those open questions for which `is_asked`, in their order. What
-  // they find in order is open no more; of others `refuse` is told, among them gaps, and what only
-  // exact numbers could answer. The mesh is certified then if nothing is found and nothing open.
+  // Tries the filters of edge_test on the open questions for which `is_asked`, in order. Closes
+  // those answered in the mesh's favour, and calls `refuse` for all others, also for gaps and what
+  // only exact numbers answer. The mesh is certified if nothing is found then, and nothing open.
   void ask_filters(const std::function<bool(const open_question&)>& is_asked,
                    const std::function<void(const open_question&)>& refuse);
 

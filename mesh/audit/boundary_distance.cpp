@@ -55,7 +55,7 @@ class common_walk {
     double part = 0;
   };
 
-  // Stops at the next vertex of `to`, and beside it on `beside`.
+  // Stops at the next vertex of `to`, and at the place beside it on `beside`.
   void stop(const std::vector<point>& to, place& at, const std::vector<point>& beside,
             place& at_beside) {
     const point &p = to[at.next], &a = beside[at_beside.next - 1], &b = beside[at_beside.next];

@@ -26,7 +26,7 @@ template <class Item>
 std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::size_t>& start,
                           vertex_index a, vertex_index b) {
   std::size_t place = start[a];
-  // Halves without a branch: which half it is, is past guessing.
+  // Bisects without branches, which would be mispredicted.
   for (std::size_t left = start[a + 1] - place; left > 1;) {
     const std::size_t half = left / 2;
     place += list[place + half - 1].b < b ? half : 0;

@@ -117,7 +117,7 @@ struct audit_context {
   // Sites whose tensors were changed since all stars were looked at; null where they were not.
   // Only what depends on one of them is looked at then (auditor.hpp).
   const std::vector<vertex_index>* changed = nullptr;
-  // Takes what the next audit is to know of the stars, and has what the last one told; may be null.
+  // What one audit passes to the next about the stars; may be null.
   star_memory* memory = nullptr;
   bool leaves_open = false;        // hard questions about stars, to the memory
   std::size_t many_for_a_gap = 0;  // sites, for a gap of which no reach is known to be a hard one
@@ -147,7 +147,7 @@ struct audit_context {
   fan_lists fans;
   std::unique_ptr<site_tree> tree;  // of the mesh's sites; none where it was not asked for
 
-  // Asks for the sites of one of `triangles`, or of the edges that leave v, to be read soon.
+  // Prefetches the sites of one of `triangles`, or of the edges that leave v.
   void prefetch_corners(std::size_t nth) const {
     if (nth >= triangles.size()) return;
     for (const vertex_index v : subject.triangles[triangles[nth]]) prefetch(&subject.sites[v]);

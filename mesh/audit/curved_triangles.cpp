@@ -19,11 +19,11 @@ using namespace internal;
 using namespace internal::audit_detail;
 namespace {
 
-// Halvings of one part after another. Each second one halves the length of every side, so that a
-// part is 2^-15 as long then; what vanishes inside a side is left undecided by any number.
+// Most halvings of one part. Every second one halves the length of all sides, so that a part is
+// 2^-15 as long then; a determinant that vanishes inside a side is not decided by any number.
 constexpr int most_halvings = 30;
-// Parts that are looked at in all. A determinant that comes near to 0 along a line takes about as
-// many as the root of its greatest value over its least.
+// Most parts in all. A determinant that comes near to 0 along a line takes about as many as the
+// root of its greatest value over its least.
 constexpr std::size_t most_parts = 10'000;
 
 // Control points of a quadratic triangle: of the corners 0, 1, 2, and of the sides 01, 12, 20.

@@ -170,7 +170,7 @@ std::string curve_audit::text(std::size_t curve) const {
   return "curve " + std::to_string(curve + 1) + " of the domain";
 }
 
-// Takes the curve up, if it is one: in range, finite, increasing, its chords no other's.
+// Adopts the curve, if it is valid: in range, finite, increasing, its chords no other curve's.
 bool curve_audit::add(std::size_t curve) {
   const domain& d = *context_->options.original;
   const domain_curve& c = d.curves[curve];

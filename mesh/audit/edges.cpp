@@ -19,7 +19,7 @@ std::string edge_text(const audit_context& context, const directed_edge& edge) {
          std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
 }
 
-// A number that is compared at once as a and then b are.
+// Key whose order is that of a, then b: one comparison in place of two.
 std::uint64_t in_one_number(vertex_index a, vertex_index b) {
   constexpr int bits = 32;
   return std::uint64_t{a} << bits | b;
@@ -81,8 +81,8 @@ void check_matched(const audit_context& context, audit_tally& tally, const direc
                 edge_text(context, e) + " has no triangle across and is no boundary edge");
 }
 
-// True if each of the edges goes where one of the arrivals comes from. Asks each of each: a sort of
-// as few as there are nearly always guesses wrong more often.
+// True if each of the edges goes where one of the arrivals comes from. Compares all pairs: sorting
+// so few would be mispredicted more often.
 bool all_are_matched(std::span<const directed_edge> edges,
                      const std::vector<vertex_index>& arrivals) {
   constexpr std::size_t few = 16;

@@ -26,8 +26,8 @@ void list_steps(const audit_context& context, std::size_t first, std::size_t las
     steps.push_back({context.edges[i].b, context.edges[i].apex});
 }
 
-// Returns the step that starts where another ends, or the end. Counts where there are few: a search
-// by halves guesses wrong at every other step.
+// Returns the step that starts where another ends, or the end. Goes through a short list, as a
+// bisection is mispredicted at every other step.
 std::vector<fan_step>::iterator step_from(std::vector<fan_step>& steps, vertex_index from) {
   constexpr std::size_t few = 16;
   auto next = steps.begin();
@@ -90,7 +90,7 @@ void list_fans(const audit_context& context, vertex_index v, std::size_t first, 
     if (!s.used) follow(context, v, steps, s, to);
 }
 
-// Without a branch: where the next one is is past guessing.
+// Without a branch, which would be mispredicted.
 int in_lower_half(const point& v, const point& p) {
   return static_cast<int>(p.y < v.y) | (static_cast<int>(p.y == v.y) & static_cast<int>(p.x < v.x));
 }

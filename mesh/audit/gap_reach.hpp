@@ -8,7 +8,7 @@
 
 namespace asterism::internal::audit_detail {
 
-// Holds what is known of the way from v to a neighbour, for the gaps on both sides of it.
+// Measurements of the way from v to a neighbour, for the gaps on both sides of it.
 struct measured_ray {
   const site* end = nullptr;
   point way, dual;       // the dual by v's metric

@@ -48,10 +48,10 @@ class site_tree {
     site v;
     double reach;
   };
-  // Descends once for several stars: sets `leaves` to those nodes that hold all that visit_near
-  // visits for any of them, but for leaves that end before `from` in the order. False, and nothing
-  // is known, where that would not be worth while: unless all reaches are finite and the stars'
-  // metrics much the same.
+  // Descends once for several stars: sets `leaves` to nodes that contain all sites which visit_near
+  // visits for any of them, except leaves that end before `from` in the order. Returns false, with
+  // nothing set, where it does not pay: unless all reaches are finite and the stars' metrics much
+  // the same.
   bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
               std::size_t from = 0) const;
   // Visits as the function without leaves does, for one of the stars they were gathered for, from a
@@ -60,14 +60,14 @@ class site_tree {
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit, std::size_t from = 0) const;
 
-  // The leaves that were gathered for several stars, and their sites, unless these are too many
-  // for each star to look at each.
+  // Leaves gathered for several stars, and their sites unless these are too many to be tested for
+  // each star.
   struct nearby_sites {
     std::vector<std::size_t> leaves;
     std::vector<std::size_t> nth;  // in the order
     std::vector<double> x, y;      // their places
-    // Factors: |w - v|_v^2 times w's is more than the square of v's reach only if w is too far from
-    // v, whichever of the stars that is.
+    // One factor a site w: w is too far from v, whichever star v is, if |w - v|_v^2 times the
+    // factor exceeds the square of v's reach.
     std::vector<double> share;
     bool are_usable = true;        // not too many, and in the range of what can be measured
     std::vector<double> measured;  // scratch of visit_near
@@ -78,12 +78,12 @@ class site_tree {
   // instructions for 2.5 in a pass of 2,000 sites.
   bool gather(const std::vector<reaching>& stars, nearby_sites& nearby,
               std::size_t most_leaves = 40) const;
-  // Calls visit(w, squared) for each site that is not certainly too far from v, one of the stars
-  // they were gathered for; what `squared` says of lesser reaches tells is_too_far_by. False, and
-  // nothing is visited, where numbers are out of range, or sites too many.
+  // Calls visit(w, squared) for each site that is not certainly too far from v, one of the stars of
+  // `nearby`; is_too_far_by compares `squared` with lesser reaches. Returns false, with nothing
+  // visited, where numbers are out of range, or sites too many.
   template <class Visit>
   bool visit_near(nearby_sites& nearby, const site& v, double reach, const Visit& visit) const;
-  // True if the site of which `squared` is told is certainly too far for this reach of the same v.
+  // True if the site with this `squared` is certainly too far for this reach of the same v.
   static bool is_too_far_by(double squared, double reach) {
     constexpr double up = 1 + 0x1p-48, least = 0x1p-400;
     const double square = reach * reach;
@@ -157,11 +157,11 @@ class site_tree {
   static by_covector lengths_of(const metric_tensor& m, double inverse_determinant);
   static centre centre_of(const site& v, double reach);
   static centre centre_with_covectors(const site& v, double reach);
-  // True if all sites of the node, or one at d, are too far by one of the four covectors.
-  // True if the sites of the node with this number are certainly too far by one covector.
+  // True if some covector certainly separates all sites of node `self`, or one at d, from v: either
+  // one of the four covectors, or the one that separation_along chooses for the node.
   bool are_beyond(std::size_t self, const centre& v) const;
   static bool is_beyond(const point& d, const by_covector& length, const centre& v);
-  // Returns g . (w - v) from which on a site is too far that finds the covector at most so long.
+  // Returns the g . (w - v) beyond which a site that measures g by at most this is too far.
   static double bound_along(const centre& v, std::size_t covector, double length) {
     constexpr double roundings = 1 + 0x1p-47, underflow = 0x1p-900;
     const double own = v.length[covector];
@@ -178,13 +178,13 @@ class site_tree {
   // Returns the factor of |w - v|_v^2 for all sites w of the node and stars v; 0 where none is
   // known.
   static double share_of(const node& n, const centre& stars);
-  // Lists the sites of the leaves.
+  // Lists the sites of the leaves in `nearby`.
   void list_sites(const centre& stars, nearby_sites& nearby) const;
-  // True if measure() may be asked about v, and what it says compared with the square of the reach.
+  // True if measure() is valid for v, and its results may be compared with the square of the reach.
   static bool is_measurable(const site& v, double reach);
-  // Sets what is measured of nearby sites to their shares of |w - v|_v^2, from below.
+  // Sets `measured` to lower bounds of the factors times |w - v|_v^2, one for each nearby site.
   static void measure(nearby_sites& nearby, const site& v);
-  // True if a site with the metric m is, at d from the one star v; of 1 / det m an upper bound.
+  // True if a site with metric m at offset d is too far; with an upper bound of 1 / det m.
   static bool too_far(const point& d, const metric_tensor& m, double inverse_determinant,
                       const centre& v);
   // Returns the square of a distance from v beyond which no site of the node matters, whatever its
@@ -195,7 +195,7 @@ class site_tree {
   static bool is_beside(const node& n, const centre& v, double far_squared);
   // True if |d|^2 is certainly more than that, d as the metric measures.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
-  // Calls visit(argument). False if that returns false, and not nothing.
+  // Calls visit(argument). Returns false if visit returns false, and true if it returns nothing.
   template <class Visit, class Argument>
   static bool goes_on(const Visit& visit, Argument argument) {
     if constexpr (std::is_same_v<std::invoke_result_t<Visit, Argument>, bool>) {
@@ -272,7 +272,7 @@ void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v
       return;
 }
 
-// Holds the site's own metric against v's where the leaf's shows little.
+// Falls back to the exact bound of a site where the leaf's bound is weak.
 template <class Visit>
 bool site_tree::visit_near(nearby_sites& nearby, const site& v, double reach,
                            const Visit& visit) const {

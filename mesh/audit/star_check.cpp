@@ -181,8 +181,8 @@ void star_check::check_other(const prepared_fan& p, vertex_index w, double squar
   const fan_gap* gap = gap_of(p, w);
   if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
   if (site_tree::is_too_far_by(squared, gap->reach)) return;
-  // Leaves out what the tree has asked: w's own metric, for the reach of the fan, where it tells
-  // nothing.
+  // Skips the test by w's own metric if the tree has made it: `squared` is 0 then, and the gap
+  // reaches as far as the fan.
   const bool is_known = squared == 0 && !(gap->reach < p.reach);
   if (!is_known && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
   ++tally_.part.star_pairs;
@@ -200,10 +200,10 @@ bool star_check::is_accepted(vertex_index v, vertex_index w, const fan_gap& gap)
     const uncertain_bool by_v = prepared->accepts(at(w));
     if (by_v.certain()) return by_v.value();
   }
-  // Made once for a gap, and cheaper than a gap of w's.
+  // Tried before the kernel's gap of w: made once for this gap, and cheaper.
   if (filter_of(v, gap).excludes(at(w))) return false;
   if (prepared != nullptr) {
-    // The question is the same to w, who often sees it more clearly.
+    // Asks w, whose answer is to the same question, and who is often less in doubt.
     const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
     if (by_w.certain()) return by_w.value();
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the fans of a few stars against sites: their neighbours, or all that are in reach.
+// Tests the fans of a few stars against sites: their neighbours, or all that are in reach.
 //
-// How far a gap reaches takes few operations (audit/gap_reach.hpp); most are asked about no site.
-// Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
-// for a gap; what it does not know by the auditor's own filter of wider range, and then edge_test.
-// The mesher asks prepared gaps too. Where the two are not to share that, as in verify(), they are
-// left out (audit_options::own_filter_alone).
+// How far a gap reaches takes few operations (audit/gap_reach.hpp); most gaps have no site to be
+// tested. Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp),
+// made once for a gap; the rest by the auditor's own filter of wider range, and then edge_test. The
+// mesher uses prepared gaps too. Where the two are not to share that, as in verify(), they are left
+// out (audit_options::own_filter_alone).
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace asterism::internal::audit_detail {
 
 // One gap of a fan, from x counter-clockwise to y.
 struct fan_gap {
-  // Leaves the memory of what is prepared later as it is.
+  // Does not initialise what is prepared later.
   fan_gap(vertex_index before, vertex_index after) : x(before), y(after) {}
 
   vertex_index x, y;
@@ -77,11 +77,11 @@ class star_check {
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
 
-  // Holds all sites in reach of the fans against the gaps that are concerned. Looks for them once
-  // for all fans whose vertices measure much the same; else for each half, and each one.
+  // Tests all sites in reach of the fans against their gaps. Searches once for all fans whose
+  // vertices measure much the same; else for each half, and in the end for each one.
   void hold_all(std::span<const prepared_fan> fans);
   void hold_all(const prepared_fan& p, bool gathered);
-  // Looks at w, of which the tree tells `squared`, or 0 where it tells nothing.
+  // Tests w; `squared` is what the tree measured of it, or 0 if nothing.
   void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
     patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
     if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
@@ -111,8 +111,8 @@ class star_check {
   bool is_reached(vertex_index v, double reach);
   void prepare(vertex_index v, const vertex_fan& fan);
   bool is_left_open(const fan_gap& gap) const;
-  // Returns how far the gap reaches: most do not need to be prepared for that, nor for any
-  // question. Nothing better than a few edges of the gap is worth its cost.
+  // Returns the reach of the gap, without preparing it for questions, which most gaps do not need.
+  // A sharper bound than a few edges of the gap is not worth its cost.
   double reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
                   const measured_ray& to_x, const measured_ray& to_y) const;
   // Returns the kernel's gap, made when it is first asked for; null where it is not to be shared.
@@ -143,7 +143,7 @@ class star_check {
   }
   // Returns the gap strictly between whose rays w lies; none on a ray or outside an open fan.
   const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const;
-  // Holds w against the gap it is in, if that is one of those asked about.
+  // Tests w against the gap that it is in, if that is one of those concerned.
   void check_other(const prepared_fan& p, vertex_index w, double squared, bool at_concerned);
   bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap);
   // Returns whether the neighbour w is accepted; true, once that is noted, where it is left open.
@@ -159,7 +159,7 @@ class star_check {
   audit_patience patience_;
   const star_surroundings& around_;
   visibility_test sight_;
-  // Scratch for the vertices at hand; members to spare allocations.
+  // Scratch for the present vertices; members, so that they are not allocated each time.
   std::vector<prepared_fan> prepared_;  // the first used_
   std::size_t used_ = 0;
   std::vector<site_tree::reaching> reaching_;

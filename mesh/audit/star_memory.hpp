@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what an audit of a mesh tells the next one of its stars. Internal to the library.
+// Holds what an audit of a mesh passes to the next one about its stars. Internal to the library.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace asterism::internal {
 
-// Question about a star that was left open: whether it accepts a neighbour, as it is to, or another
-// site, as it is not to, or any other site in a gap of which no reach is known.
+// Open question about a star: whether it accepts a neighbour, as it should, or another site, as it
+// should not, or any other site in a gap of unknown reach.
 struct open_question {
   enum class about { neighbour, other_site, gap };
 

@@ -25,7 +25,7 @@ struct star_surroundings {
     return is_changed.empty() || (is_changed[v] | ...);
   }
 
-  // Sets the tree of all sites: that of the mesh, where they are as they should be.
+  // Sets the tree of all sites: of the mesh's own sites, unless they were brought to unit size.
   void plant(audit_context& context) {
     if (!unit.empty() && !of_unit) of_unit.emplace(unit);
     sites = unit.empty() ? &context.plant() : &*of_unit;

@@ -33,11 +33,11 @@ bool found_nothing(const audit_context& context) {
   return context.report.total_found() == 0 && !are_open;
 }
 
-// How a look at stars ended.
+// How a check of some stars ended.
 enum class look_end { all, refused, unfinished };
 
-// Looks at stars one after the other. Refused where more than `most` was found, unfinished after
-// the most work that is done for so many sites, or when it is cancelled.
+// Checks stars in order. Refused once more than `most` was found, unfinished after the most work
+// that is done for so many sites, or when it is cancelled.
 look_end check_in_turn(audit_context& context, const star_surroundings& around,
                        const check_order& in_order, bool neighbours_alone, std::size_t most) {
   const std::vector<vertex_index>& order = in_order.vertices;
@@ -55,7 +55,7 @@ look_end check_in_turn(audit_context& context, const star_surroundings& around,
   return is_refused() ? look_end::refused : look_end::unfinished;
 }
 
-// Enters into the report that a look ended early.
+// Enters into the report that a check ended early.
 void note_end(audit_context& context, look_end how) {
   if (how == look_end::refused) context.report.stars_cut_short = true;
   if (how != look_end::unfinished) return;
@@ -70,7 +70,7 @@ bool have_one_metric(const std::vector<site>& sites) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
-// Makes reaches in the memory that were found in other units, or not at all, unknown ones.
+// Resets the reaches in the memory to unknown where there are none, or they are in other units.
 void take_reaches(const audit_context& context, int power_of_squares) {
   star_memory& memory = *context.memory;
   const bool are_known = !memory.reaches.empty() && memory.power_of_squares == power_of_squares;
@@ -79,15 +79,15 @@ void take_reaches(const audit_context& context, int power_of_squares) {
     memory.reaches.assign(context.subject.sites.size(), std::numeric_limits<double>::infinity());
 }
 
-// Looks at all sites in reach of each star.
+// Tests every star against all sites in its reach.
 look_end check_others(audit_context& context, star_surroundings& around, std::size_t most) {
   around.plant(context);
   return check_in_turn(context, around, in_order_of_tree(*around.sites), false, most);
 }
 
-// Looks at all sites where neighbours suffice, as a second way to the answer, with half of the
-// work. What that is not enough for is settled as it was: thousands of sites on a line, where each
-// star sees them all.
+// Tests against all sites although neighbours suffice, as a second route to the answer, with half
+// of the work. Where that is too little, as with thousands of sites on a line, each of whose stars
+// sees all, the first route counts.
 look_end check_others_again(audit_context& context, star_surroundings& around, std::size_t most) {
   const double share = context.share_of_work;
   context.share_of_work = share / 2;
@@ -100,10 +100,10 @@ look_end check_others_again(audit_context& context, star_surroundings& around, s
 
 }  // namespace
 
-// Looks at neighbours first, then at all sites in reach. Ends where as much is refused as a tenth
-// of the sites, unless every finding is to be kept: such stars see far, and to look at all of them
-// would only say so again. Ends, too, after the most work that is done (audit/audit_work.hpp); of
-// that a mesh which is refused already, for its angles or its domain, has a part.
+// Tests stars against their neighbours first, then against all sites in reach. Ends once more is
+// refused than a tenth of the sites, unless every finding is to be kept: such stars see far, and
+// testing them all would only refuse the mesh again. Ends, too, after the most work that is done
+// (audit/audit_work.hpp), of which a mesh that is refused already has a part.
 void check_stars(audit_context& context) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), part = 10;
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;

@@ -205,7 +205,7 @@ bool is_clearly_beside(const mesh& m, const boundary_edge& subsegment, vertex_in
                                            ball.in_frame(m.sites[subsegment.b].position), farthest);
 }
 
-// Holds the site w against a subsegment.
+// Tests the site w against a subsegment.
 void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w, double farthest,
                   audit_patience& patience, measured_part& part) {
   patience.count(work_weights::theorem_pair);
@@ -379,8 +379,8 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
 
 }  // namespace
 
-// Measures an image where lengths are such that bounds of them leave the range of doubles, and so
-// would tell nothing: each site would be held against all.
+// Measures a scaled image where bounds of lengths leave the range of doubles. They would decide
+// nothing, and each site would be tested against all.
 theorem_hypotheses theorem_of_mesh(const mesh& subject, double angle_bound,
                                    const cancellation& stop, const site_tree* tree) {
   const auto scaled = audit_detail::unit_subject_of(subject);

@@ -89,7 +89,7 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
     return;
   }
   if (is_unmeasured(*claim)) {
-    // Whoever was told to end may say so, and nothing more.
+    // A run that was told to end may have that reason alone.
     theorem_hypotheses nothing;
     nothing.reason = claim->reason;
     compare_measures(all, *claim, nothing);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Audits a mesh once more, and holds its certificate against what is found.
+// Audits a mesh once more, and compares its certificate with what is found.
 #pragma once
 
 #include <optional>

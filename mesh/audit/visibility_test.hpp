@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells which sites see each other inside the domain, for the auditor.
+// Decides, for the auditor, which sites see each other inside the domain.
 #pragma once
 
 #include "asterism/core/sign.hpp"
