@@ -88,7 +88,7 @@ class ASTERISM_EXPORT batch_evaluator {
   batch_statistics statistics_;
 };
 
-// Writes a table: a line for each predicate that was asked, with how many records each tier
+// Writes a table with a line for each predicate asked: how many of its records each tier
 // settled.
 ASTERISM_EXPORT void write_statistics(std::ostream& out, const batch_statistics& statistics);
 

@@ -38,8 +38,8 @@ bool is_all_finite(const Argument& a) {
   return finite;
 }
 
-// The metrics of a question's sites, and that of a circle, must be positive definite; another is
-// what is asked.
+// The metrics of a question's sites, and that of a circle, must be positive definite; of any other
+// metric it may be the question whether it is.
 template <predicate Question, class Argument>
 bool is_surely_sound(const Argument& a) {
   if (!is_all_finite(a)) return false;

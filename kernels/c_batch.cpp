@@ -32,8 +32,8 @@ class question_table {
   }
 
   std::span<const asterism_rows> arguments() const { return arguments_; }
-  // The metric of a circle, its first argument, has to be positive definite; another is what is
-  // asked.
+  // The metric of a circle, its first argument, has to be positive definite; of any other it may be
+  // the question whether it is.
   bool asks_of_circles() const { return question_ == predicate::in_circle; }
   // Returns how many numbers a row of argument a has, by what it is.
   std::size_t width(std::size_t a) const {

@@ -82,7 +82,7 @@ class direction_cover {
   direction_cover(const seen_site& w, const seen_site& x, const seen_site& y)
       : w_(w), beside_{{{&x, cross(w.offset, x.offset)}, {&y, cross(w.offset, y.offset)}}} {}
 
-  // True if nothing is left of all directions in which v and w see a point.
+  // True if no direction is left in which v and w may see a common point.
   bool is_complete() {
     const displacement<double> d = values_of(w_.offset), n{-d.y, d.x};
     if (w_.concave) {
@@ -137,8 +137,8 @@ class direction_cover {
     return {exactly(m)};
   }
 
-  // Forbids one reason all directions of the cone? An upper bound of s_w that is convex is compared
-  // with lower ones that are concave at both ends.
+  // True if one reason forbids all directions of the cone. Compares an upper bound of s_w that is
+  // convex with lower ones that are concave, at both ends.
   bool is_forbidden(const direction& right, const direction& left, const vector& m) const {
     bounded w_right, w_left;
     if (w_.concave && dot(m, w_.offset).certainly_positive()) {

@@ -23,7 +23,7 @@ void count(tier_counters* decided, predicate which, tier by) {
   if (decided != nullptr) ++decided->at(which, by);
 }
 
-// Asks intervals first, exact numbers when undecided; counts who decided.
+// Asks intervals first, exact numbers when they are undecided; counts the tier that decided.
 template <class Ask>
 [[gnu::noinline]] auto decide_slowly(tier_counters* decided, predicate which, const Ask& ask) {
   const auto answer = ask(interval_kernel{});
