@@ -15,6 +15,7 @@ from ._forms import (
     Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, tensor_rows)
 from ._mesh import Mesh
 from ._meshing import NotReachedWarning, Progress
+from ._page import Before, Page
 from ._reported import ReportedArray, reported
 
 Gradation = Union[float, str, None]
@@ -105,8 +106,9 @@ class Adapted:
     """
 
     def __init__(self, mesh: Mesh, values: Any, carried: Any, metric: ReportedArray,
-                 report: Dict[str, Any]) -> None:
+                 report: Dict[str, Any], before: Optional[Before] = None) -> None:
         self.mesh = mesh
+        self._before = before
         self.values = values
         self.carried = carried
         self.metric = metric
@@ -114,6 +116,11 @@ class Adapted:
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.mesh, self.values))
+
+    def show(self, height: int = 640) -> Page:
+        """The page about the mesh with the one before, and the fields on both; see Mesh.show()."""
+        carried = {} if self.carried is None else dict(named_fields(self.carried, "carried"))
+        return self.mesh.show({**self.mesh.values, **carried}, before=self._before, height=height)
 
     def __repr__(self) -> str:
         return f"<Adapted: {self.mesh!r}>"
@@ -178,7 +185,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
     form: Any = mesh.values if values is None else values
     return Adapted(Mesh._of(next_mesh, dict(first)), like(form, first) if first else None,
                    like(carry, rest) if carry is not None else None,
-                   reported(tensors, report["metric"]), report)
+                   reported(tensors, report["metric"]), report, (mesh, dict(wanted + carried)))
 
 
 def _hessians(hessian: Union[str, Fields], count: int) -> Any:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING, Any, List, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _asterism
 from ._asterism import InputError, _Domain
 from ._forms import is_mesh_file, path_of
 
@@ -77,6 +78,15 @@ class Domain:
     def box(self) -> Tuple[float, float, float, float]:
         """Least x and y, greatest x and y."""
         return self._made.box
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        """What it covers, as a Polygon or MultiPolygon of GeoJSON, which shapely.geometry.shape() takes: no
+        segments inside, no regions; of curves the chords."""
+        polygons = [[_positions(ring) for ring in rings] for rings in _asterism._polygons(self._made)]
+        if len(polygons) == 1:
+            return {"type": "Polygon", "coordinates": tuple(polygons[0])}
+        return {"type": "MultiPolygon", "coordinates": tuple(map(tuple, polygons))}
 
     @property
     def repairs(self) -> List[Repair]:
@@ -184,6 +194,10 @@ def as_domain(what: Any, repair: "bool | float" = False) -> Domain:
     if what is None or callable(what) or isinstance(what, (int, float)):
         raise InputError(f"a domain is wanted: a Domain, a file's name, polygons or points (n, 2), not {what!r}")
     return Domain(what, repair=repair)
+
+
+def _positions(ring: npt.NDArray[np.float64]) -> Tuple[Tuple[float, float], ...]:
+    return tuple((x, y) for x, y in ring.tolist())
 
 
 def _ring(points: npt.ArrayLike) -> Tuple[Any, npt.NDArray[np.int64]]:

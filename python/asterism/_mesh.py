@@ -14,7 +14,7 @@ from ._asterism import InputError, _Mesh
 from ._certificate import Certificate
 from ._domain import Domain
 from ._forms import MESHIO_FILES, Fields, doubles, named_fields, path_of, tensor_rows
-from ._page import Page
+from ._page import Before, Page, page_of
 
 Doubles = npt.NDArray[np.float64]
 Wholes = npt.NDArray[np.int32]
@@ -201,12 +201,28 @@ class Mesh:
     def save(self, path: "str | os.PathLike[str]") -> List[str]:
         """Writes the format that the ending names, and the certificate, if there is one, beside it: .mesh or
         .meshb (with .sol or .solb), .msh (gmsh 4.1), .msh2 (2.2), .vtu, .su2, .node (with .ele and .edge), .svg,
-        .png, .pdf, or .html, a page to look at and to judge by. Returns the names of the files."""
-        return self._made.save(path_of(path))
+        .png, .pdf, or .html, a page to look at and to judge by. The values go along: into .msh, .vtu and .html,
+        beside a .mesh into NAME.fields.sol; that others have no place for them is a UserWarning. Returns the
+        names of the files."""
+        return self._made.save(path_of(path), list(self.values.items()))
 
-    def show(self, height: int = 640) -> Page:
-        """The page about the mesh: a notebook shows it where this is the last line of a cell."""
-        return Page(self._made.page("Mesh"), height)
+    def show(self, values: Optional[Fields] = None, *, before: Optional[Before] = None,
+             wanted: Optional[npt.ArrayLike] = None, title: str = "Mesh", label: Optional[str] = None,
+             height: int = 640) -> Page:
+        """The page about the mesh: a notebook shows it where this is the last line of a cell.
+
+        values: fields on it to colour by, as asterism.adapt() takes them; None: its own `values`. before: what it
+        was made of, which a button shows, or the rounds of a loop, which a slider shows: a Mesh, with other fields
+        (mesh, u), a Domain, a list of these, or a dict of them by label. wanted: the metric asked for, in any
+        form that tensors have, to colour by how far the one delivered is from it. label: of the mesh itself,
+        beside those before. height: of the frame, in pixels.
+        """
+        return page_of(self, values, before, wanted, title, label, height)
+
+    @property
+    def __geo_interface__(self) -> Dict[str, Any]:
+        """What the mesh covers, as polygons: shapely.geometry.shape(mesh), and whatever else knows GeoJSON."""
+        return Domain.from_mesh(self).__geo_interface__
 
     def to_meshio(self) -> Any:
         """A meshio.Mesh with the boundary, markers, regions, the metric and the values."""

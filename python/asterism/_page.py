@@ -1,11 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""The page about a mesh, in a notebook."""
+"""The page about a mesh, in a notebook: what stands on it, and how it is shown."""
 from __future__ import annotations
 
 import html
 import os
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
-from ._forms import path_of
+import numpy.typing as npt
+
+from . import _asterism
+from ._asterism import InputError
+from ._domain import Domain
+from ._forms import Fields, NamedFields, doubles, named_fields, path_of, tensor_rows
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
+
+# A mesh with the fields that it holds, a mesh and other fields on it, or a domain.
+Earlier = Union["Mesh", Tuple["Mesh", Fields], Domain]
+Before = Union[Earlier, Sequence[Earlier], Mapping[str, Earlier]]
 
 
 class Page:
@@ -28,3 +41,49 @@ class Page:
 
     def __repr__(self) -> str:
         return f"<Page of {len(self.text)} characters: a notebook shows it, save() writes it for a browser>"
+
+
+def page_of(mesh: Mesh, values: Optional[Fields], before: Optional[Before], wanted: Optional[npt.ArrayLike],
+            title: str, label: Optional[str], height: int) -> Page:
+    """The page that Mesh.show() returns, whose arguments these are."""
+    if isinstance(height, bool) or not isinstance(height, int) or height < 1:
+        raise InputError(f"height: a whole number of pixels above 0 is wanted, not {height!r}")
+    frames, own = _frames(before)
+    words: Dict[str, Any] = {
+        "title": title, "label": own if label is None else label, "before": frames,
+        "fields": _fields(mesh.values if values is None else values),
+        "wanted": None if wanted is None else tensor_rows("wanted", wanted, len(mesh.points))}
+    return Page(_asterism._page(mesh._made, words), height)
+
+
+def _fields(values: Fields) -> NamedFields:
+    return [(name, doubles(name, of)) for name, of in named_fields(values)]
+
+
+def _frames(before: Optional[Before]) -> Tuple[List[Any], str]:
+    """Labels, meshes and fields in the form that the module takes, and the label of the mesh itself."""
+    if before is None:
+        return [], ""
+    if isinstance(before, Mapping):
+        return [_frame(str(label), one) for label, one in before.items()], "After"
+    if isinstance(before, (list, tuple)) and not _is_pair(before):
+        return [_frame(f"Round {k}", one) for k, one in enumerate(before, 1)], f"Round {len(before) + 1}"
+    return [_frame("Before", before)], "After"
+
+
+def _is_shown(what: Any) -> bool:
+    return isinstance(getattr(what, "_made", None), (_asterism._Mesh, _asterism._Domain))
+
+
+def _is_pair(what: Any) -> bool:
+    """True of a mesh and fields; two meshes are two rounds."""
+    return (isinstance(what, tuple) and len(what) == 2 and isinstance(getattr(what[0], "_made", None), _asterism._Mesh)
+            and not _is_shown(what[1]) and not _is_pair(what[1]))
+
+
+def _frame(label: str, one: Any) -> Tuple[str, Any, NamedFields]:
+    shown, values = one if _is_pair(one) else (one, getattr(one, "values", {}))
+    if not _is_shown(shown):
+        raise InputError(f"before: a Mesh, a pair of a Mesh and fields, a Domain, or several of these are wanted, "
+                         f"not {type(shown).__name__}")
+    return label, shown._made, _fields(values)

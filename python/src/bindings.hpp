@@ -11,6 +11,8 @@ void define_predicates(pybind11::module_& m);
 void define_domain(pybind11::module_& m);
 void define_mesh(pybind11::module_& m);
 void define_measures(pybind11::module_& m);
+void define_pages(pybind11::module_& m);
+void define_polygons(pybind11::module_& m);
 void define_meshing(pybind11::module_& m);
 void define_adapting(pybind11::module_& m);
 void define_judging(pybind11::module_& m);

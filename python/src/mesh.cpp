@@ -4,6 +4,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -12,7 +14,6 @@
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/picture.hpp"
-#include "asterism/mesh/draw/report.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -21,8 +22,10 @@
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "bindings.hpp"
+#include "pages.hpp"
 #include "py_domain.hpp"
 #include "py_mesh.hpp"
+#include "solution_arguments.hpp"
 #include "states.hpp"
 
 namespace asterism::python {
@@ -64,34 +67,27 @@ std::string svg_of(const py_mesh& m, int width, bool ellipses) {
   picture_options options;
   options.width = width;
   options.ellipses = ellipses;
-  options.sites = m.content.sites.size() <= 5000;
   options.angle_bound = m.angle_bound;
   const py::gil_scoped_release unlocked;
   return value_or_raise(draw_picture(m.content, picture_format::svg, options));
 }
 
-// What a page says of where the claim comes from.
-report_facts facts_of(const py_mesh& m, const std::string& title) {
-  report_facts facts;
-  facts.title = title;
-  facts.claim = m.claim;
-  if (m.claim)
-    facts.claim_from = m.certified ? "As the run that made this mesh judged it."
-                                   : "As its certificate has it, for mesh.verify() to audit again.";
-  return facts;
+// True if files of the format have fields in them or beside them.
+bool holds_fields(mesh_format format) {
+  constexpr std::array holding{mesh_format::medit, mesh_format::medit_binary, mesh_format::gmsh,
+                               mesh_format::gmsh2, mesh_format::vtu,          mesh_format::html};
+  return std::find(holding.begin(), holding.end(), format) != holding.end();
 }
 
-std::string page_of(const py_mesh& m, const std::string& title) {
-  const py::gil_scoped_release unlocked;
-  return value_or_raise(report_page(m.content, facts_of(m, title)));
-}
-
-std::vector<std::string> save(const py_mesh& m, const std::string& name) {
+std::vector<std::string> save_unlocked(const py_mesh& m, const std::string& name,
+                                       const solution& fields) {
   const std::filesystem::path path = name;
   const py::gil_scoped_release unlocked;
   write_options options;
   options.picture.angle_bound = m.angle_bound;
   options.report = facts_of(m, path.filename().string());
+  options.report.fields = fields;
+  if (!fields.fields.empty()) options.fields = &fields;
   options.names = m.names;
   if (m.claim && m.claim->original) options.smooth = internal::smooth_vertices(*m.claim->original);
   if (m.claim && !m.certified) options.note = "Incomplete, not certified: " + m.reason;
@@ -103,6 +99,16 @@ std::vector<std::string> save(const py_mesh& m, const std::string& name) {
     beside.replace_extension(".certificate.json");
     names.push_back(value_or_raise(write_certificate(beside, *m.claim)).string());
   }
+  return names;
+}
+
+std::vector<std::string> save(const py_mesh& m, const std::string& name,
+                              const named_fields& values) {
+  const solution fields = solution_of(values, m.content.sites.size());
+  std::vector<std::string> names = save_unlocked(m, name, fields);
+  const auto format = mesh_format_of(name);
+  if (!fields.fields.empty() && format && !holds_fields(format.value()))
+    warn({name + ": values have no place in it and are left out"});
   return names;
 }
 
@@ -328,10 +334,9 @@ void define_mesh(py::module_& m) {
              if (!self.claim || !self.claim->original) return std::nullopt;
              return py_domain{*self.claim->original, {}};
            })
-      .def("page", &page_of, py::arg("title"))
       .def("statistics", &statistics)
       .def("svg", &svg_of, py::arg("width") = 600, py::arg("ellipses") = false)
-      .def("save", &save, py::arg("path"));
+      .def("save", &save, py::arg("path"), py::arg("values"));
 }
 
 }  // namespace asterism::python

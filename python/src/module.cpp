@@ -14,6 +14,8 @@ PYBIND11_MODULE(_asterism, m) {
   define_domain(m);
   define_mesh(m);
   define_measures(m);
+  define_pages(m);
+  define_polygons(m);
   define_meshing(m);
   define_adapting(m);
   define_judging(m);

@@ -80,7 +80,7 @@ def test_values_between_points(made):
 
 
 def test_the_page_for_a_notebook(made, tmp_path):
-    page = made.show(500)
+    page = made.show(height=500)
     shown = page._repr_html_()
     assert shown.startswith("<iframe srcdoc=") and 'height="500"' in shown and "<html" in page.text
     assert open(page.save(tmp_path / "m.html"), encoding="utf-8").read() == page.text
