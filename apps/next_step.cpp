@@ -37,10 +37,10 @@ std::string more_sites(const mesh_job& job, const mesh_outcome& outcome) {
   return fmt::format("--max-sites {:.0f}, or a larger --size", in_two_digits(wanted));
 }
 
-// Each step of a guarantee takes up to twice the sites of the one before.
+// Each step of a guarantee takes up to 1.69 times the sites of the one before.
 std::string more_steps(const mesh_job& job) {
-  constexpr std::size_t two_steps = 4;
-  return fmt::format("--max-sites {}, or --gradation {:.3g}", two_steps * job.refinement.max_sites,
+  constexpr std::size_t some_steps = 4;
+  return fmt::format("--max-sites {}, or --gradation {:.3g}", some_steps * job.refinement.max_sites,
                      job.gradation ? 1 + (*job.gradation - 1) / 2 : 1.1);
 }
 

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <utility>
 
-#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
@@ -19,6 +18,7 @@
 #include "asterism/mesh/audit/same_domain.hpp"
 #include "asterism/mesh/audit/split_edges.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
+#include "asterism/mesh/support/size_ladder.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -101,11 +101,8 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
   }
 }
 
-// True if it is a power of the root of two, to the last bit: a step of the ladder of sizes.
-bool is_step_of_sizes(double factor) {
-  return factor > 0 && std::isfinite(factor) &&
-         factor == elementary::exp2(std::round(2 * elementary::log2(factor)) / 2);
-}
+// True if it is a step of the ladder of sizes, to the last bit.
+bool is_step_of_sizes(double factor) { return ladder_factor(ladder_step_below(factor)) == factor; }
 
 // Compares a guarantee with the hypotheses as measured again, which depend on the mesh alone and
 // not on the bound that is asked now. Its factor is compared with the covering radius, which is
@@ -128,7 +125,7 @@ void compare_guarantee(contradictions& all, const certificate& claim,
   all.compare("guarantee.times_least", said.times_least.value_or(0), kept.times_least.value_or(0));
   if (!is_step_of_sizes(said.size_factor))
     all.add("\"guarantee.size_factor\" is " + text_of(said.size_factor) +
-            ", which is no power of the root of two");
+            ", which is no power of 1.3");
   if (!(kept.eps * said.size_factor <= guaranteed_covering))
     all.add("\"guarantee.size_factor\" is " + text_of(said.size_factor) +
             " in the certificate, and the covering radius is " + text_of(kept.eps) +

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
@@ -17,10 +16,11 @@
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/guarantee_hypotheses.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/pipeline/shorter_field.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
-#include "asterism/mesh/refine/coarser_mesh.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
+#include "asterism/mesh/support/size_ladder.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -29,8 +29,6 @@ namespace {
 // Least distance of a site that mends from all others, metric length: it leaves the covering radius
 // of 0.75 below 1.1 times the spacing, for which the table proves 26.75 degrees at small variation.
 constexpr double guaranteed_spacing = 0.69;
-// Bound on the ladder: 2^60 times shorter edges are more than doubles tell apart.
-constexpr int most_steps = 120;
 
 // Returns the greatest variation of the table for which the angle bound is proved of sites that are
 // as far apart as they cover.
@@ -41,15 +39,11 @@ double greatest_variation(double angle_bound) {
   return greatest;
 }
 
-// Returns the last step of the ladder, k = 2^(step / 2), that is no finer than the variation
-// demands. One step less may do, as sites see less of a field than its steepest place.
+// Returns the last step of the ladder that is no finer than the variation demands. One step less may
+// do, as sites see less of a field than its steepest place.
 int first_step(double variation, double angle_bound) {
-  const double k = variation * largest_circumradius / greatest_variation(angle_bound);
-  if (!(k > 1)) return 0;
-  return std::min(most_steps, static_cast<int>(std::floor(2 * elementary::log2(k))));
+  return ladder_step_below(variation * largest_circumradius / greatest_variation(angle_bound));
 }
-
-double factor_of(int step) { return elementary::exp2(step / 2.0); }
 
 // Returns the points that divide the segments by metric length, ends left out; nothing where there
 // would be more than `most`.
@@ -78,13 +72,13 @@ mesh_options options_of_step(const mesh_options& asked) {
   return options;
 }
 
-// Makes a mesh with edges 2^(step / 2) times shorter, in the metric of `field`.
+// Makes a mesh with edges as many times shorter as the step says, in the metric of `field`.
 result<mesh_outcome> mesh_of_step(const domain& d, const metric_field& field,
                                   const mesh_options& asked, int step,
                                   const progress_listener& progress) {
   const mesh_options options = options_of_step(asked);
   options.stop.expect(d.vertices.size());
-  const coarser_field finer(field, -step);
+  const shorter_field finer(field, ladder_factor(step));
   const unit_image image(d, finer, options);
   const auto divisions = even_divisions(image.shape(), image.field(), options.max_sites);
   if (!divisions) return divisions.failure();
@@ -95,7 +89,7 @@ result<mesh_outcome> mesh_of_step(const domain& d, const metric_field& field,
   if (!made) return made;
   mesh_outcome& outcome = made.value();
   image.outward(outcome);
-  restore_lengths(-step, outcome);
+  if (const auto failure = finer.restore(outcome)) return *failure;
   outcome.counters = decided;
   assign_regions(outcome.result, d);
   return made;
@@ -114,7 +108,7 @@ bool is_beyond_limit(const mesh_outcome& made) { return made.how() == ending::si
 certified_mesh without_guarantee(certified_mesh judged, int step, const std::string& why) {
   judged.outcome.complete = false;
   judged.claim.complete = false;
-  judged.claim.reason = "no guarantee: with edges " + format_number(factor_of(step)) +
+  judged.claim.reason = "no guarantee: with edges " + format_number(ladder_factor(step)) +
                         " times shorter than asked for, and " +
                         std::to_string(judged.outcome.sites) + " sites, " + why;
   return judged;
@@ -132,13 +126,13 @@ class size_ladder {
       auto made = mesh_of_step(domain_, field_, options_, step, progress_);
       if (!made) return made.failure();
       step_taken now{std::move(made).value(), step, {}};
-      now.obstacle = obstacle_of(now.outcome, factor_of(step));
+      now.obstacle = obstacle_of(now.outcome, ladder_factor(step));
       if (now.obstacle.empty()) {
         certified_mesh judged = judge(now);
         if (is_kept(judged)) return guaranteed(std::move(judged), step);
         now.obstacle = "the audit refuses it";
       }
-      if (is_beyond_limit(now.outcome) || now.outcome.stopped || step >= most_steps)
+      if (is_beyond_limit(now.outcome) || now.outcome.stopped || step >= ladder_steps)
         return ended(std::move(now));
       if (now.outcome.complete || !last_) last_ = std::move(now);
     }
@@ -158,7 +152,7 @@ class size_ladder {
   // Audits the mesh of a step, which says how long its edges are.
   certified_mesh judge(const step_taken& taken) const {
     mesh_outcome outcome = taken.outcome;
-    outcome.ended.length_factor = 1 / factor_of(taken.step);
+    outcome.ended.length_factor = 1 / ladder_factor(taken.step);
     if (progress_) progress_({.phase = mesh_phase::auditing, .sites = outcome.sites});
     return judge_outcome(std::move(outcome), domain_, options_);
   }
@@ -168,7 +162,7 @@ class size_ladder {
   }
 
   certified_mesh guaranteed(certified_mesh judged, int step) const {
-    judged.claim.guarantee = guarantee_of(*judged.claim.theorem, factor_of(step), variation_);
+    judged.claim.guarantee = guarantee_of(*judged.claim.theorem, ladder_factor(step), variation_);
     return judged;
   }
 
@@ -178,7 +172,7 @@ class size_ladder {
       return without_guarantee(judge(now), now.step, now.obstacle);
     return without_guarantee(judge(*last_), last_->step,
                              last_->obstacle + "; with edges " +
-                                 format_number(factor_of(now.step)) + " times shorter " +
+                                 format_number(ladder_factor(now.step)) + " times shorter " +
                                  now.obstacle);
   }
 

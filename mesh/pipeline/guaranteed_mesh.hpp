@@ -14,7 +14,7 @@
 namespace asterism {
 
 // Makes a mesh as make_certified_mesh does, with edges of length 1/k in the metric of `field`,
-// where k is the first of 1, 2^(1/2), 2, 2^(3/2), ... for which the theorem on nets applies to a
+// where k is the first of 1, 1.3, 1.69, 2.197, ... for which the theorem on nets applies to a
 // certified mesh with options.angle_bound; `claim.guarantee` says so then. The ladder begins where
 // the field, as sampled, allows it. Where no mesh of at most options.max_sites sites is one, or the
 // run was stopped, the last mesh is returned; it is not complete, and `claim.reason` says how far

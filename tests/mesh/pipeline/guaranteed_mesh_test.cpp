@@ -57,7 +57,7 @@ TEST_CASE("a guaranteed mesh has the metric asked for, and the theorem applies t
     const guarantee_claim& kept = *m.claim.guarantee;
     CHECK(kept.eps * kept.size_factor <= guaranteed_covering);
     CHECK(kept.times_least.value_or(0) >= 1);
-    const double steps = 2 * std::log2(kept.size_factor);
+    const double steps = std::log(kept.size_factor) / std::log(1.3);
     CHECK(std::abs(steps - std::round(steps)) < 1e-12);
     for (const site& s : m.outcome.result.sites)
       CHECK(identical(s.metric, asked->at(s.position).value()));

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The sizes that a run with a guarantee tries, and a certificate may name.
+#pragma once
+
+namespace asterism::internal {
+
+// Ratio of one size to the next: the last step takes at most 1.69 times as many sites as the least
+// size factor would.
+inline constexpr double ladder_ratio = 1.3;
+// Bound on the ladder: 1.3^160 is 2^60, and edges so many times shorter are not told apart.
+inline constexpr int ladder_steps = 160;
+
+// Returns the factor of a step: ladder_ratio to the power of the step, each product rounded.
+constexpr double ladder_factor(int step) {
+  double factor = 1;
+  for (int i = 0; i < step; ++i) factor *= ladder_ratio;
+  return factor;
+}
+
+// Returns the last step from 0 on whose factor is not above `factor`.
+constexpr int ladder_step_below(double factor) {
+  int step = 0;
+  while (step < ladder_steps && ladder_factor(step + 1) <= factor) ++step;
+  return step;
+}
+
+}  // namespace asterism::internal
