@@ -12,8 +12,10 @@
 
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/support/size_ladder.hpp"
 
 using namespace asterism;
+using namespace asterism::internal;
 
 namespace {
 
@@ -62,6 +64,17 @@ TEST_CASE("a guaranteed mesh has the metric asked for, and the theorem applies t
     for (const site& s : m.outcome.result.sites)
       CHECK(identical(s.metric, asked->at(s.position).value()));
   }
+}
+
+TEST_CASE("every step of the ladder of sizes is told from its factor, to the last bit") {
+  for (int step = 0; step <= ladder_steps; ++step) {
+    const double factor = ladder_factor(step);
+    CHECK(ladder_step_below(factor) == step);
+    CHECK(ladder_step_below(std::nextafter(factor, 0.0)) == std::max(0, step - 1));
+    CHECK(std::abs(factor / std::pow(1.3, step) - 1) < 1e-13);
+  }
+  CHECK(ladder_factor(ladder_steps) > 0x1p60);
+  CHECK(ladder_step_below(std::nan("")) == 0);
 }
 
 TEST_CASE("a metric that varies too fast at the size asked for gets shorter edges") {
