@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""Linear elements on triangles, in numpy and scipy: what the loops beside this file share."""
+import numpy as np
+import scipy.sparse as sparse
+
+
+def grid(columns, rows, width, height, holds=lambda x, y: True):
+    """Points and triangles of a grid over [0, width] x [0, height], of the cells whose middle `holds` takes,
+    with diagonals in turn."""
+    x, y = np.linspace(0, width, columns + 1), np.linspace(0, height, rows + 1)
+    triangles = []
+    for j in range(rows):
+        for i in range(columns):
+            if not holds((x[i] + x[i + 1]) / 2, (y[j] + y[j + 1]) / 2):
+                continue
+            a = j * (columns + 1) + i
+            b, c, d = a + 1, a + columns + 2, a + columns + 1
+            triangles += [(a, b, c), (a, c, d)] if (i + j) % 2 == 0 else [(a, b, d), (b, c, d)]
+    used, numbers = np.unique(triangles, return_inverse=True)
+    points = np.array([(p, q) for q in y for p in x])[used]
+    return points, numbers.reshape(-1, 3)
+
+
+def shapes(points, triangles):
+    """Areas (n,) and the gradients of the three hats (n, 3, 2)."""
+    corners = points[triangles]
+    across = np.roll(corners, -2, axis=1) - np.roll(corners, -1, axis=1)
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    doubled = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
+    return doubled / 2, np.stack([-across[..., 1], across[..., 0]], axis=-1) / doubled[:, None, None]
+
+
+def assembled(triangles, blocks, count):
+    """The sparse matrix of a 3 by 3 block a triangle."""
+    rows, columns = np.repeat(triangles, 3, axis=1), np.tile(triangles, (1, 3))
+    return sparse.csr_matrix((blocks.ravel(), (rows.ravel(), columns.ravel())), (count, count))
+
+
+def stiffness(points, triangles):
+    areas, gradients = shapes(points, triangles)
+    blocks = np.einsum("tid,tjd->tij", gradients, gradients) * areas[:, None, None]
+    return assembled(triangles, blocks, len(points))
+
+
+def nodal_areas(points, triangles):
+    """A third of the area of the triangles around each point: the lumped mass, by which the sum of values is the
+    integral of the linear function through them, exactly."""
+    areas, _ = shapes(points, triangles)
+    return np.bincount(triangles.ravel(), np.repeat(areas / 3, 3), len(points))
+
+
+def second_derivatives(points, triangles, values):
+    """Weak second derivatives (n, 3) = xx xy yy at the points; those at the boundary are means of the inside's."""
+    areas, gradients = shapes(points, triangles)
+    slopes = np.einsum("tid,ti->td", gradients, values[triangles])
+    parts = -np.einsum("t,tid,te->tide", areas, gradients, slopes)
+    parts = np.stack([parts[..., 0, 0], (parts[..., 0, 1] + parts[..., 1, 0]) / 2, parts[..., 1, 1]], axis=-1)
+    weight = nodal_areas(points, triangles)
+    count = len(points)
+    found = np.stack([np.bincount(triangles.ravel(), parts[..., k].ravel(), count) / weight for k in range(3)], axis=-1)
+    sides = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    edges, uses = np.unique(sides, axis=0, return_counts=True)
+    known = np.ones(count, dtype=bool)
+    known[edges[uses == 1].ravel()] = False
+    joined = sparse.csr_matrix((np.ones(2 * len(edges)), (edges.ravel(), edges[:, ::-1].ravel())), (count, count))
+    while not known.all():
+        neighbours = joined @ known.astype(float)
+        ready = ~known & (neighbours > 0)
+        if not ready.any():
+            break
+        found[ready] = (joined @ (found * known[:, None]))[ready] / neighbours[ready, None]
+        known |= ready
+    return found
+
+
+def picture(path, points, triangles, values, title, window=None):
+    """Draws the values and the mesh beside each other, or one above the other where the domain is wide."""
+    import matplotlib
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+    low, high = points.min(axis=0), points.max(axis=0)
+    is_wide = (high - low)[0] > 1.5 * (high - low)[1]
+    figure, axes = pyplot.subplots(*((2, 1) if is_wide else (1, 2)), figsize=(9, 6) if is_wide else (9, 4.6))
+    axes[0].tripcolor(*points.T, triangles, values, shading="gouraud", cmap="viridis")
+    axes[1].triplot(*points.T, triangles, linewidth=0.3, color="black")
+    for each in axes:
+        each.set_aspect("equal")
+        each.set_axis_off()
+        if window is not None:
+            each.set_xlim(*window[:2])
+            each.set_ylim(*window[2:])
+    axes[0].set_title(title, fontsize=9)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+    pyplot.close(figure)
