@@ -2,25 +2,78 @@
 #include "asterism/mesh/pipeline/last_resort.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/metric/constant_field.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/pipeline/count_search.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
 #include "asterism/mesh/pipeline/shortest_given_edge.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/refine/site_budget.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
+
+// Work that a mesh may take: in units of kernels/work_units.hpp, and as a share of what is allowed
+// for so many sites.
+struct work_allowed {
+  double units, share;
+};
+
+std::size_t sites_of(const domain& shape, const filled_domain& proposed) {
+  std::size_t sites = shape.vertices.size() + proposed.interior.size();
+  for (const std::vector<site>& division : proposed.divisions) sites += division.size();
+  return sites;
+}
+
+// Makes a mesh of a job whose field is one metric. Returns none where sites cannot be spread, the
+// run is stopped before, or no work is left. Work is counted from zero, for this mesh.
+std::optional<mesh_outcome> mesh_of(const meshing_context& job, const work_allowed& work) {
+  auto filled = fill_within_budget(job);
+  if (!filled) return std::nullopt;
+  const filled_domain& proposed = filled.value().proposed;
+  if (proposed.crowded || (proposed.stopped && job.options.stop.told())) return std::nullopt;
+  const double allowed = most_work_units(sites_of(job.shape, proposed), job.shape.vertices.size());
+  const double share = std::min(work.share, work.units / allowed);
+  if (!(share > 0)) return std::nullopt;
+  tier_counters own;
+  const auto own_kernel = job.kernel.fork(own);
+  meshing_context limited = job.on(*own_kernel);
+  limited.work_share = share;
+  auto made = mesh_from_sites(limited, std::move(filled).value());
+  job.kernel.counters() += own;
+  return made ? std::optional(std::move(made).value()) : std::nullopt;
+}
+
+// Returns a mesh with unit edges that meets the demands, or none.
+std::optional<mesh> unit_mesh(const domain& shape, const metric_tensor& metric,
+                              const mesh_options& options) {
+  constexpr double part_of_work = 0.3;
+  mesh_options asked = options;
+  asked.limit_size = true;
+  asked.vertices.reset();
+  asked.keep_if_complete = false;
+  asked.improve_passes = 0;
+  tier_counters decided;
+  const star_predicates_on<filtered_kernel> stars_on(decided);
+  const auto field = same_everywhere(metric);
+  auto made = mesh_of({stars_on, shape, *field, asked}, {infinity, part_of_work});
+  if (!made || !made->complete) return std::nullopt;
+  return std::move(made->result);
+}
 
 class last_resort {
  public:
@@ -83,60 +136,36 @@ class last_resort {
     return true;
   }
 
-  // Makes a mesh in the mean and leaves it in tried_. Leaves nothing where sites cannot be spread.
-  const std::optional<mesh_outcome>& attempt(bool has_demands) {
+  // Makes a mesh in the mean, if one can be made.
+  std::optional<mesh_outcome> attempt(bool has_demands) {
     has_demands_ = has_demands;
-    tried_.reset();
-    if (is_stopped() || !(units_left() > least_left * units_for_last_resort)) return tried_;
+    if (is_stopped() || !(units_left() > least_left * units_for_last_resort)) return std::nullopt;
     mesh_options options = options_;
     if (!has_demands) {
       options.angle_bound = 0;
       options.limit_size = false;
     }
     const auto one = same_everywhere(mean_);
-    const meshing_context job{job_.kernel, image_, *one, options, job_.progress};
-    auto filled = fill_within_budget(job);
-    if (!filled || (filled.value().proposed.stopped && is_stopped())) return tried_;
-    if (filled.value().proposed.crowded) return tried_;
-    refine(std::move(filled).value(), job);
-    return tried_;
+    auto made = mesh_of({job_.kernel, image_, *one, options, job_.progress}, {units_left(), 1});
+    if (made) unit_.outward(*made);
+    return made;
   }
 
   // Returns the units of work that an attempt may take.
   double units_left() const { return std::min(options_.stop.units_left(), units_for_last_resort); }
-
-  // Returns the part of the work allowed for so many sites that is left.
-  double share_left(const filled_domain& proposed) const {
-    std::size_t sites = image_.vertices.size() + proposed.interior.size();
-    for (const std::vector<site>& division : proposed.divisions) sites += division.size();
-    return units_left() / most_work_units(sites, image_.vertices.size());
-  }
-
-  void refine(budgeted_filling filled, const meshing_context& job) {
-    const double share = share_left(filled.proposed);
-    if (!(share > 0)) return;
-    tier_counters own;  // the work done for one mesh is counted from zero
-    const auto own_kernel = job.kernel.fork(own);
-    meshing_context limited = job.on(*own_kernel);
-    limited.work_share = std::min(1.0, share);
-    auto made = mesh_from_sites(limited, std::move(filled));
-    job.kernel.counters() += own;
-    if (!made) return;
-    tried_ = std::move(made).value();
-    unit_.outward(*tried_);
-  }
 
   bool is_stopped() {
     if (!stopped_) stopped_ = options_.stop.told();
     return stopped_.has_value();
   }
 
-  bool is_final(const std::optional<mesh_outcome>& tried) const {
-    if (stopped_) return true;
-    if (!tried) return false;
-    const bool agrees = tried->disagreeing == 0 && tried->ended.stars_missing == 0 &&
-                        tried->ended.how != ending::crowded;
-    return agrees || tried->stopped;
+  // Keeps the mesh in tried_. True if it is what there is to show, or the run is stopped.
+  bool is_final(std::optional<mesh_outcome> tried) {
+    tried_ = std::move(tried);
+    if (stopped_ || !tried_) return is_stopped();
+    const bool agrees = tried_->disagreeing == 0 && tried_->ended.stars_missing == 0 &&
+                        tried_->ended.how != ending::crowded;
+    return agrees || tried_->stopped;
   }
 
   result<mesh_outcome> conclude() {
@@ -208,6 +237,40 @@ bool wants_other_metric(const mesh_outcome& made, const mesh_options& options) {
 
 result<mesh_outcome> refine_in_one_metric(const meshing_context& job, mesh_outcome as_given) {
   return last_resort(job, std::move(as_given)).run();
+}
+
+std::optional<metric_tensor> one_metric_for(const background_metric& wanted, const mesh& start) {
+  const metric_tensor mean = mean_of(wanted.tensors());
+  mesh same = start;
+  for (site& s : same.sites) s.metric = mean;
+  const double factor = wanted.complexity() / background_metric(same).complexity();
+  const metric_tensor one = times(mean, factor);
+  const bool is_metric =
+      factor > 0 && std::isfinite(one.m11 + one.m22) && one.m11 * one.m22 - one.m12 * one.m12 > 0;
+  return is_metric ? std::optional(one) : std::nullopt;
+}
+
+// Meshes multiples of the metric, in which stars and angles are the same, until the number of sites
+// fits; the sites get the metric itself.
+std::optional<mesh_of_one_metric> mesh_in_one_metric(const domain& shape,
+                                                     const metric_tensor& metric,
+                                                     const mesh_options& options,
+                                                     std::size_t count) {
+  constexpr int most_times = 6;
+  constexpr double tolerable = 0.03;
+  std::optional<mesh_of_one_metric> nearest;
+  count_search search(static_cast<double>(count));
+  for (int round = 0; round < most_times; ++round) {
+    const double factor = search.factor();
+    auto made = unit_mesh(shape, times(metric, factor), options);
+    if (!made) break;
+    if (search.take(static_cast<double>(made->sites.size())))
+      nearest = {std::move(*made), 1 / std::sqrt(factor)};
+    if (search.least_off() <= tolerable || !(options.stop.units_left() > 0)) break;
+  }
+  if (!nearest) return std::nullopt;
+  for (site& s : nearest->made.sites) s.metric = metric;
+  return nearest;
 }
 
 }  // namespace asterism::internal

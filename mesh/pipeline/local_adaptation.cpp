@@ -21,7 +21,7 @@
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/pipeline/audited_mesh.hpp"
 #include "asterism/mesh/pipeline/giving_back.hpp"
-#include "asterism/mesh/pipeline/one_metric.hpp"
+#include "asterism/mesh/pipeline/last_resort.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {

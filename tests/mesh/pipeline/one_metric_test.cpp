@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/pipeline/one_metric.hpp"
+#include "asterism/mesh/pipeline/last_resort.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
