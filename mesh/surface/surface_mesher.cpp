@@ -55,8 +55,10 @@ class surface_meshing {
   }
 
   result<surface_mesh> run();
+  result<surface_mesh> run_to_count();
 
  private:
+  surface_mesh ended(std::size_t rounds);
   void prepare();
   patch_faces patches() { return {graph_, charts_, faces_}; }
   std::optional<error> make_stale_faces();
@@ -280,28 +282,43 @@ bool surface_meshing::has_grown_much() const {
   return vertices_then_ > 0 && shell_.points.size() > much * vertices_then_ + 1000;
 }
 
+surface_mesh surface_meshing::ended(std::size_t rounds) {
+  best_->rounds = rounds;
+  if (options_.stop.is_requested()) {
+    best_->complete = false;
+    best_->reason = "the run was stopped";
+  }
+  return std::move(*best_);
+}
+
 result<surface_mesh> surface_meshing::run() {
   std::size_t round = 0;
-  if (options_.vertices) scale_to_count(round);
   for (; round < options_.most_rounds; ++round) {
     // Later on curves only get more places, so that rounds end.
-    if (round < coarse_rounds || options_.vertices) curves_.divide(patches(), is_stale_);
+    if (round < coarse_rounds) curves_.divide(patches(), is_stale_);
     if (auto failed = agree_on_sides()) return *failed;
     if (auto failed = measure()) return *failed;
-    if (options_.vertices) best_.reset();
     keep_if_better();
-    if (options_.stop.is_requested()) {
-      best_->complete = false;
-      best_->reason = "the run was stopped";
-      break;
-    }
+    if (options_.stop.is_requested()) break;
     if (round == coarse_rounds) vertices_then_ = shell_.points.size();
-    if (options_.vertices ? !scale_to_count(round + 1)
-                          : (round >= coarse_rounds && has_grown_much()) || !adjust(round))
-      break;
+    if ((round >= coarse_rounds && has_grown_much()) || !adjust(round)) break;
   }
-  best_->rounds = std::min(round + 1, options_.most_rounds);
-  return std::move(*best_);
+  return ended(std::min(round + 1, options_.most_rounds));
+}
+
+// Measures the last mesh alone: of the others only the number of vertices is wanted.
+result<surface_mesh> surface_meshing::run_to_count() {
+  std::size_t round = 0;
+  scale_to_count(round);
+  do {
+    curves_.divide(patches(), is_stale_);
+    if (auto failed = agree_on_sides()) return *failed;
+    shell_ = shell_of_faces(surface_, patches());
+    ++round;
+  } while (!options_.stop.is_requested() && scale_to_count(round));
+  if (auto failed = measure()) return *failed;
+  keep_if_better();
+  return ended(round);
 }
 
 }  // namespace
@@ -312,7 +329,7 @@ result<surface_mesh> make_surface_mesh(const surface& s, const surface_mesh_opti
   auto graph = graph_of_sides(s);
   if (!graph) return graph.failure();
   surface_meshing meshing(s, options, std::move(graph).value(), std::move(pieces).value());
-  return meshing.run();
+  return options.vertices ? meshing.run_to_count() : meshing.run();
 }
 
 }  // namespace asterism::internal
