@@ -8,8 +8,23 @@
 namespace asterism::apps {
 using namespace internal;
 
+namespace {
+
+bool is_of_cad_program(const std::string& name) {
+  for (const char* ending : {".step", ".stp", ".brep", ".brp", ".iges", ".igs"})
+    if (has_ending(name, ending)) return true;
+  return false;
+}
+
+}  // namespace
+
 result<surface> find_surface(const std::string& name) {
   if (auto known = built_in_surface(name)) return std::move(*known);
+  if (is_of_cad_program(name))
+    return error{"surface " + name +
+                     ": files of CAD programs are not read; their untrimmed faces can be given as "
+                     "B-spline patches in a .json file, and trimmed ones not at all",
+                 error_code::bad_option};
   if (!has_ending(name, ".json")) {
     std::string names;
     for (const std::string& known : built_in_surface_names()) names += known + ", ";

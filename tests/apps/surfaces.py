@@ -393,6 +393,10 @@ class Surface(CommandTest):
         done = self.run_command("surface", "fan.json", "--chord", "0.1", "-o", "no.obj")
         self.assertEqual(done.returncode, 2)
         self.assertIn("patches 1, 2 and 3 have one side in common", done.stderr)
+        for name in ("part.step", "part.STP", "part.brep", "part.igs"):
+            done = self.run_command("surface", name, "--chord", "0.1", "-o", "no.obj")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(name + ": files of CAD programs are not read", done.stderr)
         for arguments in (["torus", "-o", "no.obj"], ["torus", "--chord", "0", "-o", "no.obj"],
                           ["torus", "--chord", "0.1", "-o", "no.xyz"], ["cone", "--chord", "0.1", "-o", "no.obj"]):
             self.assertEqual(self.run_command("surface", *arguments).returncode, 2, arguments)
