@@ -6,12 +6,8 @@ import json
 import pathlib
 import re
 import resource
-import shutil
 import subprocess
-import sys
 import tempfile
-
-import numpy as np
 
 from sampled_distances import Sampling
 
@@ -61,11 +57,22 @@ DRAW = {
         "%r %r %r" % tuple(p) for column in zip(*bicubic()["patches"][0]["control"]) for p in column)}
 
 
+def plugins(folder):
+    """DRAW looks for its plugins by names without versions, which Debian has in no package that runs."""
+    place = folder / "plugins"
+    place.mkdir(exist_ok=True)
+    for library in pathlib.Path("/usr/lib/x86_64-linux-gnu").glob("libTK*.so.7"):
+        link = place / library.name.removesuffix(".7")
+        if not link.exists():
+            link.symlink_to(library)
+    return str(place)
+
+
 def rival(program, name, chord, folder):
     """OpenCASCADE's mesh for this deflection, and how far it is from the surface."""
     (folder / "draw.tcl").write_text(
         f"pload MODELING\npload XSDRAW\n{DRAW[name]}incmesh f {chord!r} -a 60\nputs [trinfo f]\nwritestl f o.stl\nexit\n")
-    done, _ = timed(["occt-draw", "-b", "-f", "draw.tcl"], folder)
+    done, _ = timed(["env", "LD_LIBRARY_PATH=" + plugins(folder), "occt-draw", "-b", "-f", "draw.tcl"], folder)
     vertices = int(re.search(r"(\d+) nodes", done.stdout)[1])
     of = "bicubic.json" if name == "bicubic" else name
     judged, _ = timed([program, "deviation", "o.stl", of, "--at-most", repr(chord), "--json"], folder)
