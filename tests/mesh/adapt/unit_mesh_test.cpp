@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/mesher.hpp"
 
 using namespace asterism;
