@@ -157,6 +157,19 @@ std::optional<rounds_done> piece_files::read_rounds(std::size_t edges, std::size
   return parse_rounds(*text, edges, pieces);
 }
 
+std::optional<error> piece_files::write_metric(piece_index p, const metric_part& part) const {
+  return written({file_of(p, ".metric"), bytes_of(part)});
+}
+
+result<std::unique_ptr<metric_field>> piece_files::read_metric(piece_index p) const {
+  const fs::path path = file_of(p, ".metric");
+  const auto bytes = bytes_in(path);
+  if (!bytes) return error{path.string() + ": it cannot be read", error_code::unreadable_file};
+  const auto part = metric_part_in(*bytes, path.string());
+  if (!part) return part.failure();
+  return make_field_of_part(part.value());
+}
+
 std::optional<error> piece_files::write_partitioned(const pieces_index& index) const {
   if (std::find(endings_.begin(), endings_.end(), ".msh") == endings_.end()) return std::nullopt;
   const auto piece = [&](piece_index p) {
@@ -185,6 +198,7 @@ std::optional<error> piece_files::write_index(const pieces_index& index) const {
   if (auto failed = written({index_path(), index_text(index)})) return failed;
   std::error_code ignored;
   fs::remove(rounds_in(folder_), ignored);
+  for (piece_index p = 0; p < pieces_; ++p) fs::remove(file_of(p, ".metric"), ignored);
   return std::nullopt;
 }
 

@@ -4,13 +4,16 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "asterism/apps/job_input.hpp"
 #include "asterism/apps/mesh_job.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/io/physical_names.hpp"
+#include "asterism/mesh/metric/metric_part.hpp"
 #include "asterism/mesh/pieces/pieces_index.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 
@@ -48,6 +51,10 @@ class piece_files {
                                          const std::string& question) const;
   std::optional<error> write_rounds(const internal::rounds_done& done) const;
   std::optional<internal::rounds_done> read_rounds(std::size_t edges, std::size_t pieces) const;
+  // Write and read the part of a metric on a mesh that a piece wants.
+  std::optional<error> write_metric(internal::piece_index p,
+                                    const internal::metric_part& part) const;
+  result<std::unique_ptr<metric_field>> read_metric(internal::piece_index p) const;
   // Writes the index, which ends the run: what only a run that goes on needs is taken away.
   std::optional<error> write_index(const internal::pieces_index& index) const;
 

@@ -5,10 +5,12 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -28,8 +30,10 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/core/version.h"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/metric/metric_part.hpp"
 #include "asterism/mesh/pieces/piece_mesh.hpp"
 #include "asterism/mesh/pieces/verify_pieces.hpp"
+#include "asterism/mesh/pipeline/read_triangulation.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -39,6 +43,9 @@ namespace {
 // Rounds in which pieces may ask for more on their seams. Each adds a site, so that they end by
 // themselves (docs/math/pieces.md); of the jobs that were tried none took more than five.
 constexpr std::size_t most_rounds = 100;
+
+// What options_of says of what came of a run.
+constexpr std::array answers = {"size-delivered", "tol-at-end", "improve-done"};
 
 std::optional<error> refuse(const std::string& why) { return error{why, error_code::bad_option}; }
 
@@ -73,10 +80,17 @@ std::optional<error> check_job(const mesh_job& job) {
   return check_piece_formats(job.piece_formats);
 }
 
+// Has all members know whether one failed.
+std::optional<error> agreed(piece_team& team, const std::optional<error>& failure) {
+  for (const std::string& told : team.gather(failure ? "!" + failure->message : ""))
+    if (!told.empty()) return error{told.substr(1)};
+  return std::nullopt;
+}
+
 // Returns the names of what was asked, without what came of it.
 std::map<std::string, std::string> question_of(const mesh_job& job, const prepared_input& input) {
   std::map<std::string, std::string> words = options_of(job, input, mesh_outcome());
-  for (const char* answer : {"size-delivered", "tol-at-end", "improve-done"}) words.erase(answer);
+  for (const char* answer : answers) words.erase(answer);
   return words;
 }
 
@@ -85,19 +99,41 @@ std::string box_text(const bounding_box& box) {
                      number_text(box.high.x), number_text(box.high.y));
 }
 
+// True if one member alone reads the metric, and gives each piece its part.
+bool has_metric_in_parts(const mesh_job& job) {
+  return !job.field && is_metric_on_mesh(job.metric) && job.sizes.is_empty();
+}
+
+// Returns the job without its metric: for members that only take part in a run.
+mesh_job without_metric(mesh_job job) {
+  job.metric = "identity";
+  job.size = 1;
+  job.gradation.reset();
+  job.complexity.reset();
+  job.refinement.vertices.reset();
+  job.refinement.limit_size = false;
+  return job;
+}
+
 class pieces_run {
  public:
   pieces_run(mesh_job job, prepared_input input, piece_team& team, run_limits& limits)
-      : job_(std::move(job)),
+      : in_parts_(has_metric_in_parts(job)),
+        job_(std::move(job)),
         input_(std::move(input)),
         team_(team),
         limits_(limits),
         files_(job_, input_) {}
 
   int run() {
-    if (const auto failed = cut()) return complain_once(*failed, refused);
+    const bool cuts = !in_parts_ || team_.is_first();
+    if (const auto failed = agree(cuts ? cut() : std::nullopt))
+      return complain_once(*failed, refused);
     if (const auto failed = agree(team_.is_first() ? files_.prepare_folder() : std::nullopt))
       return complain_once(*failed, refused);
+    if (const auto failed = in_parts_ ? take_parts() : std::nullopt)
+      return complain_once(*failed, not_reached);
+    begin();
     resume_rounds();
     while (!next_.empty())
       if (const auto failed = round()) return complain_once(*failed, not_reached);
@@ -126,10 +162,33 @@ class pieces_run {
     index_.angle_bound = job_.refinement.angle_bound;
     index_.original = input_.shape;
     index_.digests.assign(index_.cut.edges.size(), 0);
+    return std::nullopt;
+  }
+
+  // Has the first member write each piece's part of the metric, which it then forgets, and all take
+  // the cut from it: the others never have the whole metric.
+  std::optional<error> take_parts() {
+    std::optional<error> failed;
+    for (piece_index p = 0; team_.is_first() && !failed && p < job_.pieces; ++p) {
+      const piece_shape shape = shape_of_piece(index_.original, index_.cut, index_.points, p);
+      failed = files_.write_metric(p, *part_of(*input_.field, shape.shape.box()));
+    }
+    if (auto told = agree(failed)) return told;
+    index_.pieces.resize(job_.pieces);
+    const std::string mine = team_.is_first() ? index_text(index_) : "";
+    auto taken = parse_index(team_.gather(mine).front(), "the cut");
+    if (!taken) return taken.failure();
+    index_ = std::move(taken).value();
+    index_.pieces.clear();
+    input_.field.reset();
+    if (const auto size = parse_number(index_.options.at("size"))) job_.size = size.value();
+    return std::nullopt;
+  }
+
+  void begin() {
     entries_.resize(job_.pieces);
     for (piece_index p = 0; p < job_.pieces; ++p) next_.push_back(p);
     question_ = digest_text(digest_of(index_text(index_)));
-    return std::nullopt;
   }
 
   // Takes up the rounds of a run that was cut off.
@@ -200,14 +259,21 @@ class pieces_run {
     if (job_.resume)
       if (const auto kept = files_.read_piece(p, question))
         return report(p, shape, kept->subject, kept->claim, kept->digest);
+    std::unique_ptr<metric_field> part;
+    if (in_parts_) {
+      auto read = files_.read_metric(p);
+      if (!read) return failed(p, read.failure().message);
+      part = std::move(read).value();
+    }
     mesh_options options = job_.refinement;
     options.metric_tolerance = 0;
     options.stop = [this] { return limits_.reason(); };
     progress_line line(!job_.quiet && team_.is_first());
-    auto made = make_piece_mesh(shape, *input_.field, options, [&](const mesh_progress& progress) {
-      limits_.expect(progress.sites);
-      line.show(progress);
-    });
+    auto made = make_piece_mesh(shape, part ? *part : *input_.field, options,
+                                [&](const mesh_progress& progress) {
+                                  limits_.expect(progress.sites);
+                                  line.show(progress);
+                                });
     line.clear();
     if (!made) return failed(p, made.failure().message);
     if (const auto why = limits_.reason())
@@ -221,10 +287,12 @@ class pieces_run {
   // Words what was asked of the piece; `question` tells it from the same piece of another run.
   void describe(piece_index p, const std::string& question, certified_mesh& made) const {
     made.claim.metric = job_.metric;
-    made.claim.options = options_of(job_, input_, made.outcome);
+    made.claim.options = index_.options;
+    const auto words = options_of(job_, input_, made.outcome);
+    for (const char* answer : answers) made.claim.options[answer] = words.at(answer);
     made.claim.options["piece"] = fmt::format("{} of {}", std::size_t{p} + 1, job_.pieces);
     made.claim.options["piece-question"] = question;
-    made.claim.options["metric-box"] = box_text(input_.shape.box());
+    made.claim.options["metric-box"] = box_text(index_.original.box());
   }
 
   std::string question_of_piece(piece_index p, const piece_shape& shape) const {
@@ -314,19 +382,15 @@ class pieces_run {
     return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   }
 
-  // Has all members know whether the first one failed.
-  std::optional<error> agree(const std::optional<error>& failure) {
-    for (const std::string& told : team_.gather(failure ? "!" + failure->message : ""))
-      if (!told.empty()) return error{told.substr(1)};
-    return std::nullopt;
-  }
+  std::optional<error> agree(const std::optional<error>& failure) { return agreed(team_, failure); }
 
   int complain_once(const error& failure, exit_status status) const {
     return team_.is_first() ? complain(failure, status) : status;
   }
 
-  const mesh_job job_;
-  const prepared_input input_;
+  const bool in_parts_;  // what is given of the metric
+  mesh_job job_;
+  prepared_input input_;  // without the metric, once its parts are written
   piece_team& team_;
   run_limits& limits_;
   const piece_files files_;
@@ -351,8 +415,10 @@ int run_pieces_job(const mesh_job& asked, piece_team* given_team) {
   if (job.threads == 0 && team.size() > 1) job.threads = 1;  // a rank is a processor's
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
   run_limits limits(job.max_seconds, std::nullopt);
-  auto input = prepare(job);
-  if (!input) return complain_once(input.failure());
+  const bool has_part = has_metric_in_parts(job) && !team.is_first();
+  auto input = prepare(has_part ? without_metric(job) : job);
+  if (const auto failure = agreed(team, input ? std::nullopt : std::optional(input.failure())))
+    return complain_once(*failure);
   if (input.value().complexity || !input.value().sizes.is_empty()) job.size = input.value().size;
   if (const auto failure = check_piece_places(job)) return complain_once(*failure);
   return pieces_run(std::move(job), std::move(input).value(), team, limits).run();

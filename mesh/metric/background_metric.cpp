@@ -3,12 +3,16 @@
 
 #include <algorithm>
 
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 
 namespace asterism::internal {
 
 background_metric::background_metric(const mesh& background)
-    : locator_(std::make_shared<const triangle_locator>(background)) {
+    : background_metric(background, box_of_sites(background.sites)) {}
+
+background_metric::background_metric(const mesh& background, const bounding_box& box)
+    : locator_(std::make_shared<const triangle_locator>(background, box)) {
   std::vector<metric_tensor> tensors;
   for (const site& s : background.sites) tensors.push_back(s.metric);
   set_tensors(std::move(tensors));
@@ -31,7 +35,17 @@ metric_tensor background_metric::mean(const triangle_locator::located& where) co
 }
 
 metric_tensor background_metric::at(const point& q) const {
+  return at_place(q, locator_->deepest(q));
+}
+
+std::optional<metric_tensor> background_metric::at_within(const point& q, double reach) const {
   const triangle_locator::located where = locator_->deepest(q);
+  if (where.reach > reach) return std::nullopt;
+  return at_place(q, where);
+}
+
+metric_tensor background_metric::at_place(const point& q,
+                                          const triangle_locator::located& where) const {
   for (const vertex_index v : locator_->triangles()[where.triangle])
     if (places()[v] == q) return tensors_[v];
   return mean(where);

@@ -22,6 +22,8 @@ class background_metric {
  public:
   // Leaves out flat and clockwise triangles; requires one that is neither.
   explicit background_metric(const mesh& background);
+  // Answers as one of a mesh would whose box this is, and of which the background is a part.
+  background_metric(const mesh& background, const bounding_box& box);
 
   const std::vector<point>& places() const { return locator_->places(); }
   const std::vector<metric_tensor>& tensors() const { return tensors_; }
@@ -31,6 +33,8 @@ class background_metric {
   // in one near it; at a vertex of that triangle the vertex's own, bit for bit. Several threads may
   // ask.
   metric_tensor at(const point& q) const;
+  // Returns the same, or nothing if no triangle is within `reach` of the point.
+  std::optional<metric_tensor> at_within(const point& q, double reach) const;
   // Returns about the same, sooner near the place asked about before: the walk begins at `hint`,
   // which is set to the triangle where it ended. One thread asks.
   metric_tensor at(const point& q, vertex_index& hint) const;
@@ -48,6 +52,7 @@ class background_metric {
   double complexity() const;
 
  private:
+  metric_tensor at_place(const point& q, const triangle_locator::located& where) const;
   triangle_locator::located nearby(const point& q, vertex_index hint) const;
   metric_tensor mean(const triangle_locator::located& where) const;
 

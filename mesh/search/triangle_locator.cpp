@@ -45,11 +45,13 @@ triangle_locator::located without_negative_weights(triangle_locator::located fou
 
 }  // namespace
 
-triangle_locator::triangle_locator(const mesh& m)
+triangle_locator::triangle_locator(const mesh& m) : triangle_locator(m, box_of_sites(m.sites)) {}
+
+triangle_locator::triangle_locator(const mesh& m, const bounding_box& box)
     : places_(positions_of(m.sites)),
       triangles_(counter_clockwise(m)),
       links_(places_.size(), triangles_),
-      box_(box_of_sites(m.sites)),
+      box_(box),
       boxes_(box_) {
   for (vertex_index t = 0; t < triangles_.size(); ++t) {
     const triangle& c = triangles_[t];
@@ -68,6 +70,7 @@ triangle_locator::located triangle_locator::deepest(const point& q) const {
   double depth = no_depth, half = 0;
   std::array<double, 3> weights{};
   for (int i = 0; i <= most_doublings && depth == no_depth; ++i) {
+    best.reach = half;
     boxes_.visit({{q.x - half, q.y - half}, {q.x + half, q.y + half}}, [&](std::uint32_t t) {
       ++best.looked_at;
       const double here = find_weights(places_, triangles_[t], q, depth, weights);

@@ -25,11 +25,14 @@ class triangle_locator {
  public:
   // Leaves out flat and clockwise triangles; requires one that is neither. Keeps its own copy.
   explicit triangle_locator(const mesh& m);
+  // Searches as one of a mesh would whose box this is, and of which `m` is a part.
+  triangle_locator(const mesh& m, const bounding_box& box);
 
   struct located {
     vertex_index triangle = 0;
     std::array<double, 3> weights{};  // of its corners; none is negative, their sum is about 1
     std::size_t looked_at = 0;        // triangles that a search has looked at
+    double reach = 0;                 // how far around the point deepest() has searched
   };
 
   // Returns the triangle that q is farthest inside of, by the least weight, and of equals the

@@ -354,6 +354,30 @@ class Pieces(command.CommandTest):
              *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=280,
             check=False)
 
+    def test_a_metric_on_a_mesh_is_read_in_parts(self):
+        done = self.run_command("mesh", "square", "--metric", "swirl:12", "--size", "0.1", "-o", "back.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name, words in {"size": ["--size", "0.8"], "graded": ["--size", "0.9", "--gradation", "1.1"],
+                            "count": ["--vertices", "3000"],
+                            "wished": ["--size", "0.8", "--size-at", "0,0,0.1:0.01"]}.items():
+            with self.subTest(name):
+                line = ["mesh", "square", "--metric", "back.mesh", *words, "--pieces", 5, "--quiet"]
+                done = self.run_command(*line, "-o", f"{name}/")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                wanted = contents(self.folder / name)
+                self.assertFalse([n for n in wanted if n.endswith(".metric")])
+                self.assertEqual(self.run_command("verify", f"{name}/").returncode, 0)
+                for ranks in (2, 3) if MPI and shutil.which("mpirun") else ():
+                    done = self.run_ranks(ranks, *line, "-o", f"{name}{ranks}/")
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertEqual(contents(self.folder / f"{name}{ranks}"), wanted)
+        self.write("wide.poly", "4 2 0 0\n1 -1 -1\n2 9 -1\n3 9 1\n4 -1 1\n"
+                   "4 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n0\n")
+        done = self.run_command("mesh", "wide.poly", "--metric", "back.mesh", "--size", "1", "--pieces", 3,
+                                "-o", "wide/")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("a metric on a mesh that covers the domain", done.stderr)
+
     def test_ranks_write_the_same_bytes(self):
         if not MPI or not pathlib.Path(MPI).exists() or not shutil.which("mpirun"):
             self.skipTest("there is no MPI")
