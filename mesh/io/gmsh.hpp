@@ -6,7 +6,7 @@
 // with a physical group of that number and its name; a point element for each given vertex; the
 // triangles, of second order (types 9 and 8) with nodes for their sides after the vertices, if they
 // are given; the boundary subsegments as lines, domain on the left, internal ones too; and the
-// metric as node data "metric", nine components. All numbers have 17 significant digits. The
+// metric as node data "metric", nine components. Numbers are the shortest texts that read back. The
 // number of a physical group must be positive: 0 and negative numbers take a free one, with their
 // own in the name, "marker -7", where it is read back from.
 //

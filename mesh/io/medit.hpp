@@ -6,7 +6,7 @@
 // boundary there, 0 inside), Triangles (reference: the region), Edges (the boundary subsegments,
 // domain on the left, and those of internal segments; reference: the marker), Corners (given
 // vertices where the boundary turns), RequiredVertices (the given vertices); SolAtVertices, one
-// symmetric tensor a vertex as `m11 m12 m22`. All numbers have 17 significant digits, so that the
+// symmetric tensor a vertex as `m11 m12 m22`. Numbers are the shortest texts with which the
 // same doubles are read back. Medit has no place for the input segment a boundary subsegment
 // belongs to: it is kept in comments (`#segments`, numbers from 1), which other programs skip.
 //

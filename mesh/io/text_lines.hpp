@@ -10,21 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/io/seventeen_digits.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 
-// Appends seventeen significant digits, enough to read the same double back; what printf's %.17g
-// writes in the C locale.
+// Appends the shortest text that is read as the same double again: all numbers of text files.
 inline void append_number(std::string& text, double x) {
   std::array<char, 32> digits;  // sign, 17 digits, point, exponent of five
-  if (char* const end = seventeen_digits::write(digits.data(), x)) {
-    text.append(digits.data(), end);
-    return;
-  }
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x,
-                                 std::chars_format::general, 17);
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x);
   text.append(digits.data(), end.ptr);
 }
 

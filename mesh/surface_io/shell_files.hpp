@@ -14,7 +14,7 @@
 namespace asterism::internal {
 
 // Returns the content of a file in the format that the name's ending says: .obj, .stl and .ply as
-// text, Medit's .mesh, gmsh's .msh 2.2, .vtu. Doubles have seventeen digits. Faces are references
+// text, Medit's .mesh, gmsh's .msh 2.2, .vtu. Doubles read back the same. Faces are references
 // and physical groups.
 result<std::string> space_mesh_text(const space_mesh& m, const std::string& file);
 
