@@ -12,6 +12,8 @@
 #include <cstring>
 #include <string>
 
+#include "shortest_text.hpp"
+
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000
 namespace {
 
@@ -79,39 +81,16 @@ std::from_chars_result std::from_chars(const char* first, const char* last, doub
 #if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 14000
 namespace {
 
-using buffer = std::array<char, 400>;  // more than the largest double has in front of its point
-
-std::to_chars_result copied(const char* text, char* first, char* last) {
-  const std::size_t length = std::strlen(text);
-  if (static_cast<std::size_t>(last - first) < length) return {last, std::errc::value_too_large};
-  return {std::copy(text, text + length, first), std::errc()};
-}
-
-// Writes the fewest digits of scientific notation that are read as `value` again, and returns how
-// many digits that are.
-int shortest_scientific(buffer& text, double value) {
-  int digits = 1;
-  for (;; ++digits) {
-    std::snprintf(text.data(), text.size(), "%.*e", digits - 1, value);
-    if (digits == 17 || std::strtod(text.data(), nullptr) == value) return digits;
-  }
+std::to_chars_result copied(const std::string& text, char* first, char* last) {
+  if (static_cast<std::size_t>(last - first) < text.size())
+    return {last, std::errc::value_too_large};
+  return {std::copy(text.begin(), text.end(), first), std::errc()};
 }
 
 }  // namespace
 
 std::to_chars_result std::to_chars(char* first, char* last, double value) {
-  buffer text;
-  if (!isfinite(value)) {
-    snprintf(text.data(), text.size(), "%f", value);
-    return copied(text.data(), first, last);
-  }
-  const int digits = shortest_scientific(text, value);
-  const int exponent = atoi(strchr(text.data(), 'e') + 1);
-  const int scientific = static_cast<int>(strlen(text.data())) - (value < 0 || signbit(value));
-  const int places = max(digits - 1 - exponent, 0);  // behind the point
-  const int fixed = max(exponent, 0) + 1 + (places > 0) + places;
-  if (fixed <= scientific) snprintf(text.data(), text.size(), "%.*f", places, value);
-  return copied(text.data(), first, last);
+  return copied(asterism::internal::shortest_text(value), first, last);
 }
 
 std::to_chars_result std::to_chars(char* first, char* last, double value, chars_format format,
@@ -119,7 +98,7 @@ std::to_chars_result std::to_chars(char* first, char* last, double value, chars_
   const char* const form = format == chars_format::scientific ? "%.*e"
                            : format == chars_format::fixed    ? "%.*f"
                                                               : "%.*g";
-  buffer text;
+  asterism::internal::text_of_double text;
   snprintf(text.data(), text.size(), form, precision, value);
   return copied(text.data(), first, last);
 }
