@@ -108,7 +108,9 @@ std::optional<error> check_files(const certify_options& options) {
   std::vector<fs::path> read = {options.mesh};
   if (!options.metric && options.solution.empty()) read = files_read_with(options.mesh);
   if (!options.metric && !options.solution.empty()) read.push_back(options.solution);
-  return check_files(files_written_by(options), std::move(read));
+  if (options.metric && is_metric_on_mesh(*options.metric))
+    for (fs::path& file : files_read_with(*options.metric)) read.push_back(std::move(file));
+  return check_files(files_written_by(options), read);
 }
 
 std::optional<error> write_result(const certify_options& options, const mesh& m,

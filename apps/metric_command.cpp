@@ -92,12 +92,10 @@ std::optional<error> take_series(metric_job& job) {
 std::optional<error> check_files(const metric_job& job) {
   if (!has_ending(job.output.string(), ".mesh"))
     return error{job.output.string() + ": a metric is written as .mesh, with its .sol"};
-  std::vector<fs::path> used = files_of(job.request);
-  for (std::size_t k = 1; k < job.series.size(); ++k)
-    if (job.series[k] != job.request.mesh) used.emplace_back(job.series[k]);
+  std::vector<fs::path> read = files_of(job.request);
+  read.insert(read.end(), job.series.begin(), job.series.end());
   const std::vector<fs::path> written = written_files(job);
-  used.insert(used.end(), written.begin(), written.end());
-  if (auto failed = check_distinct(used)) return failed;
+  if (auto failed = check_distinct(read, written)) return failed;
   for (const fs::path& place : written)
     if (auto failed = check_place(place)) return failed;
   return std::nullopt;

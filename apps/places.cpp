@@ -54,12 +54,17 @@ std::vector<fs::path> files_read_with(const fs::path& mesh) {
   return files;
 }
 
-std::optional<error> check_distinct(const std::vector<fs::path>& paths) {
-  std::vector<fs::path> seen;
-  for (const fs::path& path : paths) {
+std::optional<error> check_distinct(const std::vector<fs::path>& read,
+                                    const std::vector<fs::path>& written) {
+  const auto place_of = [](const fs::path& path) {
     std::error_code failure;
     fs::path place = fs::weakly_canonical(fs::absolute(path, failure), failure);
-    if (failure) place = path;
+    return failure ? path : place;
+  };
+  std::vector<fs::path> seen;
+  for (const fs::path& path : read) seen.push_back(place_of(path));
+  for (const fs::path& path : written) {
+    fs::path place = place_of(path);
     if (std::find(seen.begin(), seen.end(), place) != seen.end())
       return error{path.string() + ": this file would be used twice", error_code::unwritable_file};
     seen.push_back(std::move(place));

@@ -34,17 +34,17 @@ fs::path certificate_beside(const std::vector<fs::path>& outputs) {
   return fs::path(outputs.front()).replace_extension(".certificate.json");
 }
 
-std::optional<error> check_files(const run_files& files, std::vector<fs::path> read) {
-  std::vector<fs::path> used = std::move(read);
+std::optional<error> check_files(const run_files& files, const std::vector<fs::path>& read) {
+  std::vector<fs::path> written;
   for (const fs::path& output : files.outputs) {
     const auto format = check_output(output);
     if (!format) return format.failure();
-    for (const fs::path& file : files_of_output(output)) used.push_back(file);
+    for (const fs::path& file : files_of_output(output)) written.push_back(file);
   }
-  used.insert(used.end(), files.solutions.begin(), files.solutions.end());
+  written.insert(written.end(), files.solutions.begin(), files.solutions.end());
   for (const fs::path& file : {files.proof, files.certificate})
-    if (!file.empty()) used.push_back(file);
-  if (auto failure = check_distinct(used)) return failure;
+    if (!file.empty()) written.push_back(file);
+  if (auto failure = check_distinct(read, written)) return failure;
   for (const fs::path& file : {files.proof, files.certificate})
     if (!file.empty())
       if (auto failure = check_place(file)) return failure;

@@ -37,9 +37,10 @@ struct run_contents {
 // Returns the first output with the extension .certificate.json.
 std::filesystem::path certificate_beside(const std::vector<std::filesystem::path>& outputs);
 
-// Checks that every file that is `read` or written is a different one, and that each can be
+// Checks that every file that is written is a different one and none of those `read`, and can be
 // written.
-std::optional<error> check_files(const run_files& files, std::vector<std::filesystem::path> read);
+std::optional<error> check_files(const run_files& files,
+                                 const std::vector<std::filesystem::path>& read);
 
 // Returns the files that were written, in order.
 std::vector<std::filesystem::path> written_files(const run_files& files, const proof_output& proof);

@@ -65,8 +65,9 @@ std::optional<error> check_files(const surface_job& job) {
     const auto text = space_mesh_text({}, path.string());
     if (!text) return text.failure();
   }
-  if (has_ending(job.of, ".json")) used.emplace_back(job.of);
-  return check_distinct(used);
+  std::vector<fs::path> read;
+  if (has_ending(job.of, ".json")) read.emplace_back(job.of);
+  return check_distinct(read, used);
 }
 
 bool is_certified(const shell_certificate& claim) {

@@ -50,9 +50,7 @@ Examples:
 std::optional<error> check_files(const transfer_job& job) {
   const auto place = check_solution_output(job.output);
   if (!place) return place.failure();
-  std::vector<fs::path> used = {job.from, job.values, job.output};
-  if (job.to != job.from) used.emplace_back(job.to);
-  return check_distinct(used);
+  return check_distinct({job.from, job.values, job.to}, {job.output});
 }
 
 // Returns the solution with zeros at the vertices that were left out of the mesh, so that it has a
