@@ -51,12 +51,21 @@ bool is_named_among(const std::array<std::string_view, N>& all, std::string_view
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-failure skip_records(text_scanner& source, const word& keyword, int words) {
+word next_keyword(text_scanner& source) {
+  word w = source.next();
+  while (!w.empty() && !is_letter(w.text.front())) w = source.next();
+  return w;
+}
+
+// Skips all records, longer ones than are known too: some programs write normals of a plane mesh
+// with three numbers.
+failure skip_records(text_scanner& source, const word& keyword, int words, passed_over& passed) {
   const auto count = to_count(source, source.next(), keyword.text);
   if (!count.ok()) return count.failure();
   for (std::size_t i = 0; i < count.value() * static_cast<std::size_t>(words); ++i)
     if (const auto value = to_number(source, source.next(), keyword.text); !value.ok())
       return value.failure();
+  passed.next = next_keyword(source);
   return {};
 }
 
@@ -82,9 +91,7 @@ void skip_unknown(text_scanner& source, const word& keyword, passed_over& passed
     passed.names += (passed.names.empty() ? "" : ", ") + name;
   else if (!passed.names.ends_with("..."))
     passed.names += ", ...";
-  word w = source.next();
-  while (!w.empty() && !is_letter(w.text.front())) w = source.next();
-  passed.next = w;
+  passed.next = next_keyword(source);
 }
 
 }  // namespace
@@ -93,7 +100,7 @@ std::optional<error> pass_over(text_scanner& source, const word& keyword, int di
                                passed_over& passed) {
   for (const skipped_section& s : skipped_sections)
     if (keyword.text == s.keyword)
-      return skip_records(source, keyword, dimension == 2 ? s.words_in_2d : s.words_in_3d);
+      return skip_records(source, keyword, dimension == 2 ? s.words_in_2d : s.words_in_3d, passed);
   if (is_named_among(texts, keyword.text)) return skip_text(source, keyword);
   if (is_named_among(single_numbers, keyword.text)) {
     const auto value = to_number(source, source.next(), keyword.text);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/io/bamg_bends.hpp"
 #include "asterism/mesh/io/listed_readers.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
@@ -97,7 +98,7 @@ class medit_reader {
   listed_mesh& made_;
   mesh& m_;
   int dimension_ = 2;
-  bool names_segments_ = false, lists_triangles_ = false;
+  bool names_segments_ = false, lists_triangles_ = false, has_bamg_curves_ = false;
   std::set<std::string_view> seen_;
   passed_over passed_;
   std::vector<use> uses_;
@@ -130,6 +131,8 @@ failure medit_reader::read_mesh() {
   if (auto failed = check_required_edges()) return failed;
   if (auto failed = check_parts()) return failed;
   note_marks();
+  if (has_bamg_curves_ && !lists_triangles_)
+    if (auto note = note_of_bamg_bends(m_, made_.marks.corners)) m_.notes.push_back(*note);
   if (!passed_.names.empty())
     m_.notes.push_back(source_.file() +
                        ": sections that mean nothing here are passed over: " + passed_.names);
@@ -153,6 +156,7 @@ failure medit_reader::finish(listed_order how) {
 }
 
 failure medit_reader::read_section(const word& keyword) {
+  has_bamg_curves_ = has_bamg_curves_ || is_about_bamg_curves(keyword.text);
   if (keyword.text == "Vertices") return read_vertices();
   for (const element_section& kind : element_sections)
     if (keyword.text == kind.keyword) return read_elements(kind);

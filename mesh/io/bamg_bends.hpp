@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// Tells that BAMG's geometries, which are edges alone, are taken with straight edges.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+// True for sections that say how BAMG lays curves through the vertices of its edges: through all
+// that are no corners, with a common tangent.
+bool is_about_bamg_curves(std::string_view keyword);
+
+// Returns a note on the vertices between two edges at which the boundary turns, and which are no
+// corners: BAMG has a curve through these where the turn is less than its bound. None where there
+// is no such vertex.
+std::optional<std::string> note_of_bamg_bends(const mesh& edges,
+                                              const std::vector<vertex_index>& corners);
+
+}  // namespace asterism::internal
