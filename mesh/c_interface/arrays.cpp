@@ -171,7 +171,7 @@ result<adopted_mesh> mesh_of(const number_rows& places, const number_rows& tenso
     const unsigned* const corners = triangles.first + 3 * k;
     m.triangles.push_back({corners[0], corners[1], corners[2]});
   }
-  return adopt_mesh(std::move(m));
+  return adopt_mesh(std::move(m), region_edges::segments, slit_rule::joined);
 }
 
 }  // namespace asterism::internal

@@ -112,7 +112,8 @@ void describe(const adapt_request& asked, const mesh& background, adapt_answer& 
 result<adapt_answer> answer(const py_mesh& on, const adapt_request& asked, const cancellation& stop,
                             const progress_listener& progress) {
   mesh background = on.content;
-  if (auto checked = internal::checked_triangulation(background, "mesh"); !checked)
+  if (auto checked = internal::checked_triangulation(background, "mesh", slit_rule::joined);
+      !checked)
     return checked.failure();
   auto metric = metric_of(background, asked);
   if (!metric) return metric.failure();
@@ -130,8 +131,8 @@ result<adapt_answer> answer(const py_mesh& on, const adapt_request& asked, const
   made.missed =
       internal::what_is_missed(made.next, made.metric.report, options.refinement.vertices);
   if (!asked.carried.fields.empty()) {
-    auto values =
-        transfer_solution(background, asked.carried, made.next.made.outcome.result, asked.how);
+    const mesh parted = part_cracks(made.next.made.outcome.result, made.next.cracks).content;
+    auto values = transfer_solution(background, asked.carried, parted, asked.how);
     if (!values) return values.failure();
     made.values = std::move(values).value();
   }
@@ -139,7 +140,7 @@ result<adapt_answer> answer(const py_mesh& on, const adapt_request& asked, const
   return made;
 }
 
-py_mesh packaged(certified_mesh made, const physical_names& names) {
+py_mesh packaged(certified_mesh made, const crack_markers& cracks, const physical_names& names) {
   py_mesh m;
   m.names = names;
   m.complete = made.outcome.complete;
@@ -147,7 +148,7 @@ py_mesh packaged(certified_mesh made, const physical_names& names) {
   m.reason = made.claim.reason;
   m.angle_bound = made.claim.angle_bound.value_or(0);
   m.claim = std::move(made.claim);
-  m.content = std::move(made.outcome.result);
+  m.content = part_cracks(made.outcome.result, cracks).content;
   return m;
 }
 
@@ -190,7 +191,7 @@ py::tuple adapt(const py_mesh& on, const named_fields& fields, const py::object&
   warn(made.next.made.outcome.result.notes);
   py::list values;
   if (made.values) values = arrays_of(made.values->values);
-  return py::make_tuple(packaged(std::move(made.next.made), on.names),
+  return py::make_tuple(packaged(std::move(made.next.made), made.next.cracks, on.names),
                         array_of(made.metric.tensors), values, facts);
 }
 

@@ -9,6 +9,7 @@
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "bindings.hpp"
 #include "py_mesh.hpp"
+#include "slits.hpp"
 
 namespace asterism::python {
 namespace {
@@ -45,7 +46,7 @@ py::dict verify_mesh(const py_mesh& m, const py::dict& more) {
   verify_report report;
   {
     const py::gil_scoped_release unlocked;
-    report = verify(m.content, claim, options);
+    report = verify(joined(m.content).first, claim, options);
   }
   py::dict d = findings_of(report.audit);
   d["verified"] = report.verified;
@@ -60,7 +61,8 @@ py::dict certify_mesh(const py_mesh& m, const py::dict& more) {
   certify_report report;
   {
     const py::gil_scoped_release unlocked;
-    const auto adopted = value_or_raise(adopt_mesh(m.content, region_edges::as_listed));
+    const auto adopted =
+        value_or_raise(adopt_mesh(m.content, region_edges::as_listed, slit_rule::joined));
     report = certify(adopted, angle_bound, prove_voronoi);
   }
   py::dict d = findings_of(report.audit);

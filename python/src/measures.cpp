@@ -66,7 +66,7 @@ py::array_t<double> qualities(const py_mesh& held) {
 
 // Refuses a mesh in whose triangles nothing can be looked up.
 void check_triangulation(const py_mesh& held) {
-  value_or_raise(internal::checked_triangulation(held.content, "the mesh"));
+  value_or_raise(internal::checked_triangulation(held.content, "the mesh", slit_rule::joined));
 }
 
 std::int32_t number_or_none(vertex_index t) {

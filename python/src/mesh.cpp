@@ -20,11 +20,13 @@
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "bindings.hpp"
 #include "pages.hpp"
 #include "py_domain.hpp"
 #include "py_mesh.hpp"
+#include "slits.hpp"
 #include "solution_arguments.hpp"
 #include "states.hpp"
 
@@ -210,7 +212,10 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
   internal::list_sides(m);
   py_mesh made;
   made.marks = marks_of(given, m.sites.size());
-  made.content = value_or_raise(adopt_mesh(std::move(m), region_edges::as_listed)).subject;
+  auto adopted = value_or_raise(adopt_mesh(m, region_edges::as_listed, slit_rule::joined));
+  // With slits the points stay as they are, those of both sides.
+  if (!adopted.cracks.empty()) internal::keep_segments(m, {{}, true});
+  made.content = adopted.cracks.empty() ? std::move(adopted.subject) : std::move(m);
   warn(std::exchange(made.content.notes, {}));
   made.reason = "it came from elsewhere";
   return made;
@@ -226,16 +231,17 @@ py_domain domain_of(const py_mesh& m, const py::object& corner) {
     throw input_error("corner_angle: degrees above 0 and at most 180 are wanted");
   const auto make = [&]() -> result<adopted_mesh> {
     const py::gil_scoped_release unlocked;
-    auto adopted = internal::checked_triangulation(m.content, "the mesh");
+    auto adopted = internal::checked_triangulation(m.content, "the mesh", slit_rule::joined);
     if (!adopted || !corner_angle) return adopted;
-    auto outline = outline_of_mesh(adopted.value().subject, m.marks, {*corner_angle, {}});
+    const mesh_marks marks = internal::joined_marks(m.marks, adopted.value().number);
+    auto outline = outline_of_mesh(adopted.value().subject, marks, {*corner_angle, {}});
     if (!outline) return outline.failure();
     if (!outline.value().keeps_all) adopted.value().shape = std::move(outline.value().shape);
     return adopted;
   };
   adopted_mesh made = value_or_raise(make());
   warn(made.subject.notes);
-  return {std::move(made.shape), {}};
+  return {std::move(made.shape), {}, std::move(made.cracks)};
 }
 
 py_mesh read_unlocked(const std::string& name) {
@@ -332,7 +338,7 @@ void define_mesh(py::module_& m) {
       .def("original",
            [](const py_mesh& self) -> std::optional<py_domain> {
              if (!self.claim || !self.claim->original) return std::nullopt;
-             return py_domain{*self.claim->original, {}};
+             return py_domain{*self.claim->original, {}, joined(self.content).second};
            })
       .def("statistics", &statistics)
       .def("svg", &svg_of, py::arg("width") = 600, py::arg("ellipses") = false)

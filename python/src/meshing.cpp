@@ -102,7 +102,8 @@ std::string sentences_of(const domain_repairs& mended) {
 }
 
 py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_arguments& a,
-                 const domain_repairs& mended, const std::optional<double>& complexity) {
+                 const py_domain& held, const std::optional<double>& complexity) {
+  const domain_repairs& mended = held.mended;
   made.claim.metric = metric.name();
   const mesh_outcome& outcome = made.outcome;
   const std::string size = a.size ? text_of(*a.size) : "none";
@@ -144,7 +145,7 @@ py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_ar
   m.reason = made.claim.reason;
   m.angle_bound = a.options.angle_bound;
   m.claim = std::move(made.claim);
-  m.content = std::move(made.outcome.result);
+  m.content = part_cracks(made.outcome.result, held.cracks).content;
   return m;
 }
 
@@ -238,7 +239,7 @@ py_mesh run(const py_domain& held, const py::object& metric, const py::dict& mor
   watch.errors().raise();
   counted_mesh done = value_or_raise(std::move(*made));
   if (done.metric.complexity) a.size = done.metric.size;
-  return packaged(std::move(done.made), wanted.back(), a, held.mended, done.metric.complexity);
+  return packaged(std::move(done.made), wanted.back(), a, held, done.metric.complexity);
 }
 
 }  // namespace

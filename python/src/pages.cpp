@@ -11,6 +11,7 @@
 #include "asterism/mesh/draw/outline.hpp"
 #include "bindings.hpp"
 #include "py_domain.hpp"
+#include "slits.hpp"
 #include "solution_arguments.hpp"
 
 namespace asterism::python {
@@ -40,7 +41,13 @@ std::string page_of(const py_mesh& m, const py::dict& more) {
   for (const given_frame& one : given.object("before").cast<std::vector<given_frame>>())
     facts.before.push_back(frame_of(one));
   const py::gil_scoped_release unlocked;
-  return value_or_raise(report_page(m.content, facts));
+  const auto [shown, cracks] = joined(m.content);
+  // A page has one vertex at each place, and values of both sides of a slit have none there.
+  if (!cracks.empty()) {
+    facts.fields = {};
+    facts.wanted = {};
+  }
+  return value_or_raise(report_page(shown, facts));
 }
 
 }  // namespace

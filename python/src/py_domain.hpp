@@ -5,12 +5,14 @@
 
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/cracks.hpp"
 
 namespace asterism::python {
 
 struct py_domain {
-  domain shape;           // as check_domain accepts it
-  domain_repairs mended;  // distance 0: no repair was asked for
+  domain shape;               // as check_domain accepts it
+  domain_repairs mended;      // distance 0: no repair was asked for
+  crack_markers cracks = {};  // of a mesh: meshes of the domain have the vertices of both sides
 };
 
 }  // namespace asterism::python

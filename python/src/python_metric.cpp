@@ -83,7 +83,8 @@ std::unique_ptr<metric_field> sampled(const py::object& background, const py::ob
     copy.sites[k].metric = {t[0], t[1], t[2]};
   }
   const py::gil_scoped_release unlocked;
-  const auto adopted = value_or_raise(adopt_mesh(std::move(copy)));
+  const auto adopted =
+      value_or_raise(adopt_mesh(std::move(copy), region_edges::segments, slit_rule::joined));
   audit_options options;
   options.check_stars = false;
   options.angle_bound = 0;

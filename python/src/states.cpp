@@ -74,6 +74,13 @@ py::list polygons_state(const domain& d) {
   return all;
 }
 
+py::list cracks_state(const crack_markers& cracks) {
+  py::list all;
+  for (const auto& [number, sides] : cracks)
+    all.append(py::make_tuple(number, sides.left, sides.right));
+  return all;
+}
+
 py::list boundary_state(const mesh& m) {
   py::list all;
   for (const boundary_edge& e : m.boundary)
@@ -109,11 +116,11 @@ py::tuple state_of(const py_domain& held) {
   return py::make_tuple(state_version, d.name, rows_of<double>(d.vertices), segments_state(d),
                         rows_of<double>(d.holes), regions_state(d), d.number_all_regions,
                         d.origin.first_number, d.origin.file, curves_state(d), polygons_state(d),
-                        held.mended.distance, places);
+                        held.mended.distance, places, cracks_state(held.cracks));
 }
 
 py_domain domain_of_state(const py::tuple& state) {
-  check_version(state, 13);
+  check_version(state, 14);
   domain d;
   d.name = state[1].cast<std::string>();
   d.vertices = rows_from<double, point>(state[2]);
@@ -144,6 +151,10 @@ py_domain domain_of_state(const py::tuple& state) {
     const auto t = of.cast<py::tuple>();
     held.mended.places.push_back(
         {t[0].cast<std::string>(), {t[1].cast<double>(), t[2].cast<double>()}});
+  }
+  for (const py::handle of : state[13]) {
+    const auto t = of.cast<py::tuple>();
+    held.cracks[t[0].cast<int>()] = {t[1].cast<int>(), t[2].cast<int>()};
   }
   return held;
 }
