@@ -17,6 +17,7 @@
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/frozen.hpp"
+#include "asterism/apps/job_input.hpp"
 #include "asterism/apps/job_words.hpp"
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
@@ -61,6 +62,7 @@ struct adapt_job {
   fs::path proof;
   std::optional<double> chord_tolerance, max_seconds;
   std::vector<std::string> frozen;  // regions, by number or name
+  bool convex_hull = false;         // of the domain's vertices, as segments
   std::size_t threads = 0;
   int order = 1;  // of the triangles in files that hold second ones
   bool quiet = false, json = false;
@@ -134,7 +136,8 @@ run_files files_written_by(const adapt_job& job) {
 
 std::optional<error> take_domain(adapt_job& job) {
   if (job.domain.empty()) return std::nullopt;
-  const auto loaded = load_domain(job.domain);
+  auto loaded = load_domain(job.domain);
+  if (loaded && job.convex_hull) loaded = close_by_hull(std::move(loaded).value());
   if (!loaded) return loaded.failure();
   if (job.chord_tolerance && loaded.value().curves.empty())
     return error{"--chord-tolerance: " + job.domain + " has no curves"};
@@ -380,6 +383,8 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
   auto* const exact =
       app.add_option("--domain", job.domain, "What to mesh (default: what the mesh covers)")
           ->type_name("DOMAIN");
+  app.add_flag("--convex-hull", job.convex_hull, "Close DOMAIN by the convex hull of its vertices")
+      ->needs(exact);
   add_real(
       app, "--chord-tolerance", positive_reals, [&job](double x) { job.chord_tolerance = x; },
       "Greatest distance of a curve of DOMAIN from its chords (default: a fiftieth of each chord, "

@@ -145,8 +145,8 @@ std::optional<error> take_areas(domain& d, size_wishes& sizes) {
 result<domain> put_in_order(const mesh_job& job, domain& loaded, domain_repairs& repairs,
                             size_wishes& sizes) {
   if (job.convex_hull) {
-    auto closed = with_convex_hull(std::move(loaded));
-    if (!closed) return error{"--convex-hull: " + closed.failure().message, closed.failure().code};
+    auto closed = close_by_hull(std::move(loaded));
+    if (!closed) return closed;
     loaded = std::move(closed).value();
   }
   if (job.number_regions) loaded.number_all_regions = true;
@@ -217,6 +217,12 @@ std::optional<error> check_counts(const mesh_job& job, std::size_t given) {
 }
 
 }  // namespace
+
+result<domain> close_by_hull(domain d) {
+  auto closed = with_convex_hull(std::move(d));
+  if (!closed) return error{"--convex-hull: " + closed.failure().message, closed.failure().code};
+  return closed;
+}
 
 result<prepared_input> prepare(const mesh_job& job) {
   domain_repairs repairs;

@@ -36,4 +36,7 @@ struct prepared_input {
 // standard error, unless the job is quiet.
 result<prepared_input> prepare(const mesh_job& job);
 
+// Adds the sides of the convex hull of the vertices, for --convex-hull.
+result<domain> close_by_hull(domain d);
+
 }  // namespace asterism::apps

@@ -36,7 +36,8 @@ class Domain:
     cannot be meant: segments that cross, rings that are not closed, hole points on a segment. What
     can be put in order is: repeated points are one, overlapping segments are split. With `repair`,
     True or a distance, crossings become points, near points one, and gaps are closed; `repairs` says
-    where.
+    where. With `convex_hull` the sides of the convex hull of the points are segments of marker 0 where
+    none is between the two: points alone are a domain so, without a ring.
     """
 
     _is_meshed = False
@@ -44,10 +45,12 @@ class Domain:
     def __init__(self, points: npt.ArrayLike, segments: Optional[npt.ArrayLike] = None,
                  markers: Optional[npt.ArrayLike] = None, holes: npt.ArrayLike = (),
                  regions: npt.ArrayLike = (), region_numbers: Optional[npt.ArrayLike] = None, *,
-                 repair: "bool | float" = False) -> None:
-        if segments is None:
+                 repair: "bool | float" = False, convex_hull: bool = False) -> None:
+        if segments is None and convex_hull:
+            segments = np.empty((0, 2), np.int64)
+        elif segments is None:
             points, segments = _ring(points)
-        self._made = _Domain(points, segments, markers, holes, regions, region_numbers, repair)
+        self._made = _Domain(points, segments, markers, holes, regions, region_numbers, repair, convex_hull)
 
     @classmethod
     def _of(cls, made: _Domain) -> Domain:
@@ -107,8 +110,9 @@ class Domain:
         return cls._of(_Domain.load("square"))
 
     @classmethod
-    def read(cls, path: "str | os.PathLike[str]", *, repair: "bool | float" = False) -> Domain:
-        """From a file: .poly, .geojson, .json or .wkt; .dxf, as read_dxf() does; or what a mesh file covers,
+    def read(cls, path: "str | os.PathLike[str]", *, repair: "bool | float" = False,
+             convex_hull: bool = False) -> Domain:
+        """From a file: .poly, .node with convex_hull=True, .geojson, .json or .wkt; .dxf, as read_dxf() does; or what a mesh file covers,
         or its edges bound where it has no triangles. What its reader passed over is a UserWarning."""
         name = path_of(path)
         if not os.path.exists(name):
@@ -116,16 +120,15 @@ class Domain:
         if name.lower().endswith(".dxf"):
             from ._drawing import read_dxf
 
-            return read_dxf(name, repair=repair)
+            return read_dxf(name, repair=repair, convex_hull=convex_hull)
         if not is_mesh_file(name):
-            return cls._of(_Domain.load(name, repair))
+            return cls._of(_Domain.load(name, repair, convex_hull))
         from ._mesh import read
 
         of = read(name)
         if len(of.triangles) == 0:
-            return cls._of(_Domain.load(name, repair))
-        if repair is not False:
-            raise InputError(f"repair: {name} is a mesh, whose edges are kept as they are")
+            return cls._of(_Domain.load(name, repair, convex_hull))
+        _refuse_for_mesh(name, repair, convex_hull)
         return cls._covering(of)
 
     @classmethod
@@ -150,7 +153,7 @@ class Domain:
         return cls._of(made.domain(corner_angle))
 
     @classmethod
-    def from_geo(cls, shape: Any, *, repair: "bool | float" = False) -> Domain:
+    def from_geo(cls, shape: Any, *, repair: "bool | float" = False, convex_hull: bool = False) -> Domain:
         """From polygons: a shape of shapely, or anything else that has __geo_interface__, or such a dict.
 
         What they contain, and how sides and regions are numbered, is as in a .geojson file: a
@@ -167,7 +170,7 @@ class Domain:
             text = json.dumps(geometry, allow_nan=False, default=_plain)
         except (TypeError, ValueError) as odd:
             raise InputError(f"{name}: its coordinates must be finite numbers: {odd}") from odd
-        return cls._of(_Domain.parse_geojson(text, name, repair))
+        return cls._of(_Domain.parse_geojson(text, name, repair, convex_hull))
 
     from_shapely = from_geo
 
@@ -175,25 +178,33 @@ class Domain:
 AnyDomain = Union[Domain, "Mesh", str, "os.PathLike[str]", npt.ArrayLike, Mapping[str, Any]]
 
 
-def as_domain(what: Any, repair: "bool | float" = False) -> Domain:
+def _refuse_for_mesh(name: str, repair: "bool | float", convex_hull: bool) -> None:
+    if repair is not False:
+        raise InputError(f"repair: {name} is a mesh, whose edges are kept as they are")
+    if convex_hull:
+        raise InputError(f"convex_hull: {name} is a mesh, which has its boundary already")
+
+
+def as_domain(what: Any, repair: "bool | float" = False, convex_hull: bool = False) -> Domain:
     """A domain of whatever may stand for one: a Domain or a Mesh, the name of a file or of one that the
     command knows, polygons, or the points of a ring."""
     if isinstance(what, Domain):
-        return what if repair is False else Domain._of(what._made.repaired(repair))
+        if repair is False and not convex_hull:
+            return what
+        return Domain._of(what._made.repaired(repair, convex_hull))
     if hasattr(getattr(what, "_made", None), "domain"):
-        if repair is not False:
-            raise InputError("repair: the edges of a mesh are kept as they are")
+        _refuse_for_mesh("this", repair, convex_hull)
         return Domain._covering(what)
     if isinstance(what, (str, os.PathLike)):
         name = path_of(what)
         if name in _BUILT_IN:
-            return Domain._of(_Domain.load(name, repair))
-        return Domain.read(name, repair=repair)
+            return Domain._of(_Domain.load(name, repair, convex_hull))
+        return Domain.read(name, repair=repair, convex_hull=convex_hull)
     if hasattr(what, "__geo_interface__") or isinstance(what, Mapping):
-        return Domain.from_geo(what, repair=repair)
+        return Domain.from_geo(what, repair=repair, convex_hull=convex_hull)
     if what is None or callable(what) or isinstance(what, (int, float)):
         raise InputError(f"a domain is wanted: a Domain, a file's name, polygons or points (n, 2), not {what!r}")
-    return Domain(what, repair=repair)
+    return Domain(what, repair=repair, convex_hull=convex_hull)
 
 
 def _positions(ring: npt.NDArray[np.float64]) -> Tuple[Tuple[float, float], ...]:

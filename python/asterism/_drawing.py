@@ -267,11 +267,12 @@ def poly_of_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] 
 
 def read_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] = None,
              holes: Sequence[Point] = (), join: Optional[float] = None, *,
-             repair: "bool | float" = False) -> Domain:
-    """The Domain of poly_of_dxf(); `repair` as Domain.read() takes it, for drawings without curves."""
+             repair: "bool | float" = False, convex_hull: bool = False) -> Domain:
+    """The Domain of poly_of_dxf(); `repair` and `convex_hull` as Domain.read() takes them, for drawings
+    without curves."""
     text = poly_of_dxf(path, layers, holes, join)
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, os.path.basename(os.fspath(path)) + ".poly")
         with open(file, "w", encoding="ascii", errors="replace") as out:
             out.write(text)
-        return Domain.read(file, repair=repair)
+        return Domain.read(file, repair=repair, convex_hull=convex_hull)

@@ -34,8 +34,8 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
          size_near: Optional[Sizes] = None, layers: Optional[Sizes] = None, hmin: Optional[float] = None,
          hmax: Optional[float] = None, aspect: Optional[float] = None,
          periodic: Sequence[Tuple[int, int]] = (),
-         repair: "bool | float" = False, guarantee: bool = False, max_seconds: Optional[float] = None,
-         threads: Optional[int] = None, progress: Optional[Progress] = None,
+         repair: "bool | float" = False, convex_hull: bool = False, guarantee: bool = False,
+         max_seconds: Optional[float] = None, threads: Optional[int] = None, progress: Optional[Progress] = None,
          prove_voronoi: bool = False) -> Mesh:
     """Makes a mesh whose angles are at least angle_bound degrees, each measured by the metric of all
     three vertices of its triangle, and audits it.
@@ -78,7 +78,8 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     periodic: pairs of markers, [(4, 2)]: both sides get the same points, the one the other shifted or
     turned; how they match is the certificate's `periodic`.
     repair: True, or the distance within which points are joined: a domain whose segments cross or leave
-    gaps is mended, told in a UserWarning.
+    gaps is mended, told in a UserWarning. convex_hull: the domain is closed by the convex hull of its points,
+    of which no ring is made then.
     guarantee: edges are made shorter until the theorem on nets applies to the mesh, which then has its
     angles by proof; InputError where a corner is too sharp for it, or the metric jumps. Goes with size or
     sizes, not with vertices, complexity, improve and metric_tolerance.
@@ -86,7 +87,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     mesh is the same for any number. progress: called now and then with a dict of counts. Ctrl-C ends the
     run.
     """
-    covered = as_domain(domain, repair)
+    covered = as_domain(domain, repair, convex_hull)
     if on is None and isinstance(domain, Mesh) and isinstance(metric, np.ndarray) and metric.ndim > 1 \
             and len(metric) == len(domain.points):
         on = domain

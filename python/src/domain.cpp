@@ -8,6 +8,7 @@
 
 #include "arguments.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/convex_hull.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/repair_domain.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
@@ -95,7 +96,16 @@ result<domain> accepted(const domain& d, const repair_wish& repair, domain_repai
   return with_remedy(checked.failure(), d);
 }
 
-py_domain checked(const domain& d, const py::object& repair) {
+// Adds the sides of the convex hull of the points, if they are asked for.
+domain closed(domain d, bool by_hull) {
+  if (!by_hull) return d;
+  auto made = with_convex_hull(std::move(d));
+  if (!made) throw input_error("convex_hull: " + made.failure().message);
+  return std::move(made).value();
+}
+
+py_domain checked(domain given, const py::object& repair, bool by_hull) {
+  const domain d = closed(std::move(given), by_hull);
   py_domain made;
   made.shape = value_or_raise(accepted(d, repair_of(repair), made.mended));
   warn(d.origin.notes);
@@ -105,7 +115,7 @@ py_domain checked(const domain& d, const py::object& repair) {
 
 py_domain from_arrays(const py::object& points, const py::object& segments,
                       const py::object& markers, const py::object& holes, const py::object& regions,
-                      const py::object& region_numbers, const py::object& repair) {
+                      const py::object& region_numbers, const py::object& repair, bool by_hull) {
   domain d;
   d.name = "arrays";
   d.origin.first_number = 0;
@@ -122,7 +132,7 @@ py_domain from_arrays(const py::object& points, const py::object& segments,
                          "region_numbers", "region point");
   for (std::size_t k = 0; k < inside_regions.rows(); ++k)
     d.regions.push_back({point_of(inside_regions.row(k)), numbers[k]});
-  return checked(d, repair);
+  return checked(std::move(d), repair, by_hull);
 }
 
 // A view of the vertices: (n, 2), no copy.
@@ -167,23 +177,28 @@ void define_domain(py::module_& m) {
   py::class_<py_domain>(m, "_Domain")
       .def(py::init(&from_arrays), py::arg("points"), py::arg("segments"),
            py::arg("markers") = py::none(), py::arg("holes") = none, py::arg("regions") = none,
-           py::arg("region_numbers") = py::none(), py::arg("repair") = false)
+           py::arg("region_numbers") = py::none(), py::arg("repair") = false,
+           py::arg("convex_hull") = false)
       .def_static(
           "load",
-          [](const std::string& what, const py::object& repair) {
-            return checked(value_or_raise(load_domain(what)), repair);
+          [](const std::string& what, const py::object& repair, bool by_hull) {
+            return checked(value_or_raise(load_domain(what)), repair, by_hull);
           },
-          py::arg("what"), py::arg("repair") = false)
+          py::arg("what"), py::arg("repair") = false, py::arg("convex_hull") = false)
       .def_static(
           "parse_geojson",
-          [](const std::string& text, const std::string& name, const py::object& repair) {
-            return checked(value_or_raise(internal::parse_geojson(text, name)), repair);
+          [](const std::string& text, const std::string& name, const py::object& repair,
+             bool by_hull) {
+            return checked(value_or_raise(internal::parse_geojson(text, name)), repair, by_hull);
           },
-          py::arg("text"), py::arg("name"), py::arg("repair") = false)
+          py::arg("text"), py::arg("name"), py::arg("repair") = false,
+          py::arg("convex_hull") = false)
       .def(
           "repaired",
-          [](const py_domain& d, const py::object& repair) { return checked(d.shape, repair); },
-          py::arg("repair"))
+          [](const py_domain& d, const py::object& repair, bool by_hull) {
+            return checked(d.shape, repair, by_hull);
+          },
+          py::arg("repair"), py::arg("convex_hull") = false)
       .def(py::pickle([](const py_domain& d) { return state_of(d); }, &domain_of_state))
       .def_property_readonly("points", &points_of)
       .def_property_readonly("segments", &segment_pairs)

@@ -277,6 +277,30 @@ class MeditTest(ReaderTest):
                                 "ParallelTriangleCommunicators")
         self.assertEqual({r["number"] for r in made["regions"]}, {3, 4})
 
+    def test_normals_of_three_numbers_in_the_plane(self):
+        self.mesh("m.mesh", medit().replace("End", "Normals\n2\n0 0 1\n0 0 1\nRidges\n1\n1\nEnd"))
+
+    def test_one_file_may_be_read_for_two_things(self):
+        """A mesh with the metric in the .sol of its name; one with its fields, brought to another."""
+        self.write("m.mesh", medit())
+        self.write("m.sol", solution([0.3, 0.3, 0.5, 0.5, 0.4, 0.4]))
+        nodes = "".join(f"{k + 1} {x * x}\n" for k, (x, _) in enumerate(POINTS))
+        self.write("u.msh", gmsh("2.2", gmsh_elements())
+                   + f'$NodeData\n1\n"u"\n1\n0.0\n3\n0\n1\n{len(POINTS)}\n{nodes}$EndNodeData\n')
+        for line in (("mesh", "m.mesh", "--metric", "m.sol", "--size", "1", "-o", "o.mesh"),
+                     ("certify", "m.mesh", "--metric", "m.sol", "--repair", "-o", "o.mesh"),
+                     ("transfer", "u.msh", "u.msh", "m.mesh", "-o", "v.sol"),
+                     ("adapt", "u.msh", "--solution", "u.msh", "--vertices", "20", "-o", "o.mesh")):
+            done = self.run_command(*line)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        for line in (("certify", "m.mesh", "--metric", "m.sol", "--repair", "-o", "m.mesh"),
+                     ("certify", "u.msh", "--metric", "m.mesh", "--repair", "-o", "m.mesh"),
+                     ("mesh", "u.msh", "--metric", "m.sol", "--size", "1", "-o", "m.mesh")):
+            before = (self.folder / "m.mesh").read_text()
+            done = self.run_command(*line)
+            self.assertEqual((done.returncode, "used twice" in done.stderr), (2, True), done.stderr)
+            self.assertEqual((self.folder / "m.mesh").read_text(), before)
+
     def test_edges_alone_are_a_domain(self):
         edges = HEAD + SQUARE + "Edges\n4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\nEnd\n"
         self.mesh("m.mesh", edges)
@@ -290,6 +314,14 @@ class MeditTest(ReaderTest):
         self.assertEqual(self.run_command("verify", "n.mesh", "--domain", "m.mesh").returncode, 0)
         gap = edges.replace("4\n1 2 1\n", "3\n")
         self.expect_refusal("n.mesh", gap, "--convex-hull")
+
+    def test_a_geometry_of_bamg_has_straight_edges(self):
+        edges = HEAD + SQUARE + "Edges\n4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\nMaximalAngleOfCorner 46\n"
+        made = edges + "Corners\n3\n1 2 3\nEnd\n"
+        self.expect_note("m.mesh", made, "edges are straight here", "of 1 that are no corners the first is vertex 4")
+        for text in (edges + "Corners\n4\n1 2 3 4\nEnd\n", edges.replace("MaximalAngleOfCorner 46\n", "End\n")):
+            _, notes = self.mesh("n.mesh", text)
+            self.assertFalse([n for n in notes if "straight" in n], notes)
 
     def test_edges_alone_in_binary(self):
         def block(keyword, content, at):
@@ -543,6 +575,14 @@ class TriangleTest(ReaderTest):
         done = self.mesh("o.poly", text, "--convex-hull")
         self.assertAlmostEqual(self.area(), 4)
         self.expect_refusal("p.poly", text, "--convex-hull")
+        # The exact domain of `adapt` is closed likewise.
+        self.write("old.mesh", medit(points=((0, 0), (1, 0), (1, 1), (0, 1)), triangles=(((0, 1, 2), 1), ((0, 2, 3), 1)),
+                                     edges=()))
+        adapt = ("adapt", "old.mesh", "--implied", "--domain", "m.node", "-o", "a.mesh")
+        self.assertEqual(self.run_command(*adapt).returncode, 2)
+        done = self.run_command(*adapt, "--convex-hull")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("4 of 4 sides of the convex hull", done.stderr)
         line = "3 2 0 0\n1 0 0\n2 1 1\n3 2 2\n"
         self.expect_refusal("q.node", line, "on one line",
                             command_line=("mesh", "{}", "--convex-hull", "--size", "1", "-o", "out.msh"))
