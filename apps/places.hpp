@@ -18,8 +18,8 @@ std::optional<error> check_place(const std::filesystem::path& path);
 // where there is one.
 std::vector<std::filesystem::path> files_read_with(const std::filesystem::path& mesh);
 
-// Refuses a file that would be written twice, or is read too, however it is spelled. One file may be
-// read for several things.
+// Refuses a file that would be written twice, or is read too, however it is spelled. One file may
+// be read for several things.
 std::optional<error> check_distinct(const std::vector<std::filesystem::path>& read,
                                     const std::vector<std::filesystem::path>& written);
 

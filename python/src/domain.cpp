@@ -99,7 +99,7 @@ result<domain> accepted(const domain& d, const repair_wish& repair, domain_repai
 // Adds the sides of the convex hull of the points, if they are asked for.
 domain closed(domain d, bool by_hull) {
   if (!by_hull) return d;
-  auto made = with_convex_hull(std::move(d));
+  auto made = internal::with_convex_hull(std::move(d));
   if (!made) throw input_error("convex_hull: " + made.failure().message);
   return std::move(made).value();
 }
