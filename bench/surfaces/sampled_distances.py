@@ -64,7 +64,12 @@ class Patch:
             e, f, g = (np.sum(a * b, axis=1) for a, b in ((u, u), (u, v), (v, v)))
             a, b = np.sum((q - p) * u, axis=1), np.sum((q - p) * v, axis=1)
             det = np.maximum(e * g - f * f, 1e-300)
-            uv = np.clip(uv + np.stack([(g * a - f * b) / det, (e * b - f * a) / det], axis=1), low, high)
+            step = np.stack([(g * a - f * b) / det, (e * b - f * a) / det], axis=1)
+            # Against a side the other parameter alone is free.
+            held = ((uv <= low) & (step < 0)) | ((uv >= high) & (step > 0))
+            alone = np.stack([a / np.maximum(e, 1e-300), b / np.maximum(g, 1e-300)], axis=1)
+            step = np.where(held, 0, np.where(held[:, ::-1], alone, step))
+            uv = np.clip(uv + step, low, high)
         return found
 
 
