@@ -231,18 +231,26 @@ plain_control mixed(const plain_control& a, const plain_control& b, double share
   return c;
 }
 
+using plain_row = std::array<plain_control, most_degree + 1>;
+
 // The value, first and second derivative of a Bezier curve in four coordinates.
 struct curve_jet {
-  plain_control value{}, first{}, second{};
+  plain_control value, first, second;
 };
 
-curve_jet along(std::array<plain_control, most_degree + 1> c, int degree, double share) {
+// Overwrites the control points. The second derivative is left out unless it is asked for: most
+// places of a surface are looked at for a step of a projection.
+template <bool twice>
+curve_jet along(plain_row& c, int degree, double share) {
   curve_jet jet;
+  jet.first.fill(0);
+  if constexpr (twice) jet.second.fill(0);
   const double p = degree;
   for (int left = degree; left > 0; --left) {
-    if (left == 2)
-      for (std::size_t k = 0; k < 4; ++k)
-        jet.second[k] = p * (p - 1) * (c[2][k] - 2 * c[1][k] + c[0][k]);
+    if constexpr (twice)
+      if (left == 2)
+        for (std::size_t k = 0; k < 4; ++k)
+          jet.second[k] = p * (p - 1) * (c[2][k] - 2 * c[1][k] + c[0][k]);
     if (left == 1)
       for (std::size_t k = 0; k < 4; ++k) jet.first[k] = p * (c[1][k] - c[0][k]);
     for (int i = 0; i < left; ++i) {
@@ -259,16 +267,24 @@ struct projective_jet {
   plain_control value, s, t, ss, st, tt;
 };
 
+template <bool twice>
 projective_jet projective(const bezier_piece& piece, double s, double t) {
-  std::array<plain_control, most_degree + 1> values{}, firsts{}, seconds{}, row{};
+  plain_row values, firsts, seconds, row;  // as far as the degrees go
   for (std::size_t i = 0; i <= static_cast<std::size_t>(piece.degree_u); ++i) {
     for (std::size_t j = 0; j < piece.row(); ++j) row[j] = piece.plain_net[i * piece.row() + j];
-    const curve_jet jet = along(row, piece.degree_v, t);
-    values[i] = jet.value, firsts[i] = jet.first, seconds[i] = jet.second;
+    const curve_jet jet = along<twice>(row, piece.degree_v, t);
+    values[i] = jet.value, firsts[i] = jet.first;
+    if constexpr (twice) seconds[i] = jet.second;
   }
-  const curve_jet value = along(values, piece.degree_u, s), by_t = along(firsts, piece.degree_u, s);
-  const curve_jet by_tt = along(seconds, piece.degree_u, s);
-  return {value.value, value.first, by_t.value, value.second, by_t.first, by_tt.value};
+  const curve_jet value = along<twice>(values, piece.degree_u, s),
+                  by_t = along<twice>(firsts, piece.degree_u, s);
+  projective_jet jet;
+  jet.value = value.value, jet.s = value.first, jet.t = by_t.value;
+  if constexpr (twice) {
+    jet.ss = value.second, jet.st = by_t.first;
+    jet.tt = along<twice>(seconds, piece.degree_u, s).value;
+  }
+  return jet;
 }
 
 plain_vector first_three(const plain_control& c) { return {c[0], c[1], c[2]}; }
@@ -287,11 +303,11 @@ plain_jet first_of(const projective_jet& j) {
 }  // namespace
 
 plain_jet evaluate(const bezier_piece& piece, double s, double t) {
-  return first_of(projective(piece, s, t));
+  return first_of(projective<false>(piece, s, t));
 }
 
 plain_second_jet evaluate_twice(const bezier_piece& piece, double s, double t) {
-  const projective_jet j = projective(piece, s, t);
+  const projective_jet j = projective<true>(piece, s, t);
   const plain_jet first = first_of(j);
   const double w = j.value[3];
   const auto second = [&](const plain_control& c, double w1, const plain_vector& d2, double w2,

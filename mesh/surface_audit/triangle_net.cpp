@@ -60,11 +60,11 @@ weighted_point combined(const rounded_interval* weights, const weighted_point* p
 
 // The pairs of multi-indices of sums p and q are as many as the products of their numbers; each
 // adds to the multi-index that is their sum, with the share of the ways to choose it.
-void gather(int p, int q, const std::vector<std::vector<weighted_point>>& pairs, bool is_rational,
+void gather(int p, int q, const std::vector<weighted_point>& pairs, bool is_rational,
             triangle_net& net) {
   for (int i = p; i >= 0; --i)
     for (int j = p - i; j >= 0; --j) {
-      const std::vector<weighted_point>& row = pairs[net_index(p, i, j)];
+      const weighted_point* row = pairs.data() + net_index(p, i, j) * net_size(q);
       const int k = p - i - j;
       for (int a = q; a >= 0; --a)
         for (int b = q - a; b >= 0; --b) {
@@ -85,13 +85,13 @@ triangle_net net_over(const tensor_net& from, const parameter_triangle& corners,
   const auto row = static_cast<std::size_t>(q) + 1, rows = static_cast<std::size_t>(p) + 1;
   const auto by_u = blossoms(p, {corners[0].s, corners[1].s, corners[2].s});
   const auto by_v = blossoms(q, {corners[0].t, corners[1].t, corners[2].t});
-  std::vector<std::vector<weighted_point>> pairs(by_u.size());
-  std::array<weighted_point, most_row> line;
-  for (std::size_t m = 0; m < by_u.size(); ++m) {
+  std::vector<weighted_point> pairs, line(row);
+  pairs.reserve(by_u.size() * by_v.size());
+  for (const blossom_row& across : by_u) {
     for (std::size_t j = 0; j < row; ++j)
-      line[j] = combined(by_u[m].data(), from.points + j, rows, row, is_rational);
+      line[j] = combined(across.data(), from.points + j, rows, row, is_rational);
     for (const blossom_row& weights : by_v)
-      pairs[m].push_back(combined(weights.data(), line.data(), row, 1, is_rational));
+      pairs.push_back(combined(weights.data(), line.data(), row, 1, is_rational));
   }
   triangle_net net{p + q, std::vector<weighted_point>(net_size(p + q))};
   if (is_rational)
