@@ -14,6 +14,7 @@
 #include "asterism/mesh/numerics/scaled_tensor.hpp"
 #include "asterism/mesh/pipeline/background.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
+#include "asterism/mesh/pipeline/domain_background.hpp"
 #include "asterism/mesh/pipeline/local_adaptation.hpp"
 #include "asterism/mesh/refine/coarser_mesh.hpp"
 
@@ -48,7 +49,10 @@ bool may_adapt(const mesh_options& options) {
 
 metric_delivery::metric_delivery(const domain& d, const metric_field& field,
                                  const mesh_options& options)
-    : field_(field), options_(options), image_(d, field, options) {}
+    : field_(field),
+      given_(background_of_domain(d, field)),
+      options_(options),
+      image_(d, field, options) {}
 
 // Makes the coarse mesh and the background, once; false where there are none.
 bool metric_delivery::prepare() {
@@ -56,8 +60,8 @@ bool metric_delivery::prepare() {
   prepared_ = true;
   start_ = coarse_mesh(image_.shape(), image_.field(), options_);
   if (!start_) return false;
-  if (const mesh* const given = field_.background()) {
-    background_ = in_frame(image_.frame(), *given);
+  if (given_ != nullptr) {
+    background_ = in_frame(image_.frame(), *given_);
     return true;
   }
   constexpr double any_length = std::numeric_limits<double>::infinity();
@@ -70,12 +74,12 @@ bool metric_delivery::prepare() {
 
 bool metric_delivery::is_first_choice() const {
   return options_.limit_size && !options_.keep_if_complete &&
-         (field_.background() != nullptr || options_.vertices);
+         (given_ != nullptr || options_.vertices);
 }
 
 bool metric_delivery::varies_fast() {
   constexpr double most_that_is_met = 0.6;
-  return options_.limit_size && field_.background() == nullptr && prepare() &&
+  return options_.limit_size && given_ == nullptr && prepare() &&
          sampled_variation(*background_) > most_that_is_met;
 }
 
@@ -83,8 +87,7 @@ bool metric_delivery::jumps() const {
   // Twice the greatest variation of a mesh whose metric was met as it is.
   constexpr double most_that_is_met = 3;
   constexpr std::size_t one_in = 200;
-  const mesh* const given = field_.background();
-  return given != nullptr && sampled_variation(*given, one_in) > most_that_is_met;
+  return given_ != nullptr && sampled_variation(*given_, one_in) > most_that_is_met;
 }
 
 bool metric_delivery::wants_few_sites() const {
@@ -127,7 +130,7 @@ std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) c
 std::optional<background_metric> metric_delivery::wanted_in(
     const metric_field& coarser, int halved, const background_metric& sampled) const {
   constexpr double as_sites = 1;
-  const bool is_formula = field_.background() == nullptr;
+  const bool is_formula = given_ == nullptr;
   if (halved == 0 && (!is_formula || longest_ <= as_sites)) return sampled;
   if (is_formula) {
     auto fine = sample_field(image_.shape(), *start_, coarser, as_sites, options_.stop);
@@ -151,9 +154,8 @@ std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
   const double count = *halved == 0 && options_.vertices ? static_cast<double>(*options_.vertices)
                                                          : vertices_of_unit * wanted->complexity();
   if (!(count < static_cast<double>(options_.max_sites))) return std::nullopt;
-  auto made =
-      adapt_by_local_changes({image_.shape(), coarser, options_, *start_, *wanted,
-                              field_.background() != nullptr, static_cast<std::size_t>(count)});
+  auto made = adapt_by_local_changes({image_.shape(), coarser, options_, *start_, *wanted,
+                                      given_ != nullptr, static_cast<std::size_t>(count)});
   if (!made) return std::nullopt;
   return in_given_units(std::move(*made), *halved);
 }

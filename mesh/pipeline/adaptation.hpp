@@ -53,6 +53,7 @@ class metric_delivery {
   void bring_density_near(mesh_outcome& made) const;
 
   const metric_field& field_;
+  const mesh* const given_;  // the background, if the field is given on one of the domain
   const mesh_options& options_;
   unit_image image_;
   std::optional<mesh> start_, background_;  // in the frame

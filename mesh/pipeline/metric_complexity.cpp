@@ -12,6 +12,7 @@
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/pipeline/background.hpp"
+#include "asterism/mesh/pipeline/domain_background.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
 
@@ -130,7 +131,7 @@ result<graded_metric> grade_as_given(std::unique_ptr<metric_field> field, const 
 
 result<double> complexity_over(const domain& d, const metric_field& field,
                                const cancellation& stop) {
-  if (const mesh* const background = field.background())
+  if (const mesh* const background = background_of_domain(d, field))
     return background_metric(*background).complexity();
   mesh_options options;
   options.stop = stop;

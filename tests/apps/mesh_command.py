@@ -417,6 +417,21 @@ class Mesh(command.CommandTest):
         self.assertLess(abs(float(asked["complexity-delivered"]) / 200 - 1), 0.006)
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
+    def test_what_a_metric_says_outside_of_the_domain_was_counted(self):
+        """A quarter of the square that the metric is given on: edges were five times too short for the
+        metric that the certificate named, and the status 0."""
+        self.background()
+        self.write("quarter.poly", "4 2 0 0\n1 -1 -1\n2 0 -1\n3 0 0\n4 -1 0\n"
+                   "4 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n0\n")
+        for name, words in {"count": ["--vertices", "1500"], "complexity": ["--complexity", "1300"]}.items():
+            with self.subTest(name):
+                done = self.run_command("mesh", "quarter.poly", "--metric", "back.mesh", *words, "-o", "m.mesh")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                claim = json.loads((self.folder / "m.certificate.json").read_text())
+                self.assertLess(abs(claim["mesh"]["vertices"] / 1500 - 1), 0.25)
+                share = float(re.search(r"([\d.]+)% unit edges", done.stdout)[1])
+                self.assertGreater(share, 95)
+
     def test_a_count_was_missed_by_a_sixth_in_one_metric_for_all(self):
         done = self.run_command("mesh", "airfoil", "--metric", "layer:0.01,0.2", "--vertices", "2400", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
