@@ -8,7 +8,6 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
-#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -108,11 +107,11 @@ python_metric::python_metric(const py::object& metric, const domain& d, double s
                              raised_error& errors) {
   if (py::isinstance<py::str>(metric)) {
     name_ = metric.cast<std::string>();
-    if (!is_mesh_file(name_)) {
+    if (!internal::is_metric_on_mesh(name_)) {
       field_ = value_or_raise(make_metric_field(name_, d.box(), size));
       return;
     }
-    const auto read = value_or_raise(internal::read_triangulation(name_, true));
+    const auto read = value_or_raise(internal::read_metric_on_mesh(name_, d.origin.file));
     field_ = make_sampled_field(read.subject, size);
     fingerprint_ = std::to_string(mesh_fingerprint(*field_->background()));
     return;

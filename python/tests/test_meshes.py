@@ -110,6 +110,15 @@ def test_a_callable_for_one_point_is_asked_for_one(made, one_by_one):
     assert np.allclose(formula.points, called.points) and called.certified
 
 
+def test_a_metric_may_be_a_file_of_a_mesh_or_of_numbers_on_one(made, tmp_path):
+    made.save(tmp_path / "m.mesh")
+    ours, other = (asterism.mesh("square", metric=tmp_path / name, size=1.0) for name in ("m.mesh", "m.sol"))
+    assert len(ours.points) > 20 and np.array_equal(ours.points, other.points)
+    (tmp_path / "m.mesh").unlink()
+    with pytest.raises(asterism.InputError, match="m.sol: numbers at the vertices of a mesh, and there is none"):
+        asterism.mesh("square", metric=tmp_path / "m.sol")
+
+
 def test_a_constant_may_be_one_tensor():
     made = asterism.mesh(asterism.Domain.square(), lambda p: (4, 0, 1), 0.5)
     assert made.certified and (made.metric == made.metric[0]).all()
