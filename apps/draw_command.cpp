@@ -205,7 +205,8 @@ void add_draw_command(CLI::App& program, command& chosen) {
   app->add_option("--color-by", options->colours)->type_name("WHAT")->group("");
   app->add_flag("--ellipses", options->style.ellipses, "Draw the metric");
   app->add_flag_callback(
-      "--no-sites", [options] { options->style.sites = false; }, "No dots");
+      "--no-sites", [options] { options->style.sites = false; },
+      "No dots at sites; a mesh of more than 300 has none");
   add_count(
       *app, "--width", 16, 20000,
       [options](std::uint64_t n) { options->style.width = static_cast<int>(n); },

@@ -233,6 +233,13 @@ void draw_sites(canvas& on, const page& p, const mesh& m) {
   }
 }
 
+// True if the sites get dots. On a mesh of more they look like dirt, and say no more than its lines
+// do; what has no triangles may have vertices that are on no line.
+bool has_dots(const mesh& m, const picture_options& options) {
+  constexpr std::size_t most_dotted = 300;
+  return options.sites && (m.triangles.empty() || m.sites.size() <= most_dotted);
+}
+
 // Rings, with a rim of paper that lifts them off the lines; places that are not on the page are
 // left out.
 void draw_marks(canvas& on, const page& p, const std::vector<point>& marks) {
@@ -271,7 +278,7 @@ result<std::string> draw_picture(const mesh& m, picture_format format,
     stroke_edges(on, p, m);
     stroke_boundary(on, p, m, boundary);
     if (options.ellipses) draw_ellipses(on, p, m);
-    if (options.sites) draw_sites(on, p, m);
+    if (has_dots(m, options)) draw_sites(on, p, m);
     draw_marks(on, p, options.marks);
     draw_legend(on, legend, {p.margin, p.height - p.foot}, p.width);
   });

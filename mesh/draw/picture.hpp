@@ -4,9 +4,9 @@
 //
 // Triangles are drawn in thin lines, the boundary in a bold one, internal segments in between. A
 // domain is a mesh without triangles (mesh/draw/outline.hpp).
-// Disagreeing triangles are red, triangles with an angle below the bound tinted. Sites are dots,
-// with the given ones marked. Unit circles of the metric are thinned out so that they stay
-// readable, all drawn to one scale.
+// Disagreeing triangles are red, triangles with an angle below the bound tinted. Sites are dots
+// with the given ones marked, but not on a mesh of more than 300. Unit circles of the metric are
+// thinned out so that they stay readable, all drawn to one scale.
 #pragma once
 
 #include <optional>

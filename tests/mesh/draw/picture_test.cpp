@@ -63,6 +63,18 @@ TEST_CASE("the same picture twice has the same bytes") {
             drawn(sample_mesh(5), format, {300, true, true, 20}));
 }
 
+TEST_CASE("a mesh of more than 300 sites has no dots, a domain does") {
+  const auto dots = [](const mesh& m) {
+    return count(drawn(m, picture_format::svg, {800, true, false, 0}), "<path") -
+           count(drawn(m, picture_format::svg, {800, false, false, 0}), "<path");
+  };
+  REQUIRE(dots(sample_mesh(16)) >= 17 * 17);
+  REQUIRE(dots(sample_mesh(17)) == 0);
+  mesh outline = sample_mesh(17);
+  outline.triangles.clear();
+  REQUIRE(dots(outline) >= 18 * 18);
+}
+
 TEST_CASE("options and the state of the mesh show in the picture") {
   mesh m = sample_mesh(5);
   const auto svg = [&](const picture_options& options) {
