@@ -23,6 +23,7 @@
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/pipeline/domain_background.hpp"
 #include "asterism/mesh/pipeline/layer_rows.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/pipeline/scaled_metric.hpp"
@@ -258,6 +259,8 @@ result<prepared_input> prepare(const mesh_job& job) {
     prepared = with_metric(job, sizes, std::move(rows).value());
   }
   if (!prepared) return prepared;
+  if (const auto note = note_on_uncovered(prepared.value().shape, *prepared.value().field))
+    if (auto refused = say_notes({*note}, notes_of(job))) return *refused;
   prepared.value().repairs = std::move(repairs);
   prepared.value().of_mesh = of_mesh;
   if (job.repair) prepared.value().before_repair = std::move(loaded);

@@ -432,6 +432,17 @@ class Mesh(command.CommandTest):
                 share = float(re.search(r"([\d.]+)% unit edges", done.stdout)[1])
                 self.assertGreater(share, 95)
 
+    def test_a_metric_was_carried_on_beyond_its_mesh_without_a_word(self):
+        self.background()
+        self.write("wide.poly", "4 2 0 0\n1 -1 -1\n2 1.5 -1\n3 1.5 1\n4 -1 1\n"
+                   "4 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n0\n")
+        words = ["mesh", "wide.poly", "--metric", "back.mesh", "--size", "2", "-o", "m.mesh"]
+        done = self.run_command(*words)
+        self.assertIn("has 80 % of the domain's area, and not the vertex at (1.5, -1)", done.stderr)
+        done = self.run_command(*words, "--strict")
+        self.assertEqual(done.returncode, 2)
+        self.assertNotIn("note", self.run_command("mesh", "square", *words[2:]).stderr)
+
     def test_a_count_was_missed_by_a_sixth_in_one_metric_for_all(self):
         done = self.run_command("mesh", "airfoil", "--metric", "layer:0.01,0.2", "--vertices", "2400", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
