@@ -180,6 +180,20 @@ class PageTest(CommandTest):
             self.assertGreaterEqual(gap, canvas_width / 18)
             self.ask("asterism.stage.camera.zoom(1.7), asterism.stage.paint()")
 
+    def test_ellipses_left_out_are_told(self):
+        done = self.run_command("mesh", "square", "--metric", "swirl:12", "--size", "0.06", "-o", "a.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.open("a.html")
+        self.assertGreater(self.ask("asterism.mesh.vertices"), 2000)
+        self.assertEqual(self.ask("asterism.stage.ellipses"), 0)
+        self.assertIn("none while more than 2,000 vertices are in sight", self.text("scaled"))
+        self.driver.find_element("id", "ellipses").click()
+        browser.repaint(self.driver)
+        self.assertEqual(self.text("scaled"), "")
+        self.driver.find_element("id", "ellipses").click()
+        self.ask("asterism.stage.camera.zoom(20), asterism.stage.paint()")
+        self.assertIn("the metric's unit circles", self.text("scaled"))
+
     def test_the_mouse_is_told_what_it_is_over_and_how_long_things_are(self):
         self.make()
         self.open("a.html")
@@ -255,7 +269,7 @@ class PageTest(CommandTest):
         self.assertFalse(self.ask("document.getElementById('ellipses').checked"))
         self.assertLess(places.index("turn clockwise"), places.index("Findings that may follow from those"))
         self.assertNotRegex(places + self.text("asked"), r"\w_\w")
-        self.assertIn("1 triangles that turn clockwise or are flat", self.text("verdict"))
+        self.assertIn("first of all, triangles that turn clockwise or are flat (1).", self.text("verdict"))
         self.assertEqual(self.ask("asterism.mesh.count - [...Array(asterism.mesh.count).keys()]"
                                   ".filter((t) => asterism.stage.mode.of(t) === 0).length"), 1)
         self.open("bad.html", "#triangle=1")

@@ -47,7 +47,7 @@ function leastGap(chosen) {
 // number of circles, their scale, and in pixels the longest semi-axis and the gap between neighbours.
 function drawEllipses(context, camera, mesh, places) {
   const vertices = verticesIn(mesh, places, camera.sight(), mostEllipses), none = { number: 0, scale: 0, longest: 0, gap: 0 };
-  if (vertices === null) return none;
+  if (vertices === null) return { ...none, tooMany: true };
   const distance = Math.max(24, camera.width / 18), chosen = verticesApart(vertices, camera, mesh, distance);
   const longest = Math.max(...chosen.map(({ circle }) => circle.longest));
   if (!(longest > 0)) return none;

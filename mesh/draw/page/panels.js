@@ -27,6 +27,8 @@ const angle = (x) => (x === null || x === undefined ? "none" : `${Number(x).toFi
 // To three digits, never less than it is.
 const upward = (x) => { const [digits, power] = x.toExponential(2).split("e"), up = Number(`${digits}e${power}`); return short(up >= x ? up : Number(`${(Number(digits) + 0.01).toFixed(2)}e${power}`)); };
 const count = (n) => Number(n).toLocaleString("en-US");
+// As a count where it is as large as one.
+const large = (x) => (x >= 1e4 && x < 1e15 ? count(Math.round(x)) : short(x));
 const plural = (n, one, many = `${one}s`) => `${count(n)} ${n === 1 ? one : many}`;
 
 // The badge, its kind, and one sentence; never more than the certificate says.
@@ -44,7 +46,7 @@ function verdictOf(facts, claim) {
   if (audit.certified && delivered)
     return ["Certified in the metric delivered, NOT complete", "open", `${bound}, ${where}: ${outcome.reason}.`];
   const first = groupFindings(audit).filter(({ follows }) => !follows)[0];
-  return ["NOT certified", "bad", `${outcome.reason}${first ? `; first of all, ${first.number} ${first.words}` : ""}.`];
+  return ["NOT certified", "bad", `${outcome.reason}${first ? `; first of all, ${first.words} (${count(first.number)})` : ""}.`];
 }
 
 function showVerdict(facts, claim) {
@@ -78,8 +80,8 @@ function askedRows(facts, claim, mesh) {
   rows.push(["Vertices", options["max-sites"] ? `at most ${count(options["max-sites"])}` : "", count(claim.mesh.vertices)]);
   rows.push(["Triangles", "", count(claim.mesh.triangles)]);
   if (outcome.delivered)
-    rows.push(["Complexity", short(outcome.delivered.complexity_wanted), short(outcome.delivered.complexity_delivered)]);
-  else if (measured.metric_area !== undefined) rows.push(["Complexity", "", short(measured.metric_area)]);
+    rows.push(["Complexity", large(outcome.delivered.complexity_wanted), large(outcome.delivered.complexity_delivered)]);
+  else if (measured.metric_area !== undefined) rows.push(["Complexity", "", large(measured.metric_area)]);
   rows.push(metricRow(claim));
   if (measured.unit_edges !== undefined && options.size && options.size !== "none") rows.push(["Edges of length 0.71 to 1.41", "", `${short(100 * measured.unit_edges)} %`]);
   rows.push(["Boundary off its segments", "", audit.largest_boundary_deviation === null ? "not known" : audit.largest_boundary_deviation === 0 ? "nowhere" : { text: `at most ${upward(audit.largest_boundary_deviation)}`, title: full(audit.largest_boundary_deviation) }]);
@@ -297,7 +299,7 @@ function showLegend(mode) {
   element("colours").replaceChildren(...parts, ...names.map(box));
 }
 
-function showEllipses({ number, scale }) {
-  const told = number === 0 ? "" : `Ellipses: the metric's unit circles, ${scale === 1 ? "in their own size" : `${short(scale)} times their size`}`;
+function showEllipses({ number, scale, tooMany }) {
+  const told = tooMany ? `Ellipses: none while more than ${count(mostEllipses)} vertices are in sight` : number === 0 ? "" : `Ellipses: the metric's unit circles, ${scale === 1 ? "in their own size" : `${short(scale)} times their size`}`;
   if (element("scaled").textContent !== told) element("scaled").textContent = told;
 }
