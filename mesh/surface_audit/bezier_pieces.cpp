@@ -10,13 +10,12 @@
 #include <utility>
 
 #include "asterism/core/floating_point_environment.hpp"
+#include "asterism/mesh/surface_audit/number_ranges.hpp"
 
 namespace asterism::internal {
 namespace {
 
 using failure = std::optional<error>;
-
-constexpr double greatest_modulus = 0x1p300, least_modulus = 0x1p-300;
 
 error refuse(const surface_patch& p, std::size_t number, const std::string& what) {
   const std::string name = p.name.empty() ? "" : " (" + p.name + ")";

@@ -7,13 +7,10 @@
 #include <optional>
 
 #include "asterism/mesh/surface_audit/deviation_parts.hpp"
+#include "asterism/mesh/surface_audit/number_ranges.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double greatest_modulus = 0x1p300;
-// Of the size of everything: far above what rounding adds, far below what anybody asks.
-constexpr double negligible_share = 1e-12;
 
 std::optional<error> fault_of(const space_mesh& mesh) {
   if (mesh.triangles.empty()) return error{"the mesh has no triangle", error_code::invalid_mesh};

@@ -11,16 +11,15 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/surface_audit/lifted_bounds.hpp"
+#include "asterism/mesh/surface_audit/number_ranges.hpp"
 #include "asterism/mesh/surface_audit/shell_crossings.hpp"
 #include "asterism/mesh/surface_audit/shell_findings.hpp"
 
 namespace asterism::internal {
 namespace {
 
-constexpr double greatest_modulus = 0x1p300;
-constexpr double negligible_share = 1e-12;  // of the size, as for deviations
-constexpr int deepest = 9;                  // quarterings of a triangle
-constexpr double finite = 0x1p500;          // its square is below infinity
+constexpr int deepest = 9;          // quarterings of a triangle
+constexpr double finite = 0x1p500;  // its square is below infinity
 
 std::optional<error> fault_of_face(const surface& s, const surface_shell& shell, std::size_t f) {
   const shell_face& face = shell.faces[f];
