@@ -63,6 +63,12 @@ metric_tensor background_metric::at(const point& q, vertex_index& hint) const {
   return mean(where);
 }
 
+triangle background_metric::nodes_around(const point& q, vertex_index& hint) const {
+  const triangle_locator::located where = nearby(q, hint);
+  hint = where.triangle;
+  return locator_->triangles()[hint];
+}
+
 std::optional<metric_tensor> background_metric::where_other(const background_metric& than,
                                                             const point& q,
                                                             vertex_index hint) const {

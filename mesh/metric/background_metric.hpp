@@ -42,6 +42,8 @@ class background_metric {
   // the same triangles.
   std::optional<metric_tensor> where_other(const background_metric& than, const point& q,
                                            vertex_index hint) const;
+  // Returns the corners of the triangle that at() with a hint interpolates in.
+  triangle nodes_around(const point& q, vertex_index& hint) const;
   // Returns how many triangles searches of at() with a hint have looked at since the last call:
   // few, but where triangles are so thin that the box of each overlaps those of thousands.
   std::size_t take_looked_at() const { return std::exchange(looked_at_, 0); }

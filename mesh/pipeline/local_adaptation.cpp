@@ -7,7 +7,9 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
@@ -22,6 +24,7 @@
 #include "asterism/mesh/pipeline/audited_mesh.hpp"
 #include "asterism/mesh/pipeline/giving_back.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
+#include "asterism/mesh/pipeline/short_chords.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
@@ -77,6 +80,7 @@ class adaptation {
     make_room_where_needed();
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
       bool is_made = attempt(start_, ladder[step]);
+      if (give_up_room_at_chords(is_made)) is_made = attempt(start_, ladder[step]);
       if (std::exchange(wants_room_, false)) {
         make_room_for_segments(0);
         is_made = attempt(start_, ladder[step]);
@@ -149,10 +153,12 @@ class adaptation {
   // lost; with 1.1, where chords of curves are short, it was not.
   static constexpr double good_part = 1.25;
 
-  // Makes room for short segments at once where it is known to be needed: where so few vertices are
-  // wanted that angles at the domain's own vertices cannot be met, or where the room takes a good
-  // part of all vertices. Otherwise the first mesh shows whether it is needed.
+  // Makes room for short segments at once where it is known to be needed: at chords much shorter
+  // than wanted, where so few vertices are wanted that angles at the domain's own vertices cannot
+  // be met, or where the room takes a good part of all vertices. Otherwise the first mesh shows
+  // whether it is needed.
   void make_room_where_needed() {
+    if (!factors_at_short_chords(domain_, fitted_).empty()) return make_room_at_chords();
     constexpr std::size_t many = 100;  // a few vertices are no coast
     if (!domain_has_many_vertices() || domain_.vertices.size() < many) return;
     background_metric finer = fitted_;
@@ -162,6 +168,23 @@ class adaptation {
       make_room_for_segments(part_that_does);
     else if (with_all > good_part * fitted_.complexity())
       make_room_for_segments(0);
+  }
+
+  void make_room_at_chords() {
+    without_room_.emplace(fitted_, is_fitted_to_other_);
+    make_room_for_segments(0);
+  }
+
+  // Goes back to the metric without room at chords where no mesh was certified with it, as fewer
+  // vertices are wanted than it takes. Returns whether it did. The mesh made then has needles
+  // there.
+  bool give_up_room_at_chords(bool is_made) {
+    const auto before = std::exchange(without_room_, std::nullopt);
+    if (!before || stop_reason() || is_overworked()) return false;
+    if (is_made && is_certified()) return false;
+    std::tie(fitted_, is_fitted_to_other_) = *before;
+    has_room_ = false;
+    return true;
   }
 
   // Raises the number of vertices, once, to what short segments have room for; false if it is that.
@@ -180,13 +203,16 @@ class adaptation {
   }
 
   // Returns the metric that the mesh is fitted to, refined by equal factors in all directions where
-  // vertices of the domain are less than one unit apart in it, and beside them.
+  // vertices of the domain are less than one unit apart in it, at chords much shorter than that,
+  // and beside them.
   std::vector<metric_tensor> with_room() const {
     const std::vector<point>& places = fitted_.places();
     const std::vector<graph_edge> edges = fitted_.edges();
     const std::vector<char> is_given = at_vertices_of_domain(places);
     std::vector<metric_tensor> tensors = fitted_.tensors();
-    std::vector<double> factor(places.size(), 1);
+    std::vector<double> factor;
+    if (without_room_) factor = factors_at_short_chords(domain_, fitted_);
+    factor.resize(places.size(), 1);
     for (const graph_edge& e : edges) {
       if (is_given[e.a] == 0 || is_given[e.b] == 0) continue;
       const double x = places[e.b].x - places[e.a].x, y = places[e.b].y - places[e.a].y;
@@ -526,6 +552,8 @@ class adaptation {
   // What the mesh is made in: the metric wanted, maybe without noise, and finer at short segments.
   background_metric fitted_;
   bool is_fitted_to_other_ = false;  // is that another metric?
+  // Metric and flag before room was made at short chords, while that is tried.
+  std::optional<std::pair<background_metric, bool>> without_room_;
   bool is_field_itself_;
   std::size_t count_;
   std::vector<point> seeds_;

@@ -201,6 +201,23 @@ class Curves(command.CommandTest):
         chords, coarse = (len(m["domain"]["curves"][0]["vertices"]) - 1 for m in (made, named))
         self.assertEqual(chords, 2 * coarse)
 
+    def test_chords_finer_than_the_metric_have_room_beside_them(self):
+        """Triangles on short chords were as high as edges wanted, and the metric delivered at half of all sites was
+        another, with lengths ten times as great or small. Fewer vertices than there is room for are still had."""
+        square, sides = [(-2, -2), (2, -2), (2, 2), (-2, 2)], [(1, 2, 1), (2, 3, 1), (3, 4, 1), (4, 1, 1)]
+        self.mesh(poly([*square, (0.5, 0)], sides, ["circle 5 0 0 2"], [(0, 0)]), "--size", "0.15")
+        # Begun elsewhere, the circle has none of its chords' ends at a vertex of the mesh.
+        self.write("turned.poly", poly([*square, (0.3, 0.4)], sides, ["circle 5 0 0 2"], [(0, 0)]))
+        solved = self.solved("d.mesh")
+        for wanted in (900, 2500):
+            done = self.run_command("adapt", *solved, "--vertices", str(wanted), "--domain", "turned.poly",
+                                    "--chord-tolerance", "1e-4", "-o", "next.mesh")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        told = json.loads((self.folder / "next.certificate.json").read_text())
+        self.assertGreater(told["audit"]["curves"]["vertices"], math.pi / math.sqrt(2 * 1e-4 / 0.5))
+        delivered = told["outcome"]["delivered"]
+        self.assertLess(delivered["median"], 0.1, delivered)
+
     def test_the_boundary_of_a_mesh_is_kept_to_within_a_distance(self):
         self.mesh(disc(), "--size", "0.3")
         (self.folder / "d.poly").unlink()
