@@ -33,6 +33,8 @@ json of_metric(const solution_metric_report& r) {
           {"error_predicted", r.error_predicted > 0 ? json(r.error_predicted) : json()},
           {"share_noise", r.share_noise},
           {"share_floored", r.share_floored},
+          {"complexity_flat", r.complexity_at_least_density},
+          {"complexity_at_longest", r.complexity_along_ridges},
           {"share_intersected", r.share_intersected},
           {"share_step", r.share_step},
           {"share_hmin", r.share_least_size},

@@ -52,7 +52,7 @@ inline constexpr std::array<std::string_view, 6> frozen_option_names = {
     "frozen-low", "frozen-triangles",      "frozen-worst-angle"};
 
 // A transfer adds names that begin with "transfer-", some for each component.
-inline constexpr std::array<std::string_view, 48> adapt_option_names = {
+inline constexpr std::array<std::string_view, 50> adapt_option_names = {
     "adapt-aspect",
     "adapt-complexity",
     "adapt-error",
@@ -84,8 +84,10 @@ inline constexpr std::array<std::string_view, 48> adapt_option_names = {
     "metric-clipped-by-hmax",
     "metric-clipped-by-hmin",
     "metric-complexity-asked",
+    "metric-complexity-at-longest",
     "metric-complexity-before-gradation",
     "metric-complexity-delivered",
+    "metric-complexity-flat",
     "metric-error-predicted",
     "metric-factor",
     "metric-fields",

@@ -132,10 +132,12 @@ result<metric_request> request_of(const words& all) {
 }
 
 words words_of(const solution_metric_report& r) {
-  const std::array<std::pair<const char*, double>, 14> numbers = {
+  const std::array<std::pair<const char*, double>, 16> numbers = {
       {{"noise", r.share_noise},
        {"at-boundary", r.share_at_boundary},
        {"floored", r.share_floored},
+       {"complexity-flat", r.complexity_at_least_density},
+       {"complexity-at-longest", r.complexity_along_ridges},
        {"complexity-asked", r.complexity_asked},
        {"complexity-before-gradation", r.complexity_before_gradation},
        {"complexity-delivered", r.complexity_delivered},
@@ -173,6 +175,8 @@ std::string text_of(const solution_metric_report& r) {
   }
   part(r.share_noise, "noise");
   part(r.share_floored, "floored");
+  part(r.complexity_at_least_density, "of the complexity where it is flat");
+  part(r.complexity_along_ridges, "of the complexity with edges as long as the domain");
   part(r.share_intersected, "intersected");
   part(r.share_step, "held by the step");
   part(r.share_least_size, "clipped by hmin");

@@ -43,21 +43,23 @@ double root_of(const metric_tensor& m) {
 }
 
 // The optimum in logarithms, so that no power overflows: of the moduli as parts of the greatest of
-// all, of D, and of the least eigenvalue allowed.
+// all, of D, and of the least density and the least eigenvalue allowed.
 //
-// At each place the density is the greatest of three, which are those of no eigenvalue at the
-// bound, of the weaker one, and of both. With r = (2p+2) / (2p+1), moduli a >= b and the bound q
-// they are D (a b)^(p/(2p+2)), (D^r (a q)^(2-r))^(1/2), and q. The second is what makes the error
-// least where one size is given: across, sizes follow a^(-p/(2p+1)), as along a line.
+// At each place the density is the greatest of three, which are those of no bound, of the weaker
+// eigenvalue at its bound, and the least. With r = (2p+2) / (2p+1), moduli a >= b, the bound w and
+// the least density q they are D (a b)^(p/(2p+2)), (D^r (a w)^(2-r))^(1/2), and q. The second is
+// what makes the error least where one size is given: across, sizes follow a^(-p/(2p+1)), as along
+// a line.
 class optimum_search {
  public:
   optimum_search(const std::vector<symmetric_eigen>& moduli, const std::vector<double>& areas,
-                 double exponent, double floor_share)
+                 double exponent, const optimum_bounds& bounds)
       : areas_(areas), exponent_(exponent), power_(1 / (1 - exponent)), logs_(moduli.size()) {
     double greatest = 0;
     for (const symmetric_eigen& e : moduli) greatest = std::max({greatest, e.first, e.second});
     const double area = ordered_sum(areas.size(), [&](std::size_t v) { return areas[v]; });
-    bound_ = elementary::log(floor_share / area);
+    bound_ = elementary::log(bounds.floor_share / area);
+    edge_bound_ = std::min(bound_, elementary::log(bounds.eigenvalue));
     for_each_node(moduli.size(), [&](std::size_t v) {
       const symmetric_eigen& e = moduli[v];
       logs_[v] = {log_of(std::max(e.first, e.second) / greatest),
@@ -76,21 +78,30 @@ class optimum_search {
     const place& at = logs_[v];
     double strong = factor_ + (1 - exponent_) * at.strong - exponent_ * at.weak,
            weak = factor_ + (1 - exponent_) * at.weak - exponent_ * at.strong;
-    if (!(weak >= bound_)) {
-      strong = power_ * (factor_ - bound_) + (2 - power_) * at.strong + bound_;
-      weak = bound_;
+    if (!(weak >= edge_bound_)) {
+      strong = power_ * (factor_ - edge_bound_) + (2 - power_) * at.strong + edge_bound_;
+      weak = edge_bound_;
     }
-    strong = elementary::exp(strong > bound_ ? strong : bound_);
+    if (!(strong + weak >= 2 * bound_)) {
+      strong = std::max(strong, bound_);
+      weak = 2 * bound_ - strong;
+    }
+    strong = elementary::exp(strong);
     weak = elementary::exp(weak);
     return at.is_turned ? std::array{weak, strong} : std::array{strong, weak};
   }
 
-  // Returns how many places have an eigenvalue at the bound.
-  std::size_t floored() const {
-    if (is_flat_) return 0;
-    return static_cast<std::size_t>(std::count_if(logs_.begin(), logs_.end(), [&](const place& p) {
-      return !(factor_ + (1 - exponent_) * p.weak - exponent_ * p.strong >= bound_);
-    }));
+  // Counts the places at a bound, and enters their parts of the complexity.
+  void report(optimal_metric& made) const {
+    if (is_flat_) return;
+    for (std::size_t v = 0; v < logs_.size(); ++v) {
+      const double free = factor_ + free_density(logs_[v]),
+                   line = power_ / 2 * factor_ + line_density(logs_[v]);
+      const bool is_flat = !(std::max(free, line) > bound_), is_ridge = !is_flat && line > free;
+      if (is_flat) made.flat_part += areas_[v] * elementary::exp(bound_);
+      if (is_ridge) made.ridge_part += areas_[v] * elementary::exp(line);
+      if (is_flat || is_ridge) ++made.floored;
+    }
   }
 
  private:
@@ -107,7 +118,7 @@ class optimum_search {
     return (0.5 - exponent_) * (p.strong + p.weak);  // less the logarithm of D
   }
   double line_density(const place& p) const {
-    return (2 - power_) / 2 * (p.strong + bound_);  // less that of the root of D^r
+    return (2 - power_) / 2 * (p.strong + edge_bound_);  // less that of the root of D^r
   }
 
   // Finds D such that the complexity is 1. Its logarithm is a convex increasing function of that of
@@ -153,7 +164,7 @@ class optimum_search {
   const std::vector<double>& areas_;
   double exponent_, power_;
   std::vector<place> logs_;
-  double bound_ = 0, factor_ = 0;
+  double bound_ = 0, edge_bound_ = 0, factor_ = 0;  // of density, of eigenvalues, D
   bool is_flat_ = false;
 };
 
@@ -197,7 +208,7 @@ double complexity_of(const std::vector<metric_tensor>& tensors, const std::vecto
 
 optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
                                    const std::vector<double>& areas, std::optional<double> norm,
-                                   bool round, double floor_share) {
+                                   bool round, const optimum_bounds& bounds) {
   optimal_metric made;
   std::vector<symmetric_eigen> axes(hessian.size());
   for_each_node(hessian.size(), [&](std::size_t v) {
@@ -206,14 +217,14 @@ optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
     e.second = std::abs(e.second);
     if (round) e.first = e.second = std::max(e.first, e.second);
   });
-  const optimum_search search(axes, areas, norm ? 1 / (2 * *norm + 2) : 0, floor_share);
+  const optimum_search search(axes, areas, norm ? 1 / (2 * *norm + 2) : 0, bounds);
   made.is_flat = search.is_flat();
   made.tensors.resize(hessian.size());
   for_each_node(hessian.size(), [&](std::size_t v) {
     const auto [first, second] = search.eigenvalues(v);
     made.tensors[v] = with_eigenvalues(axes[v], first, second);
   });
-  made.floored = search.floored();
+  search.report(made);
   return made;
 }
 

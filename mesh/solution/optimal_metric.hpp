@@ -16,25 +16,36 @@
 
 namespace asterism::internal {
 
-// Part of the complexity that it would take to cover the whole domain with the greatest size there
-// may be. A place without second derivatives has no size of its own and no direction, and gets that
-// size, twenty times that of a uniform mesh of as many vertices; where one eigenvalue is too
-// small, so does its direction. By experiment (docs/results/adaptation.md).
+// Part of the complexity that it would take to cover the whole domain at the least density there
+// may be. A place without second derivatives has no size of its own and no direction, and gets the
+// size of that density, twenty times that of a uniform mesh of as many vertices. By experiment
+// (docs/results/adaptation.md).
 inline constexpr double usual_floor_share = 0.0025;
+
+// Bounds of a metric of complexity 1 from below.
+struct optimum_bounds {
+  double floor_share;  // the least density over that of a uniform metric; above 0, below 1
+  double eigenvalue;   // of an edge as long as the domain, which none is to exceed; above 0
+};
 
 struct optimal_metric {
   std::vector<metric_tensor> tensors;  // of complexity 1
-  std::size_t floored = 0;             // vertices with an eigenvalue at the floor
-  bool is_flat = false;                // no second derivatives anywhere: the tensors are all alike
+  std::size_t floored = 0;             // vertices with an eigenvalue at a bound
+  double flat_part = 0;  // of the complexity, of places of the least density: at most the share
+  double ridge_part =
+      0;  // of the complexity, of places denser whose edges are as long as the domain
+  bool is_flat = false;  // no second derivatives anywhere: the tensors are all alike
 };
 
-// `norm` is p >= 1; none stands for infinity. No eigenvalue of the metric is below `floor_share`
-// over the area of the domain: all places in which both are that take so much of the complexity at
-// most, and what is left is the optimum under this bound. `round` gives both moduli the greater
-// one's value.
+// `norm` is p >= 1; none stands for infinity. No density (the root of the determinant) is below
+// `floor_share` over the area of the domain, so that all places without second derivatives take so
+// much of the complexity at most. No eigenvalue is below the one given, or that density if it is
+// less. Elsewhere the metric is the optimum under these bounds. Where a place is at the least
+// density the weaker eigenvalue is as low as keeps it there: from strong to flat places shapes
+// change continuously. `round` gives both moduli the greater one's value.
 optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
                                    const std::vector<double>& areas, std::optional<double> norm,
-                                   bool round, double floor_share);
+                                   bool round, const optimum_bounds& bounds);
 
 // Returns the integral of the root of the determinant.
 double complexity_of(const std::vector<metric_tensor>& tensors, const std::vector<double>& areas);

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/numerics/metric_bounds.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
@@ -290,9 +289,11 @@ result<solution_metric> metric_maker::run() {
     const bool is_finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
     if (is_finite && kernel.is_positive_definite(m)) continue;
     return error{
-        fmt::format("vertex {}: the metric made is {} {} {}, not finite and positive "
-                    "definite",
-                    v + 1, format_number(m.m11), format_number(m.m12), format_number(m.m22)),
+        fmt::format(
+            "vertex {}: the metric made is not finite and positive definite: coordinates, "
+            "values or the metric given are so large or so small that products of them have "
+            "no double; give them in other units",
+            v + 1),
         error_code::invalid_metric};
   }
   return solution_metric{std::move(made_), std::move(report_)};
@@ -312,6 +313,7 @@ tensors rounded(const tensors& given) {
 struct optimum {
   tensors raw;
   std::size_t flat = 0, floored = 0;
+  double flat_part = 0, ridge_part = 0;  // of the complexity, the greatest of the fields
 };
 
 // Adds the metric of one more field.
@@ -325,12 +327,14 @@ void intersect(tensors own, tensors& all) {
 }
 
 optimum intersected_optima(const std::vector<tensors>& moduli, const std::vector<double>& areas,
-                           const solution_metric_options& options, double floor_share) {
+                           const solution_metric_options& options, const optimum_bounds& bounds) {
   optimum made;
   for (const tensors& h : moduli) {
-    auto own = make_optimal_metric(h, areas, options.norm, options.isotropic, floor_share);
+    auto own = make_optimal_metric(h, areas, options.norm, options.isotropic, bounds);
     made.flat += own.is_flat ? 1 : 0;
     made.floored += own.floored;
+    made.flat_part = std::max(made.flat_part, own.flat_part);
+    made.ridge_part = std::max(made.ridge_part, own.ridge_part);
     intersect(std::move(own.tensors), made.raw);
   }
   return made;
@@ -369,6 +373,8 @@ void report_fields(const field_derivatives& found, const optimum& optima,
   report.share_noise = share(found.noise, all);
   report.share_at_boundary = share(found.at_boundary, all);
   report.share_floored = share(optima.floored, all);
+  report.complexity_at_least_density = optima.flat_part;
+  report.complexity_along_ridges = optima.ridge_part;
 }
 
 result<solution_metric> relative_metric_of(const field_derivatives& found, metric_maker& maker,
@@ -380,25 +386,39 @@ result<solution_metric> relative_metric_of(const field_derivatives& found, metri
   return maker.run();
 }
 
-// Makes the metric of the fields, its greatest size such that all places that have it take as much
-// of the complexity as is usual. Where least sizes and the like take complexity away, the factor is
-// greater than the complexity that comes out, and so would be that part: then the floor is lowered.
+// Returns the complexity to begin with: the one wanted, or that of the mesh.
+double first_complexity(const solution_metric_options& options, const metric_maker& maker) {
+  const auto has = static_cast<double>(maker.areas().size());
+  return options.complexity.value_or(options.vertices.value_or(has) / vertices_of_unit);
+}
+
+// Makes the metric of the fields, its least density such that all places that have it take as much
+// of the complexity as is usual, and its longest edge as long as the domain. Where least sizes and
+// the like take complexity away, the factor is greater than the complexity that comes out, and so
+// would be that part: then the least density is lowered. The longest edge follows the factor by
+// half of the way in logarithms: with an error wanted the factor falls as that edge grows.
 result<solution_metric> metric_of(const field_derivatives& found, metric_maker& maker,
                                   const solution_metric_options& options) {
   constexpr int most_rounds = 5;
   constexpr double tolerable_times = 1.5;
-  double share_at_floor = usual_floor_share;
+  const double longest = maker.extent() * maker.extent();
+  optimum_bounds bounds{usual_floor_share, 1 / longest / first_complexity(options, maker)};
   for (int round = 1;; ++round) {
-    auto optima = intersected_optima(found.moduli, maker.areas(), options, share_at_floor);
+    auto optima = intersected_optima(found.moduli, maker.areas(), options, bounds);
     if (options.error && optima.flat == found.moduli.size()) return no_second_derivatives();
     report_fields(found, optima, maker.report());
     maker.set_raw(std::move(optima.raw));
     auto made = maker.run();
     if (!made || !made.value().report.reached || round == most_rounds) return made;
-    const double times = made.value().report.factor * share_at_floor / usual_floor_share /
-                         made.value().report.complexity_before_gradation;
-    if (!(times > tolerable_times)) return made;
-    share_at_floor /= times;
+    const solution_metric_report& report = made.value().report;
+    const double times = report.factor * bounds.floor_share / usual_floor_share /
+                         report.complexity_before_gradation,
+                 long_times = report.factor * bounds.eigenvalue * longest;
+    const bool is_too_long = optima.ridge_part > 0 &&
+                             !(long_times < tolerable_times && long_times > 1 / tolerable_times);
+    if (!(times > tolerable_times) && !is_too_long) return made;
+    if (times > tolerable_times) bounds.floor_share /= times;
+    bounds.eigenvalue /= std::sqrt(long_times);
   }
 }
 

@@ -39,7 +39,10 @@ struct solution_metric_report {
   double share_noise = 0;           // of vertices and fields: nothing but rounding
   double share_at_boundary = 0;     // of vertices and fields: the mean of neighbours
   double share_floored = 0;         // of vertices and fields: an eigenvalue was raised
-  double complexity_asked = 0;      // 0 where an error was asked for
+  // Parts of the optimum's complexity, of the field with the greatest: of places of the least
+  // density, and of others where edges as long as the domain bound the weaker eigenvalue.
+  double complexity_at_least_density = 0, complexity_along_ridges = 0;
+  double complexity_asked = 0;  // 0 where an error was asked for
   double complexity_before_gradation = 0;
   double complexity_delivered = 0;
   double factor = 0;           // of step 4

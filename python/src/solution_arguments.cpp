@@ -143,6 +143,8 @@ py::dict dict_of(const solution_metric_report& r) {
   d["error_predicted"] = r.error_predicted;
   d["share_noise"] = r.share_noise;
   d["share_floored"] = r.share_floored;
+  d["complexity_flat"] = r.complexity_at_least_density;
+  d["complexity_at_longest"] = r.complexity_along_ridges;
   d["share_intersected"] = r.share_intersected;
   d["share_step"] = r.share_step;
   d["share_least_size"] = r.share_least_size;
