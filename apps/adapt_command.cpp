@@ -88,7 +88,7 @@ Examples:
 const std::map<std::string, keep_rule> keep_rules = {
     {"auto", keep_rule::automatic}, {"never", keep_rule::never}, {"always", keep_rule::always}};
 
-// Everything that was made, before it is written.
+// Mesh, metric, solution and reports, before they are written.
 struct adapted {
   requested_metric wanted;
   adapted_mesh next;

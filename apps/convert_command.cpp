@@ -79,7 +79,7 @@ class passing_folder {
     if (!path_.empty()) fs::remove_all(path_, ignored);
   }
 
-  // Makes it; fails where the system does.
+  // Creates the folder; fails where the system does.
   std::optional<error> make() {
     std::error_code failed;
     std::string name = (fs::temp_directory_path(failed) / "asterism-XXXXXX").string();

@@ -11,7 +11,7 @@ namespace asterism::apps {
 
 namespace {
 
-// Has blocks of so many bytes and more given back when they are freed.
+// Sets the size in bytes from which a block is given back to the system when it is freed.
 void give_back_from([[maybe_unused]] int bytes) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, bytes);

@@ -34,7 +34,7 @@ namespace {
 
 note_options notes_of(const mesh_job& job) { return {job.quiet, job.strict}; }
 
-// Returns what makes the metric of any size; a mesh is read once.
+// Returns the function that makes the metric for any size; it reads a mesh only once.
 result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
   if (job.field)
     return field_of_size(
@@ -80,7 +80,7 @@ result<prepared_input> with_metric(const mesh_job& job, const size_wishes& sizes
                         sizes};
 }
 
-// Adds to a refusal that there is an option which mends it, if there is, or may be.
+// Adds to a refusal that an option mends it, or may mend it, if there is such an option.
 error with_remedy(const error& refusal, const domain& d) {
   const repair_hint hint = try_repair(d);
   switch (hint.answer) {
@@ -108,7 +108,7 @@ error without_repair(const error& refusal) {
 }
 
 // Returns the domain put in order, its curves divided, also for the field where one is given. A
-// domain with curves that asks to be repaired has to do without.
+// domain with curves is not repaired, even if that is asked for.
 result<domain> checked_domain(const mesh_job& job, const domain& loaded, const metric_field* field,
                               domain_repairs& repairs) {
   const bool has_curves = !loaded.curves.empty();

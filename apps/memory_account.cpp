@@ -66,7 +66,7 @@ class allowance {
     constexpr std::int64_t between_looks = 1 << 20;
     const std::int64_t then = held.load(std::memory_order_relaxed);
     const double spare = std::max(at_least, to_come - (now.of_files - start_.of_files));
-    // Not all that is held has been written to: it need not be resident yet.
+    // Memory that is held need not be resident yet: parts of it were never written.
     const double kept =
         std::max(now.all - now.of_files - static_cast<double>(then), start_.all - start_.of_files);
     most =

@@ -73,7 +73,7 @@ std::vector<fs::path> written_files(const metric_job& job) {
   return all;
 }
 
-// A window in place of the solution says what is refused, and what is a default.
+// A window stands for the solution in the checks of what is refused and what is a default.
 std::optional<error> take_series(metric_job& job) {
   if (job.series.empty()) return std::nullopt;
   const metric_request& request = job.request;

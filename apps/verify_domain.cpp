@@ -72,7 +72,7 @@ void contradict_repair(const domain& d, double distance, asked_domain& asked) {
 
 std::optional<error> put_in_order(const domain& d, const verify_options& options,
                                   const std::optional<certificate>& claim, asked_domain& asked) {
-  // As for `mesh`, a domain with curves has to do without.
+  // Repairs no domain with curves, as `mesh` does not either.
   if (options.repair_distance && d.curves.empty())
     return take_repaired(d, *options.repair_distance, asked_by::option, asked);
   const auto claimed = repair_claimed(claim);

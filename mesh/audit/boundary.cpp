@@ -72,7 +72,7 @@ int winding_left_of(const audit_context& context, const subsegment_tree& tree,
     if (downward && side < 0) --winding;
     return true;
   };
-  // Whatever meets the ray has its box meet this one.
+  // Finds all subsegments that meet the ray: their boxes meet this one.
   const plane_box own = box_around(a, b);
   tree.visit({own.low, {std::numeric_limits<double>::infinity(), own.high.y}}, count);
   return winding;

@@ -146,7 +146,7 @@ class star_check {
   // Tests w against the gap that it is in, if that is one of those concerned.
   void check_other(const prepared_fan& p, vertex_index w, double squared, bool at_concerned);
   bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap);
-  // Returns whether the neighbour w is accepted; true, once that is noted, where it is left open.
+  // Returns whether the neighbour w is accepted. Notes a question left open and returns true.
   bool is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
   void leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,
                   open_question::about what);

@@ -164,7 +164,7 @@ result<picture_colouring> by_field(const mesh& m, const solution_field& field) {
     return field.values[t[0]] / 3 + field.values[t[1]] / 3 + field.values[t[2]] / 3;
   });
   const auto [low, high] = std::minmax_element(field.values.begin(), field.values.end());
-  // Both signs: white is 0, unless one of them is next to nothing.
+  // With values of both signs 0 is white, unless all of one sign are close to 0.
   const bool signs = *low < 0 && *high > 0 && std::min(-*low, *high) > 0.02 * (*high - *low);
   const double end = std::max(-*low, *high);
   picture_colouring made = signs ? by_number(values, -end, end, both_signs)

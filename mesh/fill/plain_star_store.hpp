@@ -30,10 +30,10 @@ class plain_star_store {
                    work_meter& work)
       : sites_(&sites), box_(box), options_(&options), work_(&work) {}
 
-  // Makes the stars of the sites that have none yet, and renews those that they disturb.
-  // `distance` is how far from the nearest site points may be, where the sites are finished: near
-  // it most stars find their neighbours. False, leaving stars out, when the meter says that there
-  // was too much work.
+  // Makes the missing stars, and renews those that new sites disturb. `distance` is the level's:
+  // once it is finished no point is farther from a site, so that most stars find their neighbours
+  // within a multiple of it. Returns false, with stars missing, when the meter says that the work
+  // allowed was done.
   bool renew(double distance);
 
   const plain_star& operator[](vertex_index v) const { return stars_[v]; }

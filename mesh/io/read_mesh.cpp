@@ -21,7 +21,7 @@ namespace {
 
 using text_reader = result<listed_mesh> (*)(std::string_view, const std::string&);
 
-// Formats of one file. In what the metric is, where they have a place for it.
+// Formats whose one file holds the mesh, and the metric where they have a place for it.
 struct whole_file_format {
   std::string_view ending, place_of_metric;
   text_reader read;  // null: by read_gmsh

@@ -107,7 +107,7 @@ class partitioned_writer {
   }
 
  private:
-  // Entities of one dimension have different tags, whole ones first.
+  // Numbers the parts of one dimension after the whole entities, so that all tags differ.
   template <class Part>
   static void number_parts(std::map<Part, std::size_t>& parts, std::size_t before) {
     for (auto& [part, tag] : parts) tag = ++before;

@@ -24,7 +24,7 @@ class ball_walk {
  public:
   ball_walk(const plane& all, double squared_radius) : all_(all), squared_(squared_radius) {}
 
-  // Fails where the ball meets the rim of the rectangle, or too many triangles.
+  // Fails where the ball meets the border of the rectangle, or too many triangles.
   std::optional<error> run(vertex_index w) {
     met_.assign(all_.at.begin() + all_.at_start[w], all_.at.begin() + all_.at_start[w + 1]);
     for (std::size_t i = 0; i < met_.size(); ++i) {
