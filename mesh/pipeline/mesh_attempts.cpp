@@ -11,10 +11,10 @@
 #include "asterism/mesh/pipeline/adaptation.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/attempt_rules.hpp"
-#include "asterism/mesh/pipeline/given_order.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
 #include "asterism/mesh/pipeline/tolerated_metric.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
+#include "asterism/mesh/pipeline/vertex_renumbering.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 
@@ -276,7 +276,7 @@ result<mesh_outcome> make_by_attempts(const domain& d, const metric_field& field
   bounded.stop.expect(d.vertices.size());
   // Has the mesher confirm the mesh that an improvement starts from: passes are compared with it.
   if (options.improve_passes > 0) confirmed = star_confirmation::by_mesher;
-  const given_order order(d);
+  const vertex_renumbering order(d);
   auto outcome =
       attempts_at_mesh(order.shape(), field, bounded, progress, confirmed, may_deliver).run();
   if (!outcome) return outcome;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/pipeline/given_order.hpp"
+#include "asterism/mesh/pipeline/vertex_renumbering.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +38,7 @@ bool are_along_curve(const domain& d, const std::vector<vertex_index>& which,
 
 }  // namespace
 
-given_order::given_order(const domain& d) : given_(d) {
+vertex_renumbering::vertex_renumbering(const domain& d) : given_(d) {
   constexpr std::size_t few = 5000;  // fewer are near each other in memory anyway
   if (d.vertices.size() < few) return;
   std::vector<vertex_index> isolated = isolated_of(d);
@@ -48,7 +48,7 @@ given_order::given_order(const domain& d) : given_(d) {
   renumber(box);
 }
 
-void given_order::renumber(const bounding_box& box) {
+void vertex_renumbering::renumber(const bounding_box& box) {
   along_curve_ = given_;
   sorted_ = isolated_;
   sort_along_curve(sorted_, given_.vertices, box);
@@ -58,7 +58,7 @@ void given_order::renumber(const bounding_box& box) {
 }
 
 // Keeps the order of the triangles, which is along the curve.
-void given_order::restore(mesh_outcome& outcome) const {
+void vertex_renumbering::restore(mesh_outcome& outcome) const {
   if (isolated_.empty()) return;
   mesh& m = outcome.result;
   std::vector<vertex_index> to(m.sites.size());

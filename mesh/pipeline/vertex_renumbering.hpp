@@ -15,12 +15,12 @@ namespace asterism::internal {
 // Holds the domain as it is meshed. Vertices of segments keep their numbers, and so do all where
 // few are isolated or they are along a curve already. Both orders make the same kind of mesh, but
 // not the same mesh: what the mesher does first among equals depends on the numbers.
-class given_order {
+class vertex_renumbering {
  public:
   // The domain must outlive it.
-  explicit given_order(const domain& d);
-  given_order(const given_order&) = delete;
-  given_order& operator=(const given_order&) = delete;
+  explicit vertex_renumbering(const domain& d);
+  vertex_renumbering(const vertex_renumbering&) = delete;
+  vertex_renumbering& operator=(const vertex_renumbering&) = delete;
 
   const domain& shape() const { return isolated_.empty() ? given_ : along_curve_; }
   // Numbers an outcome made of shape() as the vertices were given.

@@ -15,7 +15,7 @@
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 #include "asterism/mesh/refine/bad_face_queue.hpp"
 #include "asterism/mesh/refine/off_centre.hpp"
-#include "asterism/mesh/stars/mean_metric_net.hpp"
+#include "asterism/mesh/stars/averaged_metric_triangulation.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -56,7 +56,7 @@ class plain_refinement {
  public:
   plain_refinement(refine_state& state, const angle_requirement& angle,
                    const tolerance_range& tolerance, const cancellation& cancelled,
-                   mean_metric_net& net)
+                   averaged_metric_triangulation& net)
       : state_(state),
         angle_(angle),
         tolerance_(tolerance),
@@ -184,7 +184,7 @@ class plain_refinement {
   const angle_requirement& angle_;
   const tolerance_range tolerance_;
   const cancellation& cancelled_;
-  mean_metric_net& net_;
+  averaged_metric_triangulation& net_;
   const vertex_index given_;  // the sites before these
   // By site; fewer where the rest are inside.
   std::vector<char> on_boundary_, at_tight_corner_, at_wedge_end_;
@@ -203,7 +203,7 @@ bool is_refined_plainly(const mesh_options& options, std::size_t given) {
 
 neighbour_lists refine_plainly(refine_state& state, const angle_requirement& angle,
                                const tolerance_range& tolerance, const cancellation& cancelled) {
-  auto net = mean_metric_net::make(state.oracle(), cancelled);
+  auto net = averaged_metric_triangulation::make(state.oracle(), cancelled);
   if (!net) return {};
   plain_refinement refinement(state, angle, tolerance, cancelled, *net);
   if (!refinement.run()) return {};

@@ -3,9 +3,9 @@
 // Adds sites for low angles before there are stars, where many sites are given: a proposal, like a
 // fill's.
 //
-// Works on one triangulation (stars/mean_metric_net.hpp), which takes a site in a few microseconds
-// where stars take two hundred. Star refinement repairs whatever it leaves, or triangulates
-// differently from the stars. Adds nothing where low angles may have to stay.
+// Works on one triangulation (stars/averaged_metric_triangulation.hpp), which takes a site in a few
+// microseconds where stars take two hundred. Star refinement repairs whatever it leaves, or
+// triangulates differently from the stars. Adds nothing where low angles may have to stay.
 #pragma once
 
 #include <cstddef>

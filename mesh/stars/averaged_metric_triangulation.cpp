@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/stars/mean_metric_net.hpp"
+#include "asterism/mesh/stars/averaged_metric_triangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,8 @@ constexpr std::size_t most_flips = 64;
 
 }  // namespace
 
-std::optional<mean_metric_net> mean_metric_net::make(const site_oracle& oracle,
-                                                     const cancellation& cancelled) {
+std::optional<averaged_metric_triangulation> averaged_metric_triangulation::make(
+    const site_oracle& oracle, const cancellation& cancelled) {
   // Most flips a site: where metrics vary little over an edge two or three suffice.
   constexpr std::size_t flips_for_each = 16;
   auto questions = std::make_unique<asked>();
@@ -40,15 +40,16 @@ std::optional<mean_metric_net> mean_metric_net::make(const site_oracle& oracle,
   auto from = triangulate(oracle, mean_shape(oracle.sites()), *questions->kernel, cancelled);
   if (!from) return std::nullopt;
   std::vector<char> inside = faces_inside(*from, oracle.edges());
-  mean_metric_net made(std::move(questions), *std::move(from), std::move(inside));
+  averaged_metric_triangulation made(std::move(questions), *std::move(from), std::move(inside));
   for (vertex_index v = 0; v < oracle.size(); ++v)
     made.sites_[v] = oracle.sites()[made.from_.original[v]];
   made.from_.net.flip_towards(made.better(), flips_for_each * oracle.size());
   return made;
 }
 
-mean_metric_net::mean_metric_net(std::unique_ptr<asked> questions, site_triangulation from,
-                                 std::vector<char> inside)
+averaged_metric_triangulation::averaged_metric_triangulation(std::unique_ptr<asked> questions,
+                                                             site_triangulation from,
+                                                             std::vector<char> inside)
     : questions_(std::move(questions)),
       from_(std::move(from)),
       sites_(from_.net.all_sites()),
@@ -58,13 +59,13 @@ mean_metric_net::mean_metric_net(std::unique_ptr<asked> questions, site_triangul
   from_.original.resize(sites_.size(), 0);
 }
 
-triangle mean_metric_net::corners(std::uint32_t face) const {
+triangle averaged_metric_triangulation::corners(std::uint32_t face) const {
   const auto& [a, b, c] = from_.net.faces()[face].corner;
   return canonical({from_.original[a], from_.original[b], from_.original[c]});
 }
 
-double mean_metric_net::excess(vertex_index a, vertex_index b, vertex_index c,
-                               vertex_index d) const {
+double averaged_metric_triangulation::excess(vertex_index a, vertex_index b, vertex_index c,
+                                             vertex_index d) const {
   const site &at_a = sites_[a], &at_b = sites_[b], &at_c = sites_[c], &at_d = sites_[d];
   metric_tensor m{0, 0, 0};
   for (const site* s : {&at_a, &at_b, &at_c, &at_d})
@@ -77,16 +78,16 @@ double mean_metric_net::excess(vertex_index a, vertex_index b, vertex_index c,
 }
 
 // A tie by roundings stays as it is.
-bool mean_metric_net::is_better(vertex_index a, vertex_index b, vertex_index c,
-                                vertex_index d) const {
+bool averaged_metric_triangulation::is_better(vertex_index a, vertex_index b, vertex_index c,
+                                              vertex_index d) const {
   constexpr double tie = 0x1p-30;
   return excess(a, b, c, d) > tie;
 }
 
 // Uses doubles alone: an undecided edge stays, and all others do after as much work as making the
 // stars without guesses would cost.
-bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_index c,
-                                         vertex_index d) {
+bool averaged_metric_triangulation::is_better_in_stars(vertex_index a, vertex_index b,
+                                                       vertex_index c, vertex_index d) {
   constexpr double most_for_each = 2;
   for (const vertex_index v : {a, b, c, d})
     if (from_.net.is_frame(v)) return false;
@@ -106,28 +107,30 @@ bool mean_metric_net::is_better_in_stars(vertex_index a, vertex_index b, vertex_
 // Flips that a site does not use are left to later sites. With a limit of 64 for each site a circle
 // of 30,000 equal segments was left to stars with thousands of neighbours, and took 62,000 sites in
 // place of 52,000.
-std::size_t mean_metric_net::flips_left() const {
+std::size_t averaged_metric_triangulation::flips_left() const {
   const std::size_t in_all = most_flips * sites_.size(), done = from_.net.flips_of_insertions();
   return std::max(most_flips, in_all - std::min(in_all, done));
 }
 
-void mean_metric_net::number_last(vertex_index v) {
+void averaged_metric_triangulation::number_last(vertex_index v) {
   from_.original.push_back(static_cast<vertex_index>(from_.numbers.size()));
   from_.numbers.push_back(v);
 }
 
 // Leaves out faces outside of the domain.
-void mean_metric_net::collect_faces(vertex_index v, std::vector<std::uint32_t>& around) const {
-  const delaunay_net::place first = from_.net.at(v);
-  delaunay_net::place p = first;
+void averaged_metric_triangulation::collect_faces(vertex_index v,
+                                                  std::vector<std::uint32_t>& around) const {
+  const delaunay_triangulation::place first = from_.net.at(v);
+  delaunay_triangulation::place p = first;
   do {
     if (is_inside(p.face)) around.push_back(p.face);
     p = from_.net.next_around(p);
   } while (p.face != first.face);
 }
 
-void mean_metric_net::insert(const site& s, const delaunay_net::location& at,
-                             std::vector<std::uint32_t>& around) {
+void averaged_metric_triangulation::insert(const site& s,
+                                           const delaunay_triangulation::location& at,
+                                           std::vector<std::uint32_t>& around) {
   sites_.push_back(s);
   const vertex_index v = from_.net.insert_towards(s, at, better(), flips_left());
   number_last(v);
@@ -135,13 +138,13 @@ void mean_metric_net::insert(const site& s, const delaunay_net::location& at,
   collect_faces(v, around);
 }
 
-bool mean_metric_net::split(const site& s, vertex_index a, vertex_index b,
-                            std::vector<std::uint32_t>& around) {
+bool averaged_metric_triangulation::split(const site& s, vertex_index a, vertex_index b,
+                                          std::vector<std::uint32_t>& around) {
   const auto at = from_.net.find_edge(from_.numbers[a], from_.numbers[b]);
   if (!at) return false;
-  const delaunay_net::face& left = from_.net.faces()[at->face];
+  const delaunay_triangulation::face& left = from_.net.faces()[at->face];
   const std::uint32_t other = left.across[at->corner];
-  if (other == delaunay_net::none) return false;
+  if (other == delaunay_triangulation::none) return false;
   const auto is_beside = [&](vertex_index from, vertex_index to, vertex_index apex) {
     const point &p = sites_[from].position, &q = sites_[to].position, &r = sites_[apex].position;
     return questions_->kernel->orientation(p, s.position, r) == sign::positive &&
@@ -163,7 +166,7 @@ bool mean_metric_net::split(const site& s, vertex_index a, vertex_index b,
   return true;
 }
 
-void mean_metric_net::renumber(const std::vector<vertex_index>& to) {
+void averaged_metric_triangulation::renumber(const std::vector<vertex_index>& to) {
   const std::vector<vertex_index> before = from_.numbers;
   for (std::size_t v = 0; v < before.size(); ++v) {
     from_.numbers[to[v]] = before[v];
@@ -171,10 +174,11 @@ void mean_metric_net::renumber(const std::vector<vertex_index>& to) {
   }
 }
 
-void mean_metric_net::collect_ring(vertex_index v, std::vector<vertex_index>& ring) const {
+void averaged_metric_triangulation::collect_ring(vertex_index v,
+                                                 std::vector<vertex_index>& ring) const {
   ring.clear();
-  const delaunay_net::place first = from_.net.at(v);
-  delaunay_net::place p = first;
+  const delaunay_triangulation::place first = from_.net.at(v);
+  delaunay_triangulation::place p = first;
   double least = 0;
   std::size_t nearest = 0;
   do {
@@ -188,11 +192,11 @@ void mean_metric_net::collect_ring(vertex_index v, std::vector<vertex_index>& ri
       ring.push_back(from_.original[w]);
     }
     p = from_.net.next_around(p);
-  } while (p.face != first.face && p.face != delaunay_net::none);
+  } while (p.face != first.face && p.face != delaunay_triangulation::none);
   std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(nearest), ring.end());
 }
 
-neighbour_lists mean_metric_net::settled_neighbours() {
+neighbour_lists averaged_metric_triangulation::settled_neighbours() {
   doubtful_.assign(sites_.size(), 0);
   const bool is_settled =
       from_.net.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
@@ -210,6 +214,11 @@ neighbour_lists mean_metric_net::settled_neighbours() {
   for (std::size_t i = 0; is_settled && i < from_.numbers.size(); ++i)
     if (doubtful_[from_.numbers[i]] == 0) lists.mark(i);
   return lists;
+}
+
+neighbour_lists guess_neighbours(const site_oracle& oracle, const cancellation& cancelled) {
+  auto from = averaged_metric_triangulation::make(oracle, cancelled);
+  return from ? from->settled_neighbours() : neighbour_lists();
 }
 
 }  // namespace asterism::internal

@@ -21,12 +21,12 @@
 
 namespace asterism::internal {
 
-class mean_metric_net {
+class averaged_metric_triangulation {
  public:
   // Triangulates the sites of the oracle, which must have a neighbourhood; none where that takes
   // too long or a segment goes through a site. What it asks is counted apart.
-  static std::optional<mean_metric_net> make(const site_oracle& oracle,
-                                             const cancellation& cancelled);
+  static std::optional<averaged_metric_triangulation> make(const site_oracle& oracle,
+                                                           const cancellation& cancelled);
 
   // Returns the number of faces, some of which are outside of the domain.
   std::size_t faces() const { return from_.net.faces().size(); }
@@ -36,12 +36,13 @@ class mean_metric_net {
 
   // Walks over inside faces to the place of q among the faces; none where q is on or beyond a
   // subsegment, or the walk is long.
-  std::optional<delaunay_net::location> locate(const point& q, std::uint32_t from) const {
+  std::optional<delaunay_triangulation::location> locate(const point& q, std::uint32_t from) const {
     return from_.net.locate_near(q, from);
   }
   // Inserts the mesh's next site at a place found by locate; adds the faces at it to
   // `around`.
-  void insert(const site& s, const delaunay_net::location& at, std::vector<std::uint32_t>& around);
+  void insert(const site& s, const delaunay_triangulation::location& at,
+              std::vector<std::uint32_t>& around);
   // Does so with one that splits the subsegment from a to b, as the sites are numbered. Returns
   // false, with nothing changed, where the place of the site, which is rounded, is on the wrong
   // side of something: then the net is of no use.
@@ -62,15 +63,15 @@ class mean_metric_net {
     std::unique_ptr<star_predicates> kernel;
   };
 
-  mean_metric_net(std::unique_ptr<asked> questions, site_triangulation from,
-                  std::vector<char> inside);
+  averaged_metric_triangulation(std::unique_ptr<asked> questions, site_triangulation from,
+                                std::vector<char> inside);
 
   // Says of an edge from a to b, with c on its left and d on its right, how much more than half a
   // turn the angles at c and d are together, in the mean of the four metrics: from -1 to 1, above 0
   // where the edge from c to d is the Delaunay one.
   double excess(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
   bool is_better(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
-  delaunay_net::comparison better() const {
+  delaunay_triangulation::comparison better() const {
     return [this](vertex_index a, vertex_index b, vertex_index c, vertex_index d) {
       return is_better(a, b, c, d);
     };
@@ -91,5 +92,10 @@ class mean_metric_net {
   std::vector<char> inside_;
   std::vector<char> doubtful_;  // by number in the net: is an edge at it in doubt?
 };
+
+// Returns the neighbours that the star of each site is likely to have, counter-clockwise from the
+// nearest: those of such a triangulation of the oracle's sites. Each is confirmed exactly or not
+// used. Returns nothing where there is no triangulation. Requires a neighbourhood.
+neighbour_lists guess_neighbours(const site_oracle& oracle, const cancellation& cancelled);
 
 }  // namespace asterism::internal

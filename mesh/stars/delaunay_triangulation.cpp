@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/stars/delaunay_net.hpp"
+#include "asterism/mesh/stars/delaunay_triangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,8 @@
 
 namespace asterism::internal {
 
-delaunay_net::delaunay_net(std::vector<site> sites, const star_predicates& kernel)
+delaunay_triangulation::delaunay_triangulation(std::vector<site> sites,
+                                               const star_predicates& kernel)
     : sites_(std::move(sites)), frame_(static_cast<vertex_index>(sites_.size())), kernel_(&kernel) {
   // Steps allowed a site. In a good order a site takes about 20; this many cost ten microseconds,
   // less than stars made one by one.
@@ -19,7 +20,7 @@ delaunay_net::delaunay_net(std::vector<site> sites, const star_predicates& kerne
 }
 
 // Puts four corners around the box of the sites, as far away as it is long.
-bool delaunay_net::add_frame() {
+bool delaunay_triangulation::add_frame() {
   const bounding_box box = box_of_sites(sites_);
   const double margin = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   const point low{box.low.x - margin, box.low.y - margin},
@@ -42,7 +43,7 @@ bool delaunay_net::add_frame() {
   return true;
 }
 
-bool delaunay_net::stays(const place& p, const star_predicates& kernel) const {
+bool delaunay_triangulation::stays(const place& p, const star_predicates& kernel) const {
   const face& f = faces_[p.face];
   if (f.across[p.corner] == none || f.fixed[p.corner]) return true;
   const vertex_index apex = f.corner[p.corner], a = f.corner[after(p.corner)],
@@ -56,7 +57,7 @@ bool delaunay_net::stays(const place& p, const star_predicates& kernel) const {
   return quick.value();
 }
 
-bool delaunay_net::is_sound(std::uint32_t at, const star_predicates& kernel) const {
+bool delaunay_triangulation::is_sound(std::uint32_t at, const star_predicates& kernel) const {
   const face& f = faces_[at];
   if (kernel.orientation(sites_[f.corner[0]].position, sites_[f.corner[1]].position,
                          sites_[f.corner[2]].position) != sign::positive)
@@ -66,7 +67,7 @@ bool delaunay_net::is_sound(std::uint32_t at, const star_predicates& kernel) con
   return true;
 }
 
-delaunay_net::place delaunay_net::next_around(const place& p) const {
+delaunay_triangulation::place delaunay_triangulation::next_around(const place& p) const {
   const face& f = faces_[p.face];
   const std::uint32_t next = f.across[after(p.corner)];
   if (next == none) return {};
@@ -75,7 +76,8 @@ delaunay_net::place delaunay_net::next_around(const place& p) const {
 
 // Searches around both ends in turn: one may have very many edges, or be in the frame, with faces
 // on one side alone.
-std::optional<delaunay_net::place> delaunay_net::find_edge(vertex_index a, vertex_index b) {
+std::optional<delaunay_triangulation::place> delaunay_triangulation::find_edge(vertex_index a,
+                                                                               vertex_index b) {
   const place first_a = at(a), first_b = at(b);
   place by_a = first_a, by_b = first_b;
   while (take_step() && (by_a.face != none || by_b.face != none)) {
@@ -96,25 +98,26 @@ std::optional<delaunay_net::place> delaunay_net::find_edge(vertex_index a, verte
 }
 
 // Returns the same edge seen from its other side.
-delaunay_net::place delaunay_net::other_side(const place& p) const {
+delaunay_triangulation::place delaunay_triangulation::other_side(const place& p) const {
   const face& f = faces_[p.face];
   const std::uint32_t other = f.across[p.corner];
   return {other, before(corner_of(faces_[other], f.corner[before(p.corner)]))};
 }
 
-void delaunay_net::put(std::uint32_t f, const face& what) {
+void delaunay_triangulation::put(std::uint32_t f, const face& what) {
   faces_[f] = what;
   for (const vertex_index v : what.corner) face_at_[v] = f;
 }
 
-void delaunay_net::relink(std::uint32_t neighbour, std::uint32_t old_face, std::uint32_t new_face) {
+void delaunay_triangulation::relink(std::uint32_t neighbour, std::uint32_t old_face,
+                                    std::uint32_t new_face) {
   if (neighbour == none) return;
   for (std::uint32_t& f : faces_[neighbour].across)
     if (f == old_face) f = new_face;
 }
 
 // Writes the face so that this corner comes first.
-void delaunay_net::turn_to_front(const place& p) {
+void delaunay_triangulation::turn_to_front(const place& p) {
   face& f = faces_[p.face];
   const auto by = static_cast<std::ptrdiff_t>(p.corner);
   std::rotate(f.corner.begin(), f.corner.begin() + by, f.corner.end());
@@ -122,7 +125,8 @@ void delaunay_net::turn_to_front(const place& p) {
   std::rotate(f.fixed.begin(), f.fixed.begin() + by, f.fixed.end());
 }
 
-delaunay_net::way delaunay_net::way_to(const point& q, std::uint32_t at, std::uint32_t from) const {
+delaunay_triangulation::way delaunay_triangulation::way_to(const point& q, std::uint32_t at,
+                                                           std::uint32_t from) const {
   const face& f = faces_[at];
   way found;
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -138,7 +142,8 @@ delaunay_net::way delaunay_net::way_to(const point& q, std::uint32_t at, std::ui
 
 // Walks towards v from the last face. In a Delaunay triangulation that comes to an end whichever
 // edge is crossed.
-std::optional<delaunay_net::place> delaunay_net::locate(vertex_index v, bool& on_edge) {
+std::optional<delaunay_triangulation::place> delaunay_triangulation::locate(vertex_index v,
+                                                                            bool& on_edge) {
   std::uint32_t at = last_, from = none;
   while (take_step()) {
     const way next = way_to(sites_[v].position, at, from);
@@ -153,8 +158,8 @@ std::optional<delaunay_net::place> delaunay_net::locate(vertex_index v, bool& on
   return std::nullopt;
 }
 
-std::optional<delaunay_net::location> delaunay_net::locate_near(const point& q,
-                                                                std::uint32_t from) const {
+std::optional<delaunay_triangulation::location> delaunay_triangulation::locate_near(
+    const point& q, std::uint32_t from) const {
   constexpr int most_steps = 64;
   std::uint32_t at = from, last = none;
   for (int step = 0; step < most_steps; ++step) {
@@ -172,7 +177,7 @@ std::optional<delaunay_net::location> delaunay_net::locate_near(const point& q,
 }
 
 // New faces have v as their first corner.
-void delaunay_net::split_face(std::uint32_t f, vertex_index v) {
+void delaunay_triangulation::split_face(std::uint32_t f, vertex_index v) {
   const auto [corner, across, fixed] = faces_[f];
   const auto [a, b, c] = corner;
   const auto g = static_cast<std::uint32_t>(faces_.size()), h = g + 1;
@@ -185,7 +190,7 @@ void delaunay_net::split_face(std::uint32_t f, vertex_index v) {
   open_.assign({f, g, h});
 }
 
-void delaunay_net::split_edge(const place& p, vertex_index v) {
+void delaunay_triangulation::split_edge(const place& p, vertex_index v) {
   turn_to_front(p);
   const std::uint32_t f = p.face, o = faces_[f].across[0];
   const face first = faces_[f];
@@ -207,7 +212,7 @@ void delaunay_net::split_edge(const place& p, vertex_index v) {
 
 // Replaces the edge across from the corner v by that from v to the corner d on the other side; v
 // comes first in both faces.
-void delaunay_net::flip(const place& p) {
+void delaunay_triangulation::flip(const place& p) {
   const std::uint32_t f = p.face, i = p.corner, o = faces_[f].across[i];
   const face first = faces_[f], second = faces_[o];
   const vertex_index v = first.corner[i], a = first.corner[after(i)], b = first.corner[before(i)];
@@ -226,7 +231,7 @@ void delaunay_net::flip(const place& p) {
 }
 
 // Makes the edges around the faces in open_, which all have v first, Delaunay.
-bool delaunay_net::flip_around(vertex_index v) {
+bool delaunay_triangulation::flip_around(vertex_index v) {
   while (!open_.empty()) {
     if (!take_step()) return false;
     const std::uint32_t f = open_.back();
@@ -241,7 +246,7 @@ bool delaunay_net::flip_around(vertex_index v) {
   return true;
 }
 
-bool delaunay_net::insert(vertex_index v) {
+bool delaunay_triangulation::insert(vertex_index v) {
   if (!is_framed_) return false;
   bool on_edge = false;
   const auto where = locate(v, on_edge);
@@ -255,12 +260,12 @@ bool delaunay_net::insert(vertex_index v) {
 }
 
 // Notes that the face has changed.
-void delaunay_net::suspect(const face& f) {
+void delaunay_triangulation::suspect(const face& f) {
   for (std::uint32_t i = 0; i < 3; ++i) suspects_.emplace_back(f.corner[i], f.corner[after(i)]);
 }
 
 // Fixes the edge; false if it is not there.
-bool delaunay_net::fix(vertex_index a, vertex_index b) {
+bool delaunay_triangulation::fix(vertex_index a, vertex_index b) {
   const auto left = find_edge(a, b);
   if (!left || faces_[left->face].across[left->corner] == none) return false;
   const place right = other_side(*left);
@@ -270,8 +275,8 @@ bool delaunay_net::fix(vertex_index a, vertex_index b) {
 }
 
 // Collects the edges that the segment from a to b crosses, in order.
-bool delaunay_net::cross(vertex_index a, vertex_index b,
-                         std::vector<std::pair<vertex_index, vertex_index>>& crossed) {
+bool delaunay_triangulation::cross(vertex_index a, vertex_index b,
+                                   std::vector<std::pair<vertex_index, vertex_index>>& crossed) {
   const place first = at(a);
   place p = first;
   for (;; p = next_around(p)) {
@@ -300,8 +305,8 @@ bool delaunay_net::cross(vertex_index a, vertex_index b,
 }
 
 // Flips the edges that cross the segment away from it.
-bool delaunay_net::clear_way(vertex_index a, vertex_index b,
-                             std::vector<std::pair<vertex_index, vertex_index>> crossing) {
+bool delaunay_triangulation::clear_way(
+    vertex_index a, vertex_index b, std::vector<std::pair<vertex_index, vertex_index>> crossing) {
   for (std::size_t i = 0; i < crossing.size(); ++i) {
     if (!take_step()) return false;
     const auto [p, q] = crossing[i];
@@ -323,13 +328,13 @@ bool delaunay_net::clear_way(vertex_index a, vertex_index b,
   return true;
 }
 
-bool delaunay_net::insert_segment(vertex_index a, vertex_index b) {
+bool delaunay_triangulation::insert_segment(vertex_index a, vertex_index b) {
   if (fix(a, b)) return true;
   std::vector<std::pair<vertex_index, vertex_index>> crossed;
   return cross(a, b, crossed) && clear_way(a, b, std::move(crossed)) && fix(a, b);
 }
 
-bool delaunay_net::settle() {
+bool delaunay_triangulation::settle() {
   while (!suspects_.empty()) {
     if (!take_step()) return false;
     const auto [a, b] = suspects_.back();
@@ -346,7 +351,7 @@ bool delaunay_net::settle() {
 
 // True if is_better prefers the other diagonal, the edge across from the corner is not fixed, and
 // the faces on both sides form a convex quadrangle.
-bool delaunay_net::may_flip(const place& p, const comparison& is_better) const {
+bool delaunay_triangulation::may_flip(const place& p, const comparison& is_better) const {
   const face& f = faces_[p.face];
   if (f.across[p.corner] == none || f.fixed[p.corner]) return false;
   const place back = other_side(p);
@@ -358,7 +363,8 @@ bool delaunay_net::may_flip(const place& p, const comparison& is_better) const {
 
 // Flips one edge of the face that is to be flipped; false if there is none. Adds the faces on both
 // sides to open_. Leaves out edges to faces before `first`.
-bool delaunay_net::improve(std::uint32_t at, std::uint32_t first, const comparison& is_better) {
+bool delaunay_triangulation::improve(std::uint32_t at, std::uint32_t first,
+                                     const comparison& is_better) {
   for (std::uint32_t i = 0; i < 3; ++i) {
     const std::uint32_t other = faces_[at].across[i];
     if (other < first || !may_flip({at, i}, is_better)) continue;
@@ -370,7 +376,7 @@ bool delaunay_net::improve(std::uint32_t at, std::uint32_t first, const comparis
   return false;
 }
 
-bool delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
+bool delaunay_triangulation::flip_towards(const comparison& is_better, std::size_t most) {
   std::size_t flips = 0;
   open_.clear();
   // Skips edges to faces before f: they were tested from there, and again after each change.
@@ -385,15 +391,15 @@ bool delaunay_net::flip_towards(const comparison& is_better, std::size_t most) {
   return flips < most;
 }
 
-vertex_index delaunay_net::add_site(const site& s) {
+vertex_index delaunay_triangulation::add_site(const site& s) {
   const auto v = static_cast<vertex_index>(sites_.size());
   sites_.push_back(s);
   face_at_.push_back(none);
   return v;
 }
 
-vertex_index delaunay_net::insert_towards(const site& s, const location& at,
-                                          const comparison& is_better, std::size_t most) {
+vertex_index delaunay_triangulation::insert_towards(const site& s, const location& at,
+                                                    const comparison& is_better, std::size_t most) {
   const vertex_index v = add_site(s);
   if (at.on_edge)
     split_edge(at.where, v);
@@ -403,8 +409,9 @@ vertex_index delaunay_net::insert_towards(const site& s, const location& at,
   return v;
 }
 
-vertex_index delaunay_net::split_towards(const site& s, const place& at, bool on_both_sides,
-                                         const comparison& is_better, std::size_t most) {
+vertex_index delaunay_triangulation::split_towards(const site& s, const place& at,
+                                                   bool on_both_sides, const comparison& is_better,
+                                                   std::size_t most) {
   const vertex_index v = add_site(s);
   split_edge(at, v);
   if (!on_both_sides) open_.resize(2);
@@ -413,8 +420,8 @@ vertex_index delaunay_net::split_towards(const site& s, const place& at, bool on
 }
 
 // Looks at edges across from the new site alone: each flip leaves two more.
-void delaunay_net::flip_around_towards(vertex_index v, const comparison& is_better,
-                                       std::size_t most) {
+void delaunay_triangulation::flip_around_towards(vertex_index v, const comparison& is_better,
+                                                 std::size_t most) {
   std::size_t flips = 0;
   while (!open_.empty() && flips < most) {
     const std::uint32_t f = open_.back();

@@ -23,7 +23,7 @@
 
 namespace asterism::internal {
 
-class delaunay_net {
+class delaunay_triangulation {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
@@ -42,7 +42,7 @@ class delaunay_net {
 
   // Starts with the frame alone. Requires at least one site, all of the same metric. The kernel
   // must outlive the net.
-  delaunay_net(std::vector<site> sites, const star_predicates& kernel);
+  delaunay_triangulation(std::vector<site> sites, const star_predicates& kernel);
 
   // Each of the following returns false, and leaves a triangulation of no use, where the sites are
   // not as required, or where it takes more steps than are allowed for this number of sites.

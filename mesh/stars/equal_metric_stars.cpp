@@ -58,8 +58,8 @@ class star_reader {
   }
 
  private:
-  using face = delaunay_net::face;
-  using place = delaunay_net::place;
+  using face = delaunay_triangulation::face;
+  using place = delaunay_triangulation::place;
 
   static std::uint32_t after(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
 
@@ -100,7 +100,7 @@ class star_reader {
     do {
       if (from_.net.faces()[p.face].corner[after(p.corner)] == end) return true;
       p = from_.net.next_around(p);
-      if (p.face == delaunay_net::none) return false;
+      if (p.face == delaunay_triangulation::none) return false;
     } while (p.face != first);
     return false;
   }

@@ -54,7 +54,7 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
     numbers[v] = static_cast<vertex_index>(sites.size());
     sites.push_back({oracle.sites()[v].position, metric});
   }
-  delaunay_net net(std::move(sites), kernel);
+  delaunay_triangulation net(std::move(sites), kernel);
   constexpr vertex_index polled_after = 1024;
   for (vertex_index v = 0; v < order.size(); ++v) {
     if (v % polled_after == 0 && cancelled.is_requested()) return std::nullopt;
@@ -79,10 +79,10 @@ std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) 
     if (!left) return {};
     enter(left->face);
     while (!open.empty()) {
-      const delaunay_net::face& f = from.net.faces()[open.back()];
+      const delaunay_triangulation::face& f = from.net.faces()[open.back()];
       open.pop_back();
       for (std::size_t i = 0; i < 3; ++i)
-        if (!f.fixed[i] && f.across[i] != delaunay_net::none) enter(f.across[i]);
+        if (!f.fixed[i] && f.across[i] != delaunay_triangulation::none) enter(f.across[i]);
     }
   }
   return inside;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "asterism/mesh/stars/delaunay_net.hpp"
+#include "asterism/mesh/stars/delaunay_triangulation.hpp"
 #include "asterism/mesh/stars/star_oracle.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -14,7 +14,7 @@ namespace asterism::internal {
 
 // Knows the sites in the order in which they were put in.
 struct site_triangulation {
-  delaunay_net net;
+  delaunay_triangulation net;
   std::vector<vertex_index> original;  // by number in the net
   std::vector<vertex_index> numbers;   // in the net, by original number
 };

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "asterism/mesh/numerics/metric_box.hpp"
+#include "asterism/mesh/stars/averaged_metric_triangulation.hpp"
 #include "asterism/mesh/stars/equal_metric_stars.hpp"
-#include "asterism/mesh/stars/guessed_neighbours.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Isolated vertices are numbered along a curve while they are meshed, and as given in the mesh.
-#include "asterism/mesh/pipeline/given_order.hpp"
+#include "asterism/mesh/pipeline/vertex_renumbering.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -54,14 +54,14 @@ bool is_less(const point& p, const point& q) { return p.x < q.x || (p.x == q.x &
 
 TEST_CASE("few vertices, and those along a curve, keep their numbers while they are meshed") {
   const domain few = square_with_points(100);
-  CHECK(&given_order(few).shape() == &few);
+  CHECK(&vertex_renumbering(few).shape() == &few);
   const domain many = add_random_points(square(), 6000, 3).value();
-  CHECK(&given_order(many).shape() == &many);
+  CHECK(&vertex_renumbering(many).shape() == &many);
 }
 
 TEST_CASE("many vertices in any order are along a curve while they are meshed") {
   const domain d = square_with_points(6000);
-  const given_order order(d);
+  const vertex_renumbering order(d);
   const domain& shape = order.shape();
   REQUIRE(&shape != &d);
   CHECK(steps_back(d) > d.vertices.size() / 3);
@@ -76,7 +76,7 @@ TEST_CASE("many vertices in any order are along a curve while they are meshed") 
 
 TEST_CASE("an outcome in the order of a curve is restored to the order given") {
   const domain d = square_with_points(6000);
-  const given_order order(d);
+  const vertex_renumbering order(d);
   mesh_outcome outcome;
   for (const point& q : order.shape().vertices) outcome.result.sites.push_back({q, {1, 0, 1}});
   outcome.result.sites.push_back({{2, 2}, {1, 0, 1}});  // not given

@@ -16,8 +16,8 @@
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/stars/averaged_metric_triangulation.hpp"
 #include "asterism/mesh/stars/consistency.hpp"
-#include "asterism/mesh/stars/mean_metric_net.hpp"
 #include "asterism/mesh/stars/star_insertion.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/star_fixture.hpp"
@@ -210,7 +210,7 @@ TEST_CASE("subsegments on which new sites would encroach are split without stars
 TEST_CASE("a net takes a split of a subsegment, unless its place is on the wrong side of a site") {
   scattered_refinement begun(40, 1, 100000);
   refine_state& state = begun.state;
-  auto net = mean_metric_net::make(state.oracle(), cancellation());
+  auto net = averaged_metric_triangulation::make(state.oracle(), cancellation());
   REQUIRE(net);
   const std::vector<site>& sites = state.sites();
   const auto added = static_cast<vertex_index>(sites.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Neighbours guessed from one triangulation, held against stars made one by one.
-#include "asterism/mesh/stars/guessed_neighbours.hpp"
+#include "asterism/mesh/stars/averaged_metric_triangulation.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

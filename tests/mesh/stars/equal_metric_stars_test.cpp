@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "asterism/mesh/stars/consistency.hpp"
-#include "asterism/mesh/stars/delaunay_net.hpp"
+#include "asterism/mesh/stars/delaunay_triangulation.hpp"
 #include "asterism/mesh/stars/star_finality.hpp"
 #include "asterism/mesh/stars/star_set.hpp"
 #include "fixtures/audit_meshes.hpp"
@@ -164,17 +164,17 @@ TEST_CASE("a net refuses a segment through a site, and one across another") {
   const std::vector<site> sites = {
       {{0, 0}, one}, {{2, 0}, one}, {{1, 0}, one}, {{1, 3}, one}, {{1.5, -2}, one}};
   const auto with_sites = [&] {
-    delaunay_net net(sites, kernel);
+    delaunay_triangulation net(sites, kernel);
     for (vertex_index v = 0; v < sites.size(); ++v) REQUIRE(net.insert(v));
     return net;
   };
-  delaunay_net through = with_sites();
+  delaunay_triangulation through = with_sites();
   CHECK_FALSE(through.insert_segment(0, 1));
-  delaunay_net across = with_sites();
+  delaunay_triangulation across = with_sites();
   REQUIRE(across.insert_segment(3, 4));
   REQUIRE(across.settle());
   CHECK_FALSE(across.insert_segment(2, 1));
-  delaunay_net twice = with_sites();
+  delaunay_triangulation twice = with_sites();
   CHECK_FALSE(twice.insert(2));
 }
 
@@ -184,7 +184,7 @@ TEST_CASE(
   star_setting now(d);
   tier_counters decided;
   const star_predicates_on<filtered_kernel> kernel(decided);
-  delaunay_net net(now.sites, kernel);
+  delaunay_triangulation net(now.sites, kernel);
   for (vertex_index v = 0; v < now.sites.size(); ++v) REQUIRE(net.insert(v));
   for (const boundary_edge& e : now.edges.subsegments()) REQUIRE(net.insert_segment(e.a, e.b));
   REQUIRE(net.settle());
