@@ -8,7 +8,7 @@
 
 namespace asterism::apps {
 
-// True if that is what the options name.
+// True if the options name a folder of a mesh in pieces.
 bool is_of_pieces(const verify_options& options);
 
 // Returns the exit status, the same for all members of the team; null: a team of one.

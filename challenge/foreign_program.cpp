@@ -124,7 +124,7 @@ class conversation {
     if (gone || written_ == text_.size()) program_.in.close();
   }
 
-  // Reads what there is; false if it is more than answers.
+  // Reads the output there is; false if it is longer than the answers can be.
   bool read_some() {
     std::array<char, 65536> bytes;
     const ssize_t count = ::read(program_.out.number(), bytes.data(), bytes.size());

@@ -158,7 +158,7 @@ double power_of_positive(double x, double y) {
   const double rough = y * log.head;
   if (rough > 710) return infinity;
   if (rough < -746) return 0;
-  // Otherwise a part of y would be lost, or the splitting of it overflow.
+  // Returns 1 for tiny exponents: a part of y would be lost, or its splitting overflow.
   constexpr double smallest = 0x1p-70;
   if (std::abs(rough) < smallest) return 1;
   const double_pair exponent = product(log, {y, 0});

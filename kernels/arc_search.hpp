@@ -92,7 +92,7 @@ class arc_search {
     while (last > first && !(hints_[last - 1] < high)) --last;
     if (first < last) return hints_[(first + last) / 2];
     if (std::isinf(low) && std::isinf(high)) return 0;
-    // Towards an infinite end in growing strides, and geometrically within long ranges.
+    // Cuts an infinite range in growing strides, and a long one geometrically.
     if (std::isinf(low)) return high < 0 ? -(high * high + 1 - high) : -1 - high;
     if (std::isinf(high)) return low > 0 ? low * low + 1 + low : 1 - low;
     constexpr double long_range = 16;

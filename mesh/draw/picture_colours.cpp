@@ -71,7 +71,7 @@ std::vector<double> of_triangles(const mesh& m, const Of& of) {
   return values;
 }
 
-// From the bound on, what is below in a colour of its own; without a bound from the least.
+// Colours angles from the bound on, lower ones alike; without a bound from the least on.
 picture_colouring by_angle(const mesh& m, double bound) {
   const std::vector<double> values =
       of_triangles(m, [&](const triangle& t) { return smallest_angle(m, t); });
