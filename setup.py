@@ -16,6 +16,6 @@ setup(
     packages=["asterism"],
     package_data={"asterism": ["py.typed", "*.pyi"]},
     cmake_install_dir="python/asterism",
-    cmake_args=["-DASTERISM_BUILD_PYTHON=ON", "-DASTERISM_BUILD_APPS=OFF",
+    cmake_args=["-DASTERISM_BUILD_PYTHON=ON", "-DASTERISM_UNITY=ON", "-DASTERISM_BUILD_APPS=OFF",
                 "-DASTERISM_BUILD_TESTS=OFF", "-DASTERISM_INSTALL=OFF", "-DBUILD_SHARED_LIBS=OFF"],
 )

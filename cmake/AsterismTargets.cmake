@@ -54,6 +54,27 @@ function(asterism_unite target)
   target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
 
+# asterism_read_once(TARGET HEADER...): under ASTERISM_UNITY the headers are read once for all files of the target.
+function(asterism_read_once target)
+  if(ASTERISM_UNITY AND NOT EMSCRIPTEN)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+# asterism_join(VARIABLE NAME SOURCE...): the same for sources that have options of their own, which CMake leaves out of
+# such files: without ASTERISM_UNITY the sources as they are, with it a file NAME.cpp that includes them.
+function(asterism_join variable name)
+  set(sources ${ARGN})
+  if(ASTERISM_UNITY)
+    list(TRANSFORM sources PREPEND "#include \"${CMAKE_CURRENT_SOURCE_DIR}/")
+    list(TRANSFORM sources APPEND "\"")
+    list(JOIN sources "\n" joined_includes)
+    set(sources ${CMAKE_CURRENT_BINARY_DIR}/joined/${name}.cpp)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/joined.cpp.in ${sources} @ONLY)
+  endif()
+  set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
 # asterism_use_threads(TARGET): oneTBB; without ASTERISM_THREADS what stands in for the little that is used of
 # it, with one thread (packages/one_thread).
 function(asterism_use_threads target)
