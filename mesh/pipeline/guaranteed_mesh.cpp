@@ -39,8 +39,8 @@ double greatest_variation(double angle_bound) {
   return greatest;
 }
 
-// Returns the last step of the ladder that is no finer than the variation demands. One step less may
-// do, as sites see less of a field than its steepest place.
+// Returns the last step of the ladder that is no finer than the variation demands. One step less
+// may do, as sites see less of a field than its steepest place.
 int first_step(double variation, double angle_bound) {
   return ladder_step_below(variation * largest_circumradius / greatest_variation(angle_bound));
 }
