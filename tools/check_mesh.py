@@ -52,7 +52,7 @@ def read_medit(path):       # the sections of a Medit file in text: {name: rows 
         i += width * count
     return sections
 class Domain:
-    def __init__(self, path):   # points, segments with their markers, hole and region points
+    def __init__(self, path, with_curves=False):    # points, segments, markers, hole and region points
         need_file(path.endswith(".poly"), f"{path}: only .poly files can be checked; "
                   "'asterism convert' writes other domains as one")
         rows = iter(rows_of(path))
@@ -60,19 +60,21 @@ class Domain:
         need_file(count > 0, f"{path}: vertices in another file cannot be checked yet")
         def take(count):        # rows whose numbers go up by one
             taken = [next(rows) for _ in range(count)]
-            need_file(count >= 0 and all(int(row[0]) == int(taken[0][0]) + i for i, row in enumerate(taken)), path)
+            need_file(count >= 0 and all(
+                int(row[0]) - i == int(taken[0][0]) in (0, 1) for i, row in enumerate(taken)), path)
             return taken
         points, head = take(count), next(rows)
         # "A point that is repeated counts once"; `index` numbers each among those that count.
-        index = [known.setdefault((number(p[1]), number(p[2])), len(known)) for p in points]
-        self.points, first = list(known), int(points[0][0])
+        self.index = [known.setdefault((number(p[1]), number(p[2])), len(known)) for p in points]
+        self.points, self.first = list(known), int(points[0][0])
         for row in take(int(head[0])):
-            ends = int(row[1]) - first, int(row[2]) - first
+            ends = int(row[1]) - self.first, int(row[2]) - self.first
             need_file(0 <= min(ends) and max(ends) < count, f"{path}: segment {row[0]}")
             marker = int(row[3]) if {"0": False, "1": True}[head[1]] else 0
-            self.segments.append((index[ends[0]], index[ends[1]], marker))
+            self.segments.append((self.index[ends[0]], self.index[ends[1]], marker))
         holes, regions = [take(int(next(rows, ["0"])[0])) for _ in range(2)]
-        need_file(next(rows, None) is None, f"{path}: curves cannot be checked yet")
+        self.curves = list(rows)
+        need_file(with_curves or not self.curves, f"{path}: curves are for check_curves.py, beside this one")
         need_file(all(number(p[3]) == int(number(p[3])) for p in regions), f"{path}: regions")
         self.holes = [(number(p[1]), number(p[2])) for p in holes]
         self.regions = [(number(p[1]), number(p[2]), int(number(p[3]))) for p in regions]
@@ -82,8 +84,7 @@ class Proof:
             self.data, self.at = file.read(), 80
         need(self.data[:8] == b"ASTPROOF" and len(self.data) >= 80, "it is no proof")
         head = struct.unpack_from("<8I5d", self.data, 8)
-        need(head[0] == 1, f"it is a proof of version {head[0]}")
-        need(all(x - x == 0 for x in head[8:]), "the rectangle or the radius is not finite")
+        need(head[0] == 1 and all(x - x == 0 for x in head[8:]), "it is of another version, or not finite")
         self.sites, self.triangles, self.rectangle, self.radius = *head[1:3], head[8:12], head[12]
         self.outside, places, self.edges, self.gaps = (
             self.take(count, form) for count, form in zip(head[3:7], ("<3I", "<I", "<2i", "<4i")))
@@ -553,23 +554,21 @@ def check_tolerance(asked, own, tolerance):
             m11, m12, m22 = (total * p - STEPS * q for p, q in zip(a, b))
             need(m11 >= 0 and m22 >= 0 and m11 * m22 >= m12 * m12,
                  f"the metric of vertex {v + 1} is farther than the tolerance from the one asked for")
-def check(mesh_path, proof_path, domain_path, angle_bound, metric_path, tolerance=None):
-    domain, mesh = Domain(domain_path) if domain_path else None, read_medit(mesh_path)
-    need_file(metric_path.endswith(".sol"), f"{metric_path}: only a .sol file can be checked; 'asterism "
-              "convert MESH ASKED.mesh --metric METRIC' writes a metric at the vertices as ASKED.sol")
-    asked = tensors = read_medit(metric_path).get("SolAtVertices", [])
+def check(mesh, proof, domain, angle_bound, metric, tolerance=None, read=Domain, check_domain=check_domain):
+    shape, subject = read(domain) if domain else None, read_medit(mesh)
+    need_file(metric.endswith(".sol"), f"{metric}: only a .sol file can be checked; 'asterism convert "
+              "MESH ASKED.mesh --metric METRIC' writes a metric at the vertices as ASKED.sol")
+    asked = tensors = read_medit(metric).get("SolAtVertices", [])
     if tolerance is not None:
-        tensors = read_medit(mesh_path.removesuffix(".mesh") + ".sol").get("SolAtVertices", [])
-    proof = Proof(proof_path)
-    plane = Plane(mesh, tensors, proof)
-    check_faces(plane, domain, proof)
-    if domain: check_domain(plane, domain)
-    if angle_bound > 0:
-        Angles(plane, len(domain.points) if domain else plane.count + 1, angle_bound)
-    check_neighbours(plane, proof)
+        tensors = read_medit(mesh.removesuffix(".mesh") + ".sol").get("SolAtVertices", [])
+    witnesses = Proof(proof)
+    plane = Plane(subject, tensors, witnesses)
+    check_faces(plane, shape, witnesses)
+    if shape: check_domain(plane, shape)
+    if angle_bound > 0: Angles(plane, len(shape.points) if shape else plane.count + 1, angle_bound)
+    check_neighbours(plane, witnesses)
     # Theorem 5: "If all sites have one metric, nothing else is to be asked."
-    if not have_one_metric(plane, *range(plane.count)):
-        Gaps(plane, proof).check()
+    if not have_one_metric(plane, *range(plane.count)): Gaps(plane, witnesses).check()
     if tolerance is not None: check_tolerance(asked, tensors, tolerance)
     return plane
 def main():

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Proofs through the real command, and tools/check_mesh.py as a stranger runs it."""
+import json
+import math
 import pathlib
 import re
 import subprocess
@@ -9,6 +11,7 @@ import unittest
 import command
 
 CHECKER = pathlib.Path(__file__).resolve().parents[2] / "tools/check_mesh.py"
+CURVE_CHECKER = CHECKER.with_name("check_curves.py")
 SQUARE = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n0\n"
 # A hole, an island in it, a segment inside that is split by the end of another, a region, a point.
 ROOMS = ("15 2 0 0\n1 0 0\n2 6 0\n3 6 4\n4 0 4\n5 1 1\n6 3 1\n7 3 3\n8 1 3\n9 1.75 1.75\n10 2.25 1.75\n"
@@ -26,6 +29,11 @@ LAKE = """{"type": "FeatureCollection", "features": [
 """
 EDGES = ("MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n3 0 0\n3 2 0\n0 2 0\n"
          "Edges\n4\n1 2 5\n2 3 6\n3 4 7\n4 1 8\nEnd\n")
+# A cubic below, an arc on the right, a cubic above, and a round hole.
+BENT = ("5 2\n1 0 0\n2 3 0\n3 3 2\n4 0 2\n5 1.2 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n1\n1 1.5 1\n0\n"
+        "curves 4\n1 bezier 1 1 -0.5 2 0.4\n2 arc 2 3 1 ccw\n3 bezier 3 2 2.6 1 1.4\n4 circle 5 1.5 1 7\n")
+# Half a disc: its arc and its diameter have the same ends.
+HALF = "2 2\n1 -1 0\n2 1 0\n2 1\n1 1 2 1\n2 2 1 2\n0\n0\ncurves 1\n1 arc 2 0 0 ccw\n"
 CURVE = "1 2\n1 1 0\n0\n0\n0\ncurves 1\n1 circle 1 0 0\n"
 
 
@@ -83,7 +91,7 @@ class Proofs(command.CommandTest):
             self.assertIn("--metric-tolerance", self.check(2, f"--metric-tolerance={tolerance}"))
         self.assertIn("only a .sol file", self.check(2, metric="swirl:3"))
         self.write("curve.poly", CURVE)
-        self.assertIn("curves cannot be checked yet", self.check(2, domain="curve.poly"))
+        self.assertIn("curve", self.check(2, domain="curve.poly"))
         self.check(2, domain="none.poly")
 
     def test_every_form_of_domain_in_its_plain_form(self):
@@ -158,6 +166,53 @@ class Proofs(command.CommandTest):
     def test_a_mesh_with_curves_is_proved_as_the_polygon_of_its_chords(self):
         self.make(CURVE, "--size", "0.3")
         self.check(0, domain=None)
+
+    def check_curves(self, status, tolerance, domain="d.poly", *words):
+        done = subprocess.run([sys.executable, str(CURVE_CHECKER), "m.mesh", "m.proof", "--domain", domain,
+                               "--chord-tolerance", repr(tolerance), "--angle-bound", "20", "--metric", "m.sol",
+                               *words], cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_curves_are_as_near_as_the_certificate_says(self):
+        """The auditor's bound, by another way: of arcs the same number, of cubics with nearly the same places."""
+        for domain, slack in ((CURVE, 1e-12), (HALF, 1e-12), (BENT, 1e-6)):
+            with self.subTest(domain=domain):
+                self.make(domain, "--metric", "sink:2", "--size", "0.3")
+                claim = json.loads((self.folder / "m.certificate.json").read_text())
+                nearest = claim["audit"]["curves"]["largest_distance"]
+                self.assertIn(", its curves within ", self.check_curves(0, nearest * (1 + slack)))
+                self.assertIn("no chords are along curve", self.check_curves(1, nearest * (1 - slack) * 0.99))
+                self.check_curves(2, -1.0)
+
+    def test_another_curve_is_not_proved(self):
+        self.make(BENT, "--metric", "sink:2", "--size", "0.3")
+        self.check_curves(0, 0.01)
+        for old, new, status in (("1 -0.5 2", "1 -0.4 2", 1), ("2 3 1 ccw", "2 3 1 cw", 1),
+                                 ("2 3 1 ccw", "2 3 1.2 ccw", 1), ("1.5 1 7", "1.5 1 8", 1),
+                                 ("1.5 1 7", "1.5 1.01 7", 1), ("arc 2", "arc 4", 1), ("bezier 3", "bezier 1", 1),
+                                 ("2 2.6 1 1.4", "1 1.4 2 2.6", 1), ("curves 4", "curves 3", 2),
+                                 ("4 circle 5", "4 circle 6", 2), ("2 arc 2 3 1 ccw", "2 spline 2", 2),
+                                 ("5 1.2 1", "5 1.2 1.0001", 1)):
+            with self.subTest(new=new):
+                self.assertIn(old, BENT)
+                self.write("other.poly", BENT.replace(old, new))
+                self.check_curves(status, 0.01, "other.poly")
+        self.write("other.poly", BENT.replace("4 circle 5 1.5 1 7\n", "").replace("curves 4", "curves 3"))
+        self.assertIn("NOT proved", self.check_curves(1, 0.01, "other.poly"))
+
+    def test_a_vertex_off_its_curve_is_not_proved(self):
+        self.make(CURVE, "--size", "0.5")
+        claim = json.loads((self.folder / "m.certificate.json").read_text())
+        nearest = claim["audit"]["curves"]["largest_distance"]
+        lines = (self.folder / "m.mesh").read_text().splitlines()
+        at = lines.index("Vertices") + 3    # the second, which the circle was divided at
+        x, y, _ = map(float, lines[at].split())
+        self.assertAlmostEqual(math.hypot(x, y), 1)
+        for factor in (0.98, 1.02):
+            lines[at] = f"{x * factor!r} {y * factor!r} 0"
+            self.write("m.mesh", "\n".join(lines) + "\n")
+            self.assertIn("no chords are along curve 1", self.check_curves(1, nearest * (1 + 1e-12)))
 
     def test_a_mesh_that_is_not_certified_has_no_proof(self):
         done = self.make(SQUARE, "--metric", "expr:(x>0.5)?900:1;0;1", "--metric-tolerance", "0",
