@@ -147,6 +147,71 @@ Proof.
   - rewrite Rmult_1_l; apply inner_product_magnitude; assumption.
 Qed.
 
+(* The first condition of dominates, A + C > 0: the squared length of u in the nearer metric, less
+   that in the farther one, and with that of d there. Depth 8, twice the unmixed terms. *)
+Theorem steepness_of_lengths_constant a b c a' b' c' vx vy wx wy px py :
+  definite a b c -> definite a' b' c' ->
+  let ux := offset vx px in let uy := offset vy py in
+  let dx := offset vx wx in let dy := offset vy wy in
+  in_range (squared_length a b c ux uy) -> in_range (squared_length a' b' c' ux uy) ->
+  in_range (squared_length a' b' c' dx dy) ->
+  decides
+    (sum (difference (squared_length a b c ux uy) (squared_length a' b' c' ux uy))
+         (squared_length a' b' c' dx dy))
+    (sum (unmixed a c ux uy) (sum (unmixed a' c' ux uy) (unmixed a' c' dx dy))) 2 8.
+Proof.
+  intros h h' ux uy dx dy r r' rd.
+  cbn -[decides pow] in r, r', rd. decide_by 2.
+  - cbn [exact magnitude]. f_equal; [ | f_equal]; eapply unmixed_exact; eauto using offset_square.
+  - pose proof (squared_length_magnitude a b c vx px vy py h).
+    pose proof (squared_length_magnitude a' b' c' vx px vy py h').
+    pose proof (squared_length_magnitude a' b' c' vx wx vy wy h').
+    cbn [magnitude]. unfold ux, uy, dx, dy; lra.
+Qed.
+
+(* The third, A + H > 0, H the product of u and d in the farther metric. The second, H < 0, is one
+   of the two values of in_wedge. Depth 8, twice the unmixed terms and the product of the extents;
+   twice is a sum with itself. *)
+Theorem steepness_of_product_constant a b c a' b' c' vx vy wx wy px py :
+  definite a b c -> definite a' b' c' ->
+  let ux := offset vx px in let uy := offset vy py in
+  let dx := offset vx wx in let dy := offset vy wy in
+  in_range (squared_length a b c ux uy) -> in_range (squared_length a' b' c' ux uy) ->
+  in_range (inner_product a' b' c' ux uy dx dy) ->
+  decides
+    (sum (difference (squared_length a b c ux uy) (squared_length a' b' c' ux uy))
+         (inner_product a' b' c' ux uy dx dy))
+    (let unmixed_terms := sum (unmixed a c ux uy) (unmixed a' c' ux uy) in
+     sum (sum unmixed_terms unmixed_terms) (product_of_extents a' c' ux uy dx dy)) 1 8.
+Proof.
+  intros h h' ux uy dx dy r r' rh.
+  cbn -[decides pow] in r, r', rh. decide_by 1.
+  - assert (exact (unmixed a c ux uy) = magnitude (unmixed a c ux uy)) as e
+      by (eapply unmixed_exact; eauto; unfold ux, uy; apply offset_square).
+    assert (exact (unmixed a' c' ux uy) = magnitude (unmixed a' c' ux uy)) as e'
+      by (eapply unmixed_exact; eauto; unfold ux, uy; apply offset_square).
+    assert (exact (product_of_extents a' c' ux uy dx dy) =
+            magnitude (product_of_extents a' c' ux uy dx dy)) as ep.
+    { destruct h' as (ha & hc & _); cbn. rewrite (Rabs_right a'), (Rabs_right c') by lra.
+      reflexivity. }
+    cbn [exact magnitude]. rewrite e, e', ep. reflexivity.
+  - pose proof (squared_length_magnitude a b c vx px vy py h).
+    pose proof (squared_length_magnitude a' b' c' vx px vy py h').
+    pose proof (inner_product_magnitude a' b' c' ux uy dx dy h').
+    cbn [magnitude]. unfold ux, uy, dx, dy in *; lra.
+Qed.
+
+(* The determinant that is_positive_definite asks about: depth 2, its own two terms. *)
+Theorem positive_definite_constant a b c :
+  in_range (given a) -> in_range (given b) -> in_range (given c) ->
+  decides (difference (product (given a) (given c)) (product (given b) (given b)))
+    (sum (absolute (product (given a) (given c))) (product (given b) (given b))) 1 2.
+Proof.
+  intros ra rb rc. cbn -[decides pow] in ra, rb, rc. decide_by 1.
+  - cbn. rewrite absolute_square, Rabs_mult. reflexivity.
+  - cbn. lra.
+Qed.
+
 Definition half_of_terms ax ay bx by_ :=
   half (sum (absolute (product ax by_)) (absolute (product ay bx))).
 
