@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,6 +71,7 @@ class surface_meshing {
   void scale_at_first(std::size_t p, std::span<const double> distances);
   bool make_coarser_or_finer(std::size_t p, std::span<const double> distances);
   bool make_finer(std::size_t p, std::span<const double> distances);
+  double expected_vertices() const;
   bool scale_to_count(std::size_t round);
 
   const surface& surface_;
@@ -257,6 +259,14 @@ bool surface_meshing::adjust(std::size_t round) {
   return any;
 }
 
+// Sums from the least on, so that the order of the patches makes no difference.
+double surface_meshing::expected_vertices() const {
+  std::vector<double> all;
+  for (const face_meshing& face : faces_) all.push_back(face.expected_vertices());
+  std::sort(all.begin(), all.end());
+  return std::accumulate(all.begin(), all.end(), 0.0);
+}
+
 // The same density everywhere, for a number of vertices.
 bool surface_meshing::scale_to_count(std::size_t round) {
   constexpr std::size_t most_rounds = 6;
@@ -264,7 +274,7 @@ bool surface_meshing::scale_to_count(std::size_t round) {
   const auto wanted = static_cast<double>(*options_.vertices);
   double now = 0;
   if (round == 0)
-    for (const face_meshing& face : faces_) now += face.expected_vertices();
+    now = expected_vertices();
   else
     now = static_cast<double>(shell_.points.size());
   const double off = elementary::log(wanted / std::max(now, 1.0));

@@ -44,6 +44,34 @@ curve_key reversed_key(const surface_patch& p, int side) {
   return key_of(back, (side + 2) % 4);
 }
 
+// Returns the patches in an order that is theirs and not the file's: by degrees, control points and
+// knots. Curves run as on the first of their patches in it, so that the same patches in another
+// order give the same triangles.
+std::vector<std::size_t> order_by_content(const surface& s) {
+  std::vector<std::vector<double>> keys;
+  for (const surface_patch& p : s.patches) {
+    std::vector<double>& key = keys.emplace_back();
+    key = {static_cast<double>(p.degree_u), static_cast<double>(p.degree_v),
+           static_cast<double>(p.count_u), static_cast<double>(p.count_v)};
+    for (const control_point& c : p.control)
+      key.insert(key.end(), {c.at.x, c.at.y, c.at.z, c.weight});
+    key.insert(key.end(), p.knots_u.begin(), p.knots_u.end());
+    key.insert(key.end(), p.knots_v.begin(), p.knots_v.end());
+  }
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  return order;
+}
+
+error three_sides(std::array<std::size_t, 3> patches) {
+  std::sort(patches.begin(), patches.end());
+  return {fmt::format("patches {}, {} and {} have one side in common: only two may", patches[0] + 1,
+                      patches[1] + 1, patches[2] + 1),
+          error_code::invalid_input};
+}
+
 bool is_point(const surface_patch& p, int side) {
   const bool along_u = side % 2 == 0;
   const std::size_t count = along_u ? p.count_u : p.count_v;
@@ -80,11 +108,11 @@ std::array<std::size_t, 2> ends_of(int side) {
   return ends[static_cast<std::size_t>(side)];
 }
 
-result<side_graph> match_sides(const surface& s) {
+result<side_graph> match_sides(const surface& s, const std::vector<std::size_t>& order) {
   side_graph g;
   g.curve_of.resize(s.patches.size());
   std::map<curve_key, std::size_t> known;
-  for (std::size_t p = 0; p < s.patches.size(); ++p)
+  for (const std::size_t p : order)
     for (int side = 0; side < 4; ++side) {
       auto& number = g.curve_of[p][static_cast<std::size_t>(side)];
       number = g.curves.size();
@@ -104,9 +132,7 @@ result<side_graph> match_sides(const surface& s) {
       number = found->second;
       side_curve& curve = g.curves[number];
       if (curve.sides.size() == 2)
-        return error{fmt::format("patches {}, {} and {} have one side in common: only two may",
-                                 curve.sides[0].patch + 1, curve.sides[1].patch + 1, p + 1),
-                     error_code::invalid_input};
+        return three_sides({curve.sides[0].patch, curve.sides[1].patch, p});
       curve.sides.push_back({p, side, backward});
     }
   return g;
@@ -138,34 +164,46 @@ int direction_of(const patch_side& s) {
   return s.backward ? -around : around;
 }
 
-// Neighbours go along their common curve in opposite directions.
-result<side_graph> turn_patches(side_graph g) {
-  const std::size_t patches = g.curve_of.size();
-  std::vector<int> sign(patches, 0);
-  for (std::size_t first = 0; first < patches; ++first) {
-    if (sign[first] != 0) continue;
-    sign[first] = 1;
-    std::vector<std::size_t> waiting = {first};
-    while (!waiting.empty()) {
-      const std::size_t p = waiting.back();
-      waiting.pop_back();
-      for (const std::size_t c : g.curve_of[p]) {
-        const auto& sides = g.curves[c].sides;
-        if (sides.size() < 2) continue;
-        const patch_side &mine = sides[0].patch == p ? sides[0] : sides[1],
-                         &other = sides[0].patch == p ? sides[1] : sides[0];
-        const int wanted = -sign[p] * direction_of(mine) * direction_of(other);
-        if (sign[other.patch] == 0) {
-          sign[other.patch] = wanted;
-          waiting.push_back(other.patch);
-        } else if (sign[other.patch] != wanted) {
-          return error{fmt::format("patches {} and {}: the surface has one side alone, or they "
-                                   "lie on each other",
-                                   p + 1, other.patch + 1),
-                       error_code::invalid_input};
-        }
+// Gives the patches that hang together with one the signs that go with +1 for it; zero: none yet.
+// Neighbours go along their common curve in opposite directions. Returns those patches.
+result<std::vector<std::size_t>> turn_from(const side_graph& g, std::size_t first,
+                                           std::vector<int>& sign) {
+  sign[first] = 1;
+  std::vector<std::size_t> reached = {first};
+  for (std::size_t k = 0; k < reached.size(); ++k) {
+    const std::size_t p = reached[k];
+    for (const std::size_t c : g.curve_of[p]) {
+      const auto& sides = g.curves[c].sides;
+      if (sides.size() < 2) continue;
+      const patch_side &mine = sides[0].patch == p ? sides[0] : sides[1],
+                       &other = sides[0].patch == p ? sides[1] : sides[0];
+      const int wanted = -sign[p] * direction_of(mine) * direction_of(other);
+      if (sign[other.patch] == 0) {
+        sign[other.patch] = wanted;
+        reached.push_back(other.patch);
+      } else if (sign[other.patch] != wanted) {
+        return error{fmt::format("patches {} and {}: the surface has one side alone, or they "
+                                 "lie on each other",
+                                 p + 1, other.patch + 1),
+                     error_code::invalid_input};
       }
     }
+  }
+  return reached;
+}
+
+// Patches that hang together are seen as most of them are; where as many are turned each way, as
+// the first of the order.
+result<side_graph> turn_patches(side_graph g, const std::vector<std::size_t>& order) {
+  std::vector<int> sign(order.size(), 0);
+  for (const std::size_t first : order) {
+    if (sign[first] != 0) continue;
+    const auto reached = turn_from(g, first, sign);
+    if (!reached) return reached.failure();
+    std::size_t turned = 0;
+    for (const std::size_t p : reached.value()) turned += sign[p] < 0 ? 1 : 0;
+    if (2 * turned > reached.value().size())
+      for (const std::size_t p : reached.value()) sign[p] = -sign[p];
   }
   for (const int s : sign) g.reversed.push_back(s < 0);
   return g;
@@ -174,10 +212,11 @@ result<side_graph> turn_patches(side_graph g) {
 }  // namespace
 
 result<side_graph> graph_of_sides(const surface& s) {
-  auto matched = match_sides(s);
+  const std::vector<std::size_t> order = order_by_content(s);
+  auto matched = match_sides(s, order);
   if (!matched) return matched;
   number_corners(matched.value());
-  return turn_patches(std::move(matched).value());
+  return turn_patches(std::move(matched).value(), order);
 }
 
 }  // namespace asterism::internal

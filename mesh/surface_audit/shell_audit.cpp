@@ -21,6 +21,13 @@ namespace {
 constexpr int deepest = 9;          // quarterings of a triangle
 constexpr double finite = 0x1p500;  // its square is below infinity
 
+error no_triangle() {
+  return {
+      "no triangle has three corners in space: a patch is a curve, or is folded onto itself "
+      "along sides that are one curve",
+      error_code::invalid_mesh};
+}
+
 std::optional<error> fault_of_face(const surface& s, const surface_shell& shell, std::size_t f) {
   const shell_face& face = shell.faces[f];
   const auto fault = [&](const std::string& what) {
@@ -270,7 +277,7 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
   // Nothing further is meant by meshes that are no triangulations.
   if (report.found > 0) return report;
   const shell_view view(s, shell, std::move(pieces).value());
-  if (view.in_space().triangles.empty()) return error{"no triangle", error_code::invalid_mesh};
+  if (view.in_space().triangles.empty()) return no_triangle();
   audit_edges(s, shell, view.triangles(), asked, report);
   audit_vertices(shell, view, report);
   audit_distances(view, asked, report);
@@ -288,7 +295,7 @@ result<std::vector<shell_measure>> shell_measures(const surface& s, const surfac
   if (!pieces) return pieces.failure();
   if (auto wrong = fault_of(s, shell)) return *wrong;
   const shell_view view(s, shell, std::move(pieces).value());
-  if (view.in_space().triangles.empty()) return error{"no triangle", error_code::invalid_mesh};
+  if (view.in_space().triangles.empty()) return no_triangle();
   const lifted_scene scene = view.scene();
   std::vector<shell_measure> measures(scene.triangles.size());
   parallel_for(measures.size(), [&](std::size_t t) {
