@@ -292,6 +292,24 @@ class Surface(CommandTest):
         self.assertRegex(self.make("two.json", "--chord", "0.1", "--no-crossings", "-o", "two.obj", status=1),
                          r"triangles \d+ and \d+ in space cross each other")
 
+    def test_cusps_loops_and_curves_are_named(self):
+        drawn = lambda *places: {"patches": [{"degree": [len(places) - 1, 1], "control": [
+            [[x, y, 0], [x, y, 1]] for x, y in places]}]}
+        self.write("cusp.json", json.dumps(drawn((0, 0), (1, 1), (0, 1), (1, 0))))
+        said = self.make("cusp.json", "--chord", "0.02", "-o", "cusp.obj", status=1)
+        self.assertRegex(said, r"triangle \d+: it is not proved that the surface is not folded over it")
+        self.write("loop.json", json.dumps(drawn((0, 0), (2, 1), (-1, 1), (1, 0))))
+        self.make("loop.json", "--chord", "0.02", "-o", "loop.obj")
+        self.assertRegex(self.make("loop.json", "--chord", "0.02", "--no-crossings", "-o", "loop.obj", status=1),
+                         r"triangles \d+ and \d+ in space cross each other")
+        there_and_back = drawn((0, 0), (1, 0), (0, 0))
+        line = {"patches": [{"degree": [1, 1], "control": [[[0, 0, 0]] * 2, [[1, 0, 0]] * 2]}]}
+        for curve in (there_and_back, line):
+            self.write("curve.json", json.dumps(curve))
+            done = self.run_command("surface", "curve.json", "--chord", "0.02", "-o", "curve.obj")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("curve.json: no triangle has three corners in space", done.stderr)
+
     def test_a_page_holds_the_mesh_and_what_was_proved(self):
         self.make("octant", "--chord", "0.05", "-o", "o.html", "-o", "o.mesh")
         page = (self.folder / "o.html").read_text()
@@ -311,6 +329,33 @@ class Surface(CommandTest):
         self.assertEqual(claim["euler"], 1)
         self.assertEqual([f["reversed"] for f in claim["faces"]], [False, True])
         self.assertEqual(self.run_command("verify", "s.mesh").returncode, 0)
+
+    def triangles_of(self, name):
+        """As their corners' texts, each from its least corner on, in order."""
+        rows = [line.split() for line in (self.folder / name).read_text().split("\n") if line]
+        points = [tuple(row[1:]) for row in rows if row[0] == "v"]
+        corners = [[points[int(v) - 1] for v in row[1:]] for row in rows if row[0] == "f"]
+        return sorted(c[c.index(min(c)):] + c[:c.index(min(c))] for c in corners)
+
+    def test_the_order_of_patches_does_not_matter(self):
+        # Four patches about a common corner, one given from behind; sides evaluate to other last digits by the one
+        # patch than by the other.
+        heights = [[random.Random(f"{i} {j}").uniform(-.4, .4) for j in range(5)] for i in range(5)]
+        net = lambda rows, columns: [[[i * .7, j * .3, heights[i][j]] for j in columns] for i in rows]
+        low, high = (0, 1, 2), (2, 3, 4)
+        patches = [{"degree": [2, 2], "control": net(*of)}
+                   for of in ((low, low), (high, low), (high[::-1], high), (low, high))]
+        found = []
+        for order in ((0, 1, 2, 3), (3, 2, 1, 0), (2, 0, 3, 1)):
+            self.write("s.json", json.dumps({"patches": [patches[k] for k in order]}))
+            for more in ((), ("--vertices", "60")):
+                done = self.run_command("surface", "s.json", "--chord", "0.03", *more, "-o", "s.obj")
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                found.append(self.triangles_of("s.obj"))
+        self.assertEqual(found[0], found[2])
+        self.assertEqual(found[0], found[4])
+        self.assertEqual(found[1], found[3])
+        self.assertEqual(found[1], found[5])
 
     def test_units_of_a_parameter_do_not_matter(self):
         wave = wavy()
