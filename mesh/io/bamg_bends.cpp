@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 
 namespace asterism::internal {
@@ -31,6 +33,14 @@ std::vector<ends_at_vertex> ends_at_vertices(const mesh& m) {
   return at;
 }
 
+// True if the edges a-b and b-c turn at b, and by less than the angle of this cosine.
+bool bends(const point& a, const point& b, const point& c, double cosine) {
+  if (filtered_kernel().orientation(a, b, c) == sign::zero) return false;
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
+  const double lengths = std::sqrt((ux * ux + uy * uy) * (vx * vx + vy * vy));
+  return ux * vx + uy * vy > cosine * lengths;
+}
+
 }  // namespace
 
 bool is_about_bamg_curves(std::string_view keyword) {
@@ -38,26 +48,25 @@ bool is_about_bamg_curves(std::string_view keyword) {
 }
 
 std::optional<std::string> note_of_bamg_bends(const mesh& edges,
-                                              const std::vector<vertex_index>& corners) {
+                                              const std::vector<vertex_index>& corners,
+                                              double bound) {
+  constexpr double degree = 0.017453292519943295;
+  const double cosine = elementary::cos(bound * degree);
   std::vector<ends_at_vertex> at = ends_at_vertices(edges);
   for (const vertex_index v : corners)
     if (v < at.size()) at[v].edges = 0;
+  const auto place = [&](std::size_t v) { return edges.sites[v].position; };
   std::size_t count = 0, first = 0;
   for (std::size_t v = 0; v < at.size(); ++v) {
     const auto& [others, number] = at[v];
-    if (number != 2 ||
-        filtered_kernel().orientation(edges.sites[others[0]].position, edges.sites[v].position,
-                                      edges.sites[others[1]].position) == sign::zero)
-      continue;
+    if (number != 2 || !bends(place(others[0]), place(v), place(others[1]), cosine)) continue;
     if (count++ == 0) first = v;
   }
   if (count == 0) return std::nullopt;
-  const point& p = edges.sites[first].position;
   return fmt::format(
-      "edges are straight here; BAMG has curves through vertices that are no corners and at which "
-      "edges turn by less than its bound: of {} that are no corners the first is vertex {} at "
-      "({:g}, {:g})",
-      count, first + 1, p.x, p.y);
+      "edges are straight here; BAMG has curves through {} of their vertices, where they turn by "
+      "less than {:g} degrees and no corner is listed, the first: vertex {} at ({:g}, {:g})",
+      count, bound, first + 1, place(first).x, place(first).y);
 }
 
 }  // namespace asterism::internal

@@ -104,7 +104,9 @@ std::optional<error> pass_over(text_scanner& source, const word& keyword, int di
   if (is_named_among(texts, keyword.text)) return skip_text(source, keyword);
   if (is_named_among(single_numbers, keyword.text)) {
     const auto value = to_number(source, source.next(), keyword.text);
-    return value.ok() ? failure{} : value.failure();
+    if (!value.ok()) return value.failure();
+    passed.corner_bound = value.value();
+    return {};
   }
   if (!is_letter(keyword.text.front()))
     return source.failure(keyword.line,

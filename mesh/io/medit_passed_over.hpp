@@ -14,6 +14,8 @@ namespace asterism::internal {
 struct passed_over {
   std::string names;         // of sections that are not known, with commas between
   std::optional<word> next;  // the keyword after one of them, already read
+  // The turn above which BAMG takes a vertex for a corner, in degrees; its own default.
+  double corner_bound = 10;
 };
 
 // Passes over the section that the keyword begins: by its count where its shape is known, else to

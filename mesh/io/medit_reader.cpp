@@ -117,9 +117,12 @@ class medit_reader {
 };
 
 failure medit_reader::read_mesh() {
-  const auto dimension = read_medit_header(source_);
+  std::optional<double> corner_bound;
+  const auto dimension = read_medit_header(source_, &corner_bound);
   if (!dimension.ok()) return dimension.failure();
   dimension_ = dimension.value();
+  has_bamg_curves_ = corner_bound.has_value();
+  passed_.corner_bound = corner_bound.value_or(passed_.corner_bound);
   while (true) {
     const word keyword = passed_.next ? *std::exchange(passed_.next, {}) : source_.next();
     if (keyword.empty() || keyword.text == "End") break;
@@ -132,7 +135,8 @@ failure medit_reader::read_mesh() {
   if (auto failed = check_parts()) return failed;
   note_marks();
   if (has_bamg_curves_ && !lists_triangles_)
-    if (auto note = note_of_bamg_bends(m_, made_.marks.corners)) m_.notes.push_back(*note);
+    if (auto note = note_of_bamg_bends(m_, made_.marks.corners, passed_.corner_bound))
+      m_.notes.push_back(*note);
   if (!passed_.names.empty())
     m_.notes.push_back(source_.file() +
                        ": sections that mean nothing here are passed over: " + passed_.names);

@@ -140,7 +140,7 @@ failure read_bamg_metric(text_scanner& source, mesh& m) {
 
 }  // namespace
 
-result<int> read_medit_header(text_scanner& source) {
+result<int> read_medit_header(text_scanner& source, std::optional<double>* corner_bound) {
   const word first = source.next();
   if (first.text != "MeshVersionFormatted")
     return source.failure(first.line, first.empty() ? std::string("the file is empty")
@@ -158,6 +158,7 @@ result<int> read_medit_header(text_scanner& source) {
   while (keyword.text == "MaximalAngleOfCorner" || keyword.text == "AngleOfCornerBound") {
     const auto angle = to_number(source, source.next(), keyword.text);
     if (!angle.ok()) return angle.failure();
+    if (corner_bound != nullptr) *corner_bound = angle.value();
     keyword = source.next();
   }
   if (keyword.text != "Dimension")

@@ -13,8 +13,9 @@
 
 namespace asterism::internal {
 
-// Reads `MeshVersionFormatted 1..3`, `Dimension 2 or 3`. Returns the dimension.
-result<int> read_medit_header(text_scanner& source);
+// Reads `MeshVersionFormatted 1..3`, `Dimension 2 or 3`. Returns the dimension. Where BAMG's bound
+// on corners is between the two, in degrees, `corner_bound` is set to it, unless it is null.
+result<int> read_medit_header(text_scanner& source, std::optional<double>* corner_bound = nullptr);
 
 // Reads one tensor a site of `m` from a .sol file, or from one of BAMG's, NAME.mtr: the number of
 // vertices, 1 or 3, and for each a length h, meaning the tensor I/h^2, or m11 m12 m22. One number a

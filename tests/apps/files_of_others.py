@@ -316,10 +316,14 @@ class MeditTest(ReaderTest):
         self.expect_refusal("n.mesh", gap, "--convex-hull")
 
     def test_a_geometry_of_bamg_has_straight_edges(self):
-        edges = HEAD + SQUARE + "Edges\n4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\nMaximalAngleOfCorner 46\n"
+        edges = HEAD + SQUARE + "Edges\n4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\nMaximalAngleOfCorner 91\n"
         made = edges + "Corners\n3\n1 2 3\nEnd\n"
-        self.expect_note("m.mesh", made, "edges are straight here", "of 1 that are no corners the first is vertex 4")
-        for text in (edges + "Corners\n4\n1 2 3 4\nEnd\n", edges.replace("MaximalAngleOfCorner 46\n", "End\n")):
+        self.expect_note("m.mesh", made, "edges are straight here", "through 1 of their vertices", "vertex 4")
+        # BAMG's own geometries have it before the dimension.
+        before = made.replace("MaximalAngleOfCorner 91\n", "").replace("Dimension", "MaximalAngleOfCorner 91\nDimension")
+        self.expect_note("b.mesh", before, "through 1 of their vertices", "vertex 4")
+        for text in (edges + "Corners\n4\n1 2 3 4\nEnd\n", edges.replace("91", "89") + "End\n",
+                     edges.replace("MaximalAngleOfCorner 91\n", "Tangents 0\nEnd\n")):
             _, notes = self.mesh("n.mesh", text)
             self.assertFalse([n for n in notes if "straight" in n], notes)
 
