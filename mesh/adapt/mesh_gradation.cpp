@@ -45,6 +45,30 @@ background_metric field_of(working_mesh& m) {
   return made;
 }
 
+// Goes from node to neighbour, so that each search begins an edge away.
+void look_up_anew(working_mesh& m, const background_metric& field) {
+  std::vector<char> is_reached(m.nodes().size(), 0);
+  std::vector<vertex_index> waiting;
+  face_list ring;
+  for (vertex_index first = 0; first < m.nodes().size(); ++first) {
+    if (m.at(first).kind == node_kind::gone || is_reached[first] != 0) continue;
+    m.at(first).hint = 0;
+    is_reached[first] = 1;
+    waiting.assign(1, first);
+    for (std::size_t next = 0; next < waiting.size(); ++next) {
+      const vertex_index v = waiting[next];
+      m.at(v).hint = field.triangle_near(m.at(v).position, m.at(v).hint);
+      m.neighbours(v, ring);
+      for (const vertex_index w : ring) {
+        if (is_reached[w] != 0) continue;
+        is_reached[w] = 1;
+        m.at(w).hint = m.at(v).hint;
+        waiting.push_back(w);
+      }
+    }
+  }
+}
+
 void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
                    const std::function<void(vertex_index, vertex_index)>& changed) {
   double most = 0;

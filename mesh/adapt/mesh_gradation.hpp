@@ -18,6 +18,10 @@ void grade_mesh(working_mesh& m, double distortion, double unit, const cancellat
 // Returns the field of the nodes' tensors, and sets each node's hint to a triangle of it.
 background_metric field_of(working_mesh& m);
 
+// Sets each node's hint to a triangle of the field that it is in. Hints of another field lead a
+// search across the whole background.
+void look_up_anew(working_mesh& m, const background_metric& field);
+
 // Makes all pairs of these nodes' tensors alike, to a part of the greatest distortion they have.
 // Calls changed(v, w) for each pair to which other tensors were given.
 void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,

@@ -38,6 +38,10 @@ class background_metric {
   // Returns about the same, sooner near the place asked about before: the walk begins at `hint`,
   // which is set to the triangle where it ended. One thread asks.
   metric_tensor at(const point& q, vertex_index& hint) const;
+  // Returns the triangle that at() with this hint ends in.
+  vertex_index triangle_near(const point& q, vertex_index hint) const {
+    return nearby(q, hint).triangle;
+  }
   // Returns what at() with a hint does, where that is another tensor than a field says which has
   // the same triangles.
   std::optional<metric_tensor> where_other(const background_metric& than, const point& q,

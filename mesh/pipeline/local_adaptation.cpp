@@ -338,7 +338,9 @@ class adaptation {
     if (off_count(m.count(), count_) > tolerable && !stop_reason() && !are_many_given(m)) {
       const background_metric own = field_of(m);
       maker.meet_count(field_by(own, m));
-      if (is_overworked() || !take_wanted(m)) return false;
+      if (is_overworked()) return false;
+      look_up_anew(m, wanted_);
+      if (!take_wanted(m)) return false;
       grade_mesh(m, how.turning, maker.unit(), options_.stop);
     }
     length_factor_ = maker.unit();
@@ -382,7 +384,9 @@ class adaptation {
     const double distortion = grade_as_needed(m, how, maker.unit());
     const background_metric own = field_of(m);
     maker.refit(field_by(own, m));
-    if (is_overworked() || !take_wanted(m)) return false;
+    if (is_overworked()) return false;
+    look_up_anew(m, wanted_);
+    if (!take_wanted(m)) return false;
     grade_mesh(m, distortion, maker.unit(), options_.stop);
     split_left_long(m, maker, most_nodes);
     return true;

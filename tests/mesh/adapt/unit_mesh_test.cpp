@@ -142,3 +142,25 @@ TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
     CHECK(hint == n.hint);
   }
 }
+
+TEST_CASE("after another field each node is looked up anew from its neighbour") {
+  const domain d = square();
+  working_mesh m = coarse(d);
+  unit_mesh_options options;
+  options.count = 200;
+  unit_mesher maker(m, options);
+  maker.run(layer, {});
+  const background_metric wanted = field_of(m);
+  options.count = 600;
+  unit_mesher finer(m, options);
+  finer.run([&wanted](const point& q, vertex_index& hint) { return wanted.at(q, hint); }, {});
+  const background_metric own = field_of(m);
+  std::size_t left = 0, there = 0;
+  for (const node& n : m.nodes())
+    if (n.kind != node_kind::gone && wanted.triangle_near(n.position, n.hint) != n.hint) ++left;
+  CHECK(left > 300);
+  look_up_anew(m, wanted);
+  for (const node& n : m.nodes())
+    if (n.kind != node_kind::gone && wanted.triangle_near(n.position, n.hint) == n.hint) ++there;
+  CHECK(there == m.count());
+}
