@@ -51,11 +51,11 @@ std::string smoother(const mesh_job& job) {
 
 // Returns a bound to try. Narrow places that cannot be mended for one bound often can for half of
 // it (water.poly: 70 triangles left at 20 degrees, none at 10); below the worst angle nothing is
-// left.
+// left. A mesh without a triangle tells of no angle.
 std::string lower_bound(const mesh_job& job, const certified_mesh& made, const std::string& other) {
   const double bound =
       std::max(std::floor(job.refinement.angle_bound / 2), std::floor(made.report.worst().degrees));
-  if (!(bound >= 1)) return other;
+  if (!(bound >= 1 && bound < job.refinement.angle_bound)) return other;
   return fmt::format("--angle-bound {:.0f}, or {}", bound, other);
 }
 

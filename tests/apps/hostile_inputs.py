@@ -103,6 +103,13 @@ def fan(count, degrees):
     return poly_text(points, ring(0, 4) + [(4, 5 + i) for i in range(count)])
 
 
+def closed_fan(count):
+    """A square whose sides have `count` vertices, all joined to one beside its middle."""
+    side = [-1 + 8 * i / count for i in range(count // 4)]
+    points = [(t, -1.0) for t in side] + [(1.0, t) for t in side] + [(-t, 1.0) for t in side] + [(-1.0, -t) for t in side]
+    return poly_text([*points, (0.1, -0.05)], ring(0, len(points)) + [(i, len(points)) for i in range(len(points))])
+
+
 def crossing_segments(count, seed=1):
     """Segments between random points of a square, with its sides: nearly a quarter of all pairs cross."""
     rng = random.Random(seed)

@@ -2,6 +2,7 @@
 """Meshes and domains on which the mesher and the auditor, or the mesh and its certificate, disagreed; and some that took
 minutes, which now end with what is certain."""
 import math
+import re
 import resource
 import unittest
 
@@ -145,6 +146,13 @@ class BoundedWork(command.CommandTest):
         for more in ((), ("--domain", "fan.poly")):
             done = self.bounded("verify", "fan.mesh", *more)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_an_angle_bound_of_180_was_advised_where_there_was_no_triangle(self):
+        self.write("closed.poly", hostile_inputs.closed_fan(2400))
+        done = self.bounded("mesh", "closed.poly", "-o", "closed.mesh")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        for bound in re.findall(r"--angle-bound (\d+)", done.stderr):
+            self.assertLess(int(bound), 20)
 
     def test_to_say_what_mends_thousands_of_crossing_segments_took_minutes_and_half_a_gigabyte(self):
         for count, is_known in ((200, True), (2498, False)):
