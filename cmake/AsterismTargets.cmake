@@ -54,6 +54,14 @@ function(asterism_unite target)
   target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
 
+# asterism_compile_cheaply(TARGET): under ASTERISM_UNITY with -O1, which takes three fifths of the time of -O3. For what
+# reads options and writes summaries: nothing in it is repeated as often as there are triangles.
+function(asterism_compile_cheaply target)
+  if(ASTERISM_UNITY AND NOT EMSCRIPTEN)
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
 # asterism_read_once(TARGET HEADER...): under ASTERISM_UNITY the headers are read once for all files of the target.
 function(asterism_read_once target)
   if(ASTERISM_UNITY AND NOT EMSCRIPTEN)
