@@ -95,6 +95,11 @@ std::optional<error> check_files(const metric_job& job) {
   std::vector<fs::path> read = files_of(job.request);
   read.insert(read.end(), job.series.begin(), job.series.end());
   const std::vector<fs::path> written = written_files(job);
+  // A window that is given twice would weigh twice; the mesh's own file may be one of them.
+  std::vector<fs::path> once = written;
+  for (const std::string& window : job.series)
+    if (window != job.request.mesh) once.emplace_back(window);
+  if (auto failed = check_distinct({}, once)) return failed;
   if (auto failed = check_distinct(read, written)) return failed;
   for (const fs::path& place : written)
     if (auto failed = check_place(place)) return failed;
