@@ -46,10 +46,6 @@ double rational_gap(const triangle_net& net, const interval_triangle& corners) {
   return most;
 }
 
-double distance_above(const interval_vector& p, const plain_triangle& triangle) {
-  return squared_distance_above({p, 1}, triangle);
-}
-
 }  // namespace
 
 double squared_gap_above(const triangle_net& net, bool is_rational,
@@ -68,8 +64,9 @@ std::vector<interval_vector> euclidean(const weighted_point* points, std::size_t
 hull_distance hull_distance_above(const std::vector<interval_vector>& points,
                                   const plain_triangle& triangle) {
   hull_distance most;
+  const distances_above from(triangle);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const double far = distance_above(points[k], triangle);
+    const double far = from.of(points[k]);
     if (far > most.squared) most = {far, k};
   }
   return most;
@@ -91,12 +88,13 @@ double hull_distance_above(const std::vector<interval_vector>& points, const two
       (1 / rounded_root(size_b)) * across_b - (1 / rounded_root(size_a)) * across_a;
   const interval_vector g{normal.x, normal.y, normal.z},
       from = vector_of<rounded_interval>(two.common[0]);
+  const distances_above from_first(first), from_second(second);
   std::vector<rounded_interval> heights(points.size());
   double most = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     heights[k] = dot(g, points[k] - from);
-    if (!(heights[k].inf() > 0)) most = std::max(most, distance_above(points[k], first));
-    if (!(heights[k].sup() < 0)) most = std::max(most, distance_above(points[k], second));
+    if (!(heights[k].inf() > 0)) most = std::max(most, from_first.of(points[k]));
+    if (!(heights[k].sup() < 0)) most = std::max(most, from_second.of(points[k]));
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!(heights[i].sup() < 0)) continue;
@@ -104,7 +102,7 @@ double hull_distance_above(const std::vector<interval_vector>& points, const two
       if (!(heights[j].inf() > 0)) continue;
       const rounded_interval share = quotient(-heights[i], heights[j] - heights[i]);
       const interval_vector crossing = points[i] + share * (points[j] - points[i]);
-      most = std::max({most, distance_above(crossing, first), distance_above(crossing, second)});
+      most = std::max({most, from_first.of(crossing), from_second.of(crossing)});
     }
   }
   return most;

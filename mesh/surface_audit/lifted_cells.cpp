@@ -6,10 +6,9 @@
 namespace asterism::internal {
 namespace {
 
-// A corner of a part: where it is in the triangle, and in the patch. On a cut its parameter is the
-// knot itself, which is exact.
+// A corner of a part: where it is in the patch. On a cut its parameter is the knot itself, which is
+// exact.
 struct cut_corner {
-  std::array<rounded_interval, 2> weights;
   std::array<rounded_interval, 2> at;
 };
 using cut_polygon = std::vector<cut_corner>;
@@ -24,10 +23,7 @@ cut_corner crossing(const cut_corner& p, const cut_corner& q, std::size_t axis, 
   const rounded_interval from = rounded_interval(knot) - p.at[axis], to = q.at[axis] - p.at[axis];
   const rounded_interval share = to.inf() > 0 ? quotient(from, to) : quotient(-from, -to);
   cut_corner c;
-  for (std::size_t k = 0; k < 2; ++k) {
-    c.weights[k] = between(p.weights[k], q.weights[k], share);
-    c.at[k] = between(p.at[k], q.at[k], share);
-  }
+  for (std::size_t k = 0; k < 2; ++k) c.at[k] = between(p.at[k], q.at[k], share);
   c.at[axis] = knot;
   return c;
 }
@@ -94,18 +90,16 @@ rounded_interval local(const rounded_interval& x, double low, double high) {
   return quotient(x - from, rounded_interval(high) - from);
 }
 
-lifted_corner corner_in(const cut_corner& c, const bezier_piece& piece) {
-  return {c.weights,
-          {local(c.at[0], piece.u_low, piece.u_high), local(c.at[1], piece.v_low, piece.v_high)}};
+parameter_corner corner_in(const cut_corner& c, const bezier_piece& piece) {
+  return {local(c.at[0], piece.u_low, piece.u_high), local(c.at[1], piece.v_low, piece.v_high)};
 }
 
 rounded_interval half_of(const rounded_interval& a, const rounded_interval& b) {
   return rounded_interval(0.5) * (a + b);
 }
 
-lifted_corner middle_of(const lifted_corner& a, const lifted_corner& b) {
-  return {{half_of(a.weights[0], b.weights[0]), half_of(a.weights[1], b.weights[1])},
-          {half_of(a.at.s, b.at.s), half_of(a.at.t, b.at.t)}};
+parameter_corner middle_of(const parameter_corner& a, const parameter_corner& b) {
+  return {half_of(a.s, b.s), half_of(a.t, b.t)};
 }
 
 }  // namespace
@@ -113,10 +107,8 @@ lifted_corner middle_of(const lifted_corner& a, const lifted_corner& b) {
 std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t triangle) {
   const shell_triangle& t = scene.triangles[triangle];
   cut_polygon whole(3);
-  for (std::size_t k = 0; k < 3; ++k) {
-    whole[k].weights = {k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0};
+  for (std::size_t k = 0; k < 3; ++k)
     whole[k].at = {rounded_interval(t.at[k][0]), rounded_interval(t.at[k][1])};
-  }
   const patch_spans& spans = scene.spans[t.face];
   const auto last = static_cast<std::uint32_t>(scene.space.mesh.triangles.size() - 1);
   std::vector<lifted_cell> cells;
@@ -140,7 +132,7 @@ std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t trian
 
 std::array<lifted_cell, 4> quarters(const lifted_cell& cell) {
   const auto& [a, b, c] = cell.corners;
-  const lifted_corner p = middle_of(a, b), q = middle_of(b, c), r = middle_of(c, a);
+  const parameter_corner p = middle_of(a, b), q = middle_of(b, c), r = middle_of(c, a);
   std::array<lifted_cell, 4> parts = {cell, cell, cell, cell};
   parts[0].corners = {a, p, r};
   parts[1].corners = {p, b, q};
@@ -148,18 +140,6 @@ std::array<lifted_cell, 4> quarters(const lifted_cell& cell) {
   parts[3].corners = {p, q, r};
   for (lifted_cell& part : parts) ++part.depth;
   return parts;
-}
-
-interval_triangle corners_in_space(const lifted_scene& scene, const lifted_cell& cell) {
-  const shell_triangle& t = scene.triangles[cell.triangle];
-  const auto at = [&](std::size_t k) {
-    return vector_of<rounded_interval>(scene.space.mesh.points[t.vertex[k]]);
-  };
-  const interval_vector a = at(0), b = at(1) - a, c = at(2) - a;
-  interval_triangle corners;
-  for (std::size_t k = 0; k < 3; ++k)
-    corners[k] = a + cell.corners[k].weights[0] * b + cell.corners[k].weights[1] * c;
-  return corners;
 }
 
 }  // namespace asterism::internal

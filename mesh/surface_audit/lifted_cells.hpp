@@ -20,20 +20,12 @@ struct lifted_scene {
   const std::vector<shell_triangle>& triangles;
 };
 
-// `weights` are those of the second and the third corner of the triangle.
-struct lifted_corner {
-  std::array<rounded_interval, 2> weights;
-  parameter_corner at;  // in the piece
-};
-
 struct lifted_cell {
   std::uint32_t triangle = 0, piece = 0;
   int depth = 0;
-  std::array<lifted_corner, 3> corners;
+  parameter_triangle corners;   // in the piece
   std::uint32_t hint = 0;       // a triangle in space nearby
   double above = 0, below = 0;  // squared distances, or tangents
-
-  parameter_triangle parameters() const { return {corners[0].at, corners[1].at, corners[2].at}; }
 };
 
 // All of these stand in a floating_point_scope(rounding::upward).
@@ -43,6 +35,5 @@ struct lifted_cell {
 std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t triangle);
 // Returns the four parts between the middles of its sides.
 std::array<lifted_cell, 4> quarters(const lifted_cell& cell);
-interval_triangle corners_in_space(const lifted_scene& scene, const lifted_cell& cell);
 
 }  // namespace asterism::internal

@@ -12,35 +12,39 @@ surface_place place_of(const lifted_cell& cell, const parameter_corner& at) {
 }
 
 // A part of a triangle may lie beside it, and a collapsed one is none of the mesh: others are near.
-double hull_above(const lifted_scene& scene, lifted_cell& cell, const triangle_net& net,
-                  const plain_vector& middle) {
+// Sets `below`, the squared distance of the middle, along with `above`.
+void bound_by_hull(const lifted_scene& scene, lifted_cell& cell, const triangle_net& net,
+                   const plain_vector& middle) {
   const bezier_piece& piece = scene.space.pieces[cell.piece];
   const auto points = euclidean(net.points.data(), net.points.size(), piece.is_rational);
-  const bool collapsed = scene.triangles[cell.triangle].collapsed;
-  if (collapsed || cell.depth > 0)
-    cell.hint = nearest_triangle_to(scene.space, middle, cell.hint).triangle;
+  const bool whole = cell.depth == 0 && !scene.triangles[cell.triangle].collapsed;
+  const nearest_triangle near = nearest_triangle_to(scene.space, middle, cell.hint);
+  cell.below = near.squared_distance;
+  if (!whole) cell.hint = near.triangle;
   const hull_distance own = hull_distance_above(points, scene.space.triangle(cell.hint));
-  if (cell.depth == 0 && !collapsed) return own.squared;
+  cell.above = own.squared;
+  if (whole) return;
   const nearest_triangle other =
       nearest_triangle_to(scene.space, middle_of(points[own.farthest]), cell.hint);
-  if (other.triangle == cell.hint) return own.squared;
-  const auto two = joined_triangles(scene.space, cell.hint, other.triangle);
-  return two ? std::min(own.squared, hull_distance_above(points, *two)) : own.squared;
+  if (other.triangle == cell.hint) return;
+  if (const auto two = joined_triangles(scene.space, cell.hint, other.triangle))
+    cell.above = std::min(cell.above, hull_distance_above(points, *two));
 }
 
 }  // namespace
 
-[[gnu::noinline]] void look_at_distance(const lifted_scene& scene, lifted_cell& cell) {
+triangle_net net_of(const lifted_scene& scene, const lifted_cell& cell) {
   const bezier_piece& piece = scene.space.pieces[cell.piece];
-  const triangle_net net = net_over(tensor_of(piece), cell.parameters(), piece.is_rational);
-  const surface_place at =
-      place_of(cell, {(rounded_interval(1.0 / 3)) *
-                          (cell.corners[0].at.s + cell.corners[1].at.s + cell.corners[2].at.s),
-                      (rounded_interval(1.0 / 3)) *
-                          (cell.corners[0].at.t + cell.corners[1].at.t + cell.corners[2].at.t)});
-  const plain_vector on_surface = evaluate(piece, at.s, at.t).at;
-  cell.above = hull_above(scene, cell, net, on_surface);
-  cell.below = nearest_triangle_to(scene.space, on_surface, cell.hint).squared_distance;
+  return net_over(tensor_of(piece), cell.corners, piece.is_rational);
+}
+
+[[gnu::noinline]] void look_at_distance(const lifted_scene& scene, lifted_cell& cell,
+                                        const triangle_net& net) {
+  const bezier_piece& piece = scene.space.pieces[cell.piece];
+  const auto& [a, b, c] = cell.corners;
+  const rounded_interval third = 1.0 / 3;
+  const surface_place at = place_of(cell, {third * (a.s + b.s + c.s), third * (a.t + b.t + c.t)});
+  bound_by_hull(scene, cell, net, evaluate(piece, at.s, at.t).at);
 }
 
 double squared_vertex_distance(const lifted_scene& scene, std::uint32_t face, double u, double v,
@@ -53,8 +57,7 @@ double squared_vertex_distance(const lifted_scene& scene, std::uint32_t face, do
   };
   const parameter_corner at{local(u, piece.u_low, piece.u_high),
                             local(v, piece.v_low, piece.v_high)};
-  const triangle_net net = net_over(tensor_of(piece), {at, at, at}, piece.is_rational);
-  const weighted_point& p = net.points[0];
+  const weighted_point p = point_at(tensor_of(piece), at, piece.is_rational);
   const rounded_interval far =
       squared_length(p.at - p.weight * vector_of<rounded_interval>(vertex));
   return quotient(far, squared(p.weight)).sup();

@@ -217,18 +217,18 @@ bool is_at(const parameter_corner& c, piece_side side) {
 
 }  // namespace
 
-[[gnu::noinline]] void look_at_normals(const lifted_scene& scene, lifted_cell& cell) {
+[[gnu::noinline]] void look_at_normals(const lifted_scene& scene, lifted_cell& cell,
+                                       const triangle_net& net) {
   const bezier_piece& piece = scene.space.pieces[cell.piece];
   const shell_triangle& t = scene.triangles[cell.triangle];
   const triangle_frame f = frame_of(scene, t);
-  const triangle_net net = net_over(tensor_of(piece), cell.parameters(), piece.is_rational);
   cell.above = squared_tangent_above(f, along_sides(f, net, piece.is_rational));
   for (std::size_t k = 0; k < 4 && std::isinf(cell.above); ++k) {
     const auto side = static_cast<piece_side>(k);
-    const auto stands_there = [&](const lifted_corner& c) { return is_at(c.at, side); };
+    const auto stands_there = [&](const parameter_corner& c) { return is_at(c, side); };
     if (!piece.is_point[k] || std::none_of(cell.corners.begin(), cell.corners.end(), stands_there))
       continue;
-    const auto q = from_one_point(f, turned(piece, side), turned(cell.parameters(), side),
+    const auto q = from_one_point(f, turned(piece, side), turned(cell.corners, side),
                                   piece.point[k], piece.is_rational);
     cell.above = squared_tangent_above(f, q);
   }
@@ -236,8 +236,8 @@ bool is_at(const parameter_corner& c, piece_side side) {
   const auto middle = [&](const auto& of) {
     return (middle_of(of(0)) + middle_of(of(1)) + middle_of(of(2))) / 3;
   };
-  const plain_jet jet = evaluate(piece, middle([&](std::size_t k) { return cell.corners[k].at.s; }),
-                                 middle([&](std::size_t k) { return cell.corners[k].at.t; }));
+  const plain_jet jet = evaluate(piece, middle([&](std::size_t k) { return cell.corners[k].s; }),
+                                 middle([&](std::size_t k) { return cell.corners[k].t; }));
   const plain_vector normal = cross(jet.by_s, jet.by_t), own = middle_of(f.normal);
   const plain_vector across = cross(normal, own);
   const double along = dot(normal, own);

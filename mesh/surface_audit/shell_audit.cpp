@@ -113,14 +113,58 @@ class shell_view {
   std::vector<patch_spans> spans_;
 };
 
-using look = void (*)(const lifted_scene&, lifted_cell&);
+using look = void (*)(const lifted_scene&, lifted_cell&, const triangle_net&);
+using lifted_cells = std::vector<lifted_cell>;
+
+[[gnu::noinline]] void look_at(const lifted_scene& scene, lifted_cell& cell, look at) {
+  at(scene, cell, net_of(scene, cell));
+}
 
 // The first cells of a triangle, looked at; none where a cut is not certain.
-std::vector<lifted_cell> first_cells(const lifted_scene& scene, std::uint32_t t, look at) {
+lifted_cells first_cells(const lifted_scene& scene, std::uint32_t t, look at) {
   const floating_point_scope scope(rounding::upward);
-  std::vector<lifted_cell> cells = cells_of(scene, t);
-  for (lifted_cell& cell : cells) at(scene, cell);
+  lifted_cells cells = cells_of(scene, t);
+  for (lifted_cell& cell : cells) look_at(scene, cell, at);
   return cells;
+}
+
+// The first cells of all triangles, looked at in both ways, with one net for the two.
+struct first_looks {
+  std::vector<lifted_cells> distances, normals;
+};
+
+[[gnu::noinline]] void look_at_both(const lifted_scene& scene, lifted_cell& distance,
+                                    lifted_cell& normal) {
+  const triangle_net net = net_of(scene, distance);
+  look_at_distance(scene, distance, net);
+  look_at_normals(scene, normal, net);
+}
+
+first_looks first_looks_at(const lifted_scene& scene) {
+  first_looks first;
+  first.distances.resize(scene.triangles.size());
+  first.normals.resize(scene.triangles.size());
+  parallel_for(scene.triangles.size(), [&](std::size_t t) {
+    const auto number = static_cast<std::uint32_t>(t);
+    if (scene.triangles[t].collapsed) {
+      first.distances[t] = first_cells(scene, number, look_at_distance);
+      return;
+    }
+    const floating_point_scope scope(rounding::upward);
+    first.distances[t] = first.normals[t] = cells_of(scene, number);
+    for (std::size_t k = 0; k < first.normals[t].size(); ++k)
+      look_at_both(scene, first.distances[t][k], first.normals[t][k]);
+  });
+  return first;
+}
+
+lifted_cells joined(const std::vector<lifted_cells>& parts) {
+  std::size_t count = 0;
+  for (const lifted_cells& some : parts) count += some.size();
+  lifted_cells all;
+  all.reserve(count);
+  for (const lifted_cells& some : parts) all.insert(all.end(), some.begin(), some.end());
+  return all;
 }
 
 std::vector<lifted_cell> parts_of(const lifted_scene& scene, const lifted_cell& cell, look at) {
@@ -128,7 +172,7 @@ std::vector<lifted_cell> parts_of(const lifted_scene& scene, const lifted_cell& 
   const auto four = quarters(cell);
   std::vector<lifted_cell> parts(four.begin(), four.end());
   for (lifted_cell& part : parts) {
-    at(scene, part);
+    look_at(scene, part, at);
     part.above = std::min(part.above, cell.above);
   }
   return parts;
@@ -158,26 +202,20 @@ double root_above(double squared) {
   return rounded_root(squared);
 }
 
-void audit_distances(const shell_view& view, const shell_question& asked, shell_report& report) {
+void audit_distances(const shell_view& view, const std::vector<lifted_cells>& first,
+                     const shell_question& asked, shell_report& report) {
   const lifted_scene scene = view.scene();
-  std::vector<std::vector<lifted_cell>> first(scene.triangles.size());
-  parallel_for(first.size(), [&](std::size_t t) {
-    first[t] = first_cells(scene, static_cast<std::uint32_t>(t), look_at_distance);
-  });
-  std::vector<lifted_cell> cells;
-  for (std::size_t t = 0; t < first.size(); ++t) {
+  for (std::size_t t = 0; t < first.size(); ++t)
     if (first[t].empty())
       note_finding(report, asked,
                    fmt::format("triangle {}: knots cross at a corner of it but for rounding, so "
                                "that nothing is proved of it",
                                t + 1));
-    cells.insert(cells.end(), first[t].begin(), first[t].end());
-  }
   narrowing_limits limits;
   limits.negligible = negligible_share * view.size();
   limits.at_most = asked.chord;
   limits.most_cells = 100 * scene.triangles.size() + 1'000'000;
-  const auto found = narrow(std::move(cells), limits, [&](const lifted_cell& cell) {
+  const auto found = narrow(joined(first), limits, [&](const lifted_cell& cell) {
     return parts_of(scene, cell, look_at_distance);
   });
   report.distance = std::max(root_above(found.above), from_mesh(scene.space, limits).high);
@@ -189,15 +227,10 @@ void audit_distances(const shell_view& view, const shell_question& asked, shell_
                     report.distance, asked.chord, found.best ? found.best->triangle + 1 : 0));
 }
 
-void audit_normals(const shell_view& view, const shell_question& asked, shell_report& report) {
+void audit_normals(const shell_view& view, const std::vector<lifted_cells>& first,
+                   const shell_question& asked, shell_report& report) {
   const lifted_scene scene = view.scene();
-  std::vector<std::vector<lifted_cell>> first(scene.triangles.size());
-  parallel_for(first.size(), [&](std::size_t t) {
-    if (!scene.triangles[t].collapsed)
-      first[t] = first_cells(scene, static_cast<std::uint32_t>(t), look_at_normals);
-  });
-  std::vector<lifted_cell> cells;
-  for (const auto& some : first) cells.insert(cells.end(), some.begin(), some.end());
+  lifted_cells cells = joined(first);
   const auto divide = [&](const lifted_cell& cell) {
     return gives_up(cell) ? std::vector<lifted_cell>{} : parts_of(scene, cell, look_at_normals);
   };
@@ -280,8 +313,9 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
   if (view.in_space().triangles.empty()) return no_triangle();
   audit_edges(s, shell, view.triangles(), asked, report);
   audit_vertices(shell, view, report);
-  audit_distances(view, asked, report);
-  audit_normals(view, asked, report);
+  const first_looks first = first_looks_at(view.scene());
+  audit_distances(view, first.distances, asked, report);
+  audit_normals(view, first.normals, asked, report);
   audit_crossings(view, asked, report);
   measure_angles(view, report);
   report.certified = report.found == 0;

@@ -96,27 +96,40 @@ std::set<shell_edge> edges_at_open_sides(const surface_shell& shell,
   return edges;
 }
 
+// Names the edges that are there already, in the order given.
+void name_repeated(const std::vector<shell_edge>& given, const shell_question& asked,
+                   shell_report& report) {
+  std::set<shell_edge> before;
+  for (const shell_edge& e : given)
+    if (!before.insert(e).second)
+      note_finding(report, asked,
+                   fmt::format("the edge from vertex {} to {} is in two triangles the same way",
+                               e.first + 1, e.second + 1));
+}
+
 }  // namespace
 
 void audit_edges(const surface& s, const surface_shell& shell,
                  const std::vector<shell_triangle>& triangles, const shell_question& asked,
                  shell_report& report) {
   const space_mesh m = mesh_of(shell, triangles);
-  std::map<shell_edge, std::size_t> directed;
-  std::set<std::uint32_t> used;
-  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+  std::vector<shell_edge> given, directed;
+  std::vector<unsigned char> is_used(shell.points.size(), 0);
+  for (const space_triangle& t : m.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
-      const shell_edge e{m.triangles[t][k], m.triangles[t][(k + 1) % 3]};
-      used.insert(e.first);
-      if (!directed.emplace(e, t).second)
-        note_finding(report, asked,
-                     fmt::format("the edge from vertex {} to {} is in two triangles the same way",
-                                 e.first + 1, e.second + 1));
+      given.emplace_back(t[k], t[(k + 1) % 3]);
+      is_used[t[k]] = 1;
     }
+  directed = given;
+  std::sort(directed.begin(), directed.end());
+  const auto end_of_distinct = std::unique(directed.begin(), directed.end());
+  if (end_of_distinct != directed.end()) name_repeated(given, asked, report);
+  directed.erase(end_of_distinct, directed.end());
   const side_facts facts = facts_of(s, shell);
   const std::set<shell_edge> at_sides = edges_at_open_sides(shell, triangles, facts);
-  for (const auto& [e, t] : directed) {
-    if (directed.contains({e.second, e.first})) continue;
+  for (const shell_edge& e : directed) {
+    if (std::binary_search(directed.begin(), directed.end(), shell_edge{e.second, e.first}))
+      continue;
     ++report.open_edges;
     if (!at_sides.contains(e))
       note_finding(report, asked,
@@ -129,9 +142,9 @@ void audit_edges(const surface& s, const surface_shell& shell,
   report.collapsed = triangles.size() - m.triangles.size();
   report.euler = static_cast<long>(report.vertices) - static_cast<long>(report.edges) +
                  static_cast<long>(report.triangles);
-  if (used.size() != shell.points.size())
-    note_finding(report, asked,
-                 fmt::format("{} vertices are in no triangle", shell.points.size() - used.size()));
+  const auto unused = std::count(is_used.begin(), is_used.end(), 0);
+  if (unused > 0)
+    note_finding(report, asked, fmt::format("{} vertices are in no triangle", unused));
   // A triangle that is none in space must be at a side that is one point.
   std::size_t at = 0;
   for (std::size_t f = 0; f < shell.faces.size(); ++f)

@@ -61,6 +61,17 @@ inline rounded_interval quotient(const rounded_interval& a, const rounded_interv
           rounded_quotient(high, high >= 0 ? b.inf() : b.sup())};
 }
 
+// Returns what factor * a is, in fewer operations. Requires factor.inf() >= 0: each end of the
+// product is that end of a times the end of the factor that moves it outward.
+inline rounded_interval scaled(const rounded_interval& factor, const rounded_interval& a) {
+  const double low = -a.inf(), high = a.sup();
+  return {-rounded_product(low >= 0 ? factor.sup() : factor.inf(), low),
+          rounded_product(high >= 0 ? factor.sup() : factor.inf(), high)};
+}
+inline interval_vector scaled(const rounded_interval& factor, const interval_vector& a) {
+  return {scaled(factor, a.x), scaled(factor, a.y), scaled(factor, a.z)};
+}
+
 inline rounded_interval hull(const rounded_interval& a, const rounded_interval& b) {
   return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }

@@ -87,6 +87,7 @@ nearest_triangle nearest_triangle_to(const deviation_scene& scene, const plain_v
   scene.triangles.visit_near(
       p, [&] { return best.squared_distance; },
       [&](std::uint32_t t) {
+        if (t == hint) return;
         const double far = nearest_in(scene.triangle(t), p).squared_distance;
         if (far < best.squared_distance) best = {t, far};
       });

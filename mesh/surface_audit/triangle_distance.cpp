@@ -24,14 +24,11 @@ triangle_place inside(double s, double t) {
   return {s, t};
 }
 
-double share_along(const plain_vector& from, const plain_vector& edge, const plain_vector& p) {
-  const double length = dot(edge, edge);
-  return length > 0 ? clamped(dot(p - from, edge) / length) : 0;
-}
+double share_along(double along, double length) { return length > 0 ? clamped(along / length) : 0; }
 
-double squared_distance(const plain_triangle& t, const triangle_place& at, const plain_vector& p) {
-  const plain_vector a = plain(t[0]);
-  const plain_vector d = p - (a + at.s * (plain(t[1]) - a) + at.t * (plain(t[2]) - a));
+double squared_distance(const measured_triangle& t, const triangle_place& at,
+                        const plain_vector& p) {
+  const plain_vector d = p - (t.corner + at.s * t.first + at.t * t.second);
   return dot(d, d);
 }
 
@@ -73,18 +70,28 @@ bool edge_is_farther(const space_vector<Number>& p, const space_vector<Number>& 
 
 }  // namespace
 
-nearest_place nearest_in(const plain_triangle& triangle, const plain_vector& p) {
-  const plain_vector a = plain(triangle[0]);
-  const plain_vector e = plain(triangle[1]) - a, f = plain(triangle[2]) - a, d = p - a;
-  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), de = dot(d, e), df = dot(d, f);
+measured_triangle::measured_triangle(const plain_triangle& t)
+    : corner(plain(t[0])),
+      end(plain(t[1])),
+      first(end - corner),
+      second(plain(t[2]) - corner),
+      first_squared(dot(first, first)),
+      both(dot(first, second)),
+      second_squared(dot(second, second)) {}
+
+nearest_place nearest_in(const measured_triangle& triangle, const plain_vector& p) {
+  const plain_vector &e = triangle.first, &f = triangle.second, d = p - triangle.corner;
+  const double ee = triangle.first_squared, ef = triangle.both, ff = triangle.second_squared,
+               de = dot(d, e), df = dot(d, f);
   const double area = ee * ff - ef * ef;
   if (area > 0) {
     const double s = (de * ff - df * ef) / area, t = (df * ee - de * ef) / area;
     if (s >= 0 && t >= 0 && s + t <= 1) return {{s, t}, squared_distance(triangle, {s, t}, p)};
   }
-  const triangle_place first = inside(share_along(a, e, p), 0);
-  const triangle_place second = inside(0, share_along(a, f, p));
-  const double along = share_along(plain(triangle[1]), f - e, p);
+  const triangle_place first = inside(share_along(de, ee), 0);
+  const triangle_place second = inside(0, share_along(df, ff));
+  const plain_vector from = p - triangle.end, opposite = f - e;
+  const double along = share_along(dot(from, opposite), dot(opposite, opposite));
   const triangle_place third = inside(1 - along, along);
   nearest_place best{first, squared_distance(triangle, first, p)};
   for (const triangle_place& place : {second, third}) {
@@ -94,16 +101,30 @@ nearest_place nearest_in(const plain_triangle& triangle, const plain_vector& p) 
   return best;
 }
 
-double squared_distance_above(const weighted_point& p, const plain_triangle& triangle) {
-  const plain_vector at = (1 / middle_of(p.weight)) * middle_of(p.at);
-  const nearest_place near = nearest_in(triangle, at);
+nearest_place nearest_in(const plain_triangle& triangle, const plain_vector& p) {
+  return nearest_in(measured_triangle(triangle), p);
+}
+
+distances_above::distances_above(const plain_triangle& triangle)
+    : plain_(triangle),
+      corner_(vector_of<rounded_interval>(triangle[0])),
+      first_(vector_of<rounded_interval>(triangle[1]) - corner_),
+      second_(vector_of<rounded_interval>(triangle[2]) - corner_) {}
+
+interval_vector distances_above::nearest_to(const plain_vector& p) const {
+  const nearest_place near = nearest_in(plain_, p);
   const triangle_place place = inside(near.at.s, near.at.t);
-  const interval_vector a = vector_of<rounded_interval>(triangle[0]);
-  const interval_vector q =
-      a + rounded_interval(place.s) * (vector_of<rounded_interval>(triangle[1]) - a) +
-      rounded_interval(place.t) * (vector_of<rounded_interval>(triangle[2]) - a);
-  const rounded_interval far = squared_length(p.at - p.weight * q);
+  return corner_ + scaled(place.s, first_) + scaled(place.t, second_);
+}
+
+double distances_above::of(const weighted_point& p) const {
+  const plain_vector at = (1 / middle_of(p.weight)) * middle_of(p.at);
+  const rounded_interval far = squared_length(p.at - p.weight * nearest_to(at));
   return quotient(far, squared(p.weight)).sup();
+}
+
+double distances_above::of(const interval_vector& p) const {
+  return squared_length(p - nearest_to(middle_of(p))).sup();
 }
 
 template <class Number>

@@ -24,9 +24,32 @@ struct nearest_place {
 };
 nearest_place nearest_in(const plain_triangle& triangle, const plain_vector& p);
 
-// Returns an upper bound of the squared distance of every point of an interval, or projective
-// point, from the triangle. In a floating_point_scope(rounding::upward).
-double squared_distance_above(const weighted_point& p, const plain_triangle& triangle);
+// A triangle with two of its sides and their products, for the distances of many points.
+struct measured_triangle {
+  plain_vector corner, end, first, second;  // the first side goes from the corner to the end
+  double first_squared = 0, both = 0, second_squared = 0;
+
+  explicit measured_triangle(const plain_triangle& t);
+};
+nearest_place nearest_in(const measured_triangle& triangle, const plain_vector& p);
+
+// Bounds squared distances from one triangle, of every point of an interval or projective point.
+// In a floating_point_scope(rounding::upward).
+class distances_above {
+ public:
+  explicit distances_above(const plain_triangle& triangle);
+  double of(const weighted_point& p) const;
+  double of(const interval_vector& p) const;
+
+ private:
+  interval_vector nearest_to(const plain_vector& p) const;
+
+  measured_triangle plain_;
+  interval_vector corner_, first_, second_;
+};
+inline double squared_distance_above(const weighted_point& p, const plain_triangle& triangle) {
+  return distances_above(triangle).of(p);
+}
 
 // True if the point p / w, w > 0, is certainly farther than sqrt(squared) from the triangle.
 // Numbers are intervals, in an upward scope, or dyadics, for which the answer is exact.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/surface_audit/triangle_net.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace asterism::internal {
 namespace {
-
-constexpr std::size_t most_row = most_degree + 1;
-using blossom_row = std::array<rounded_interval, most_row>;
 
 constexpr std::array<std::array<double, 2 * most_degree + 1>, 2 * most_degree + 1> binomials() {
   std::array<std::array<double, 2 * most_degree + 1>, 2 * most_degree + 1> c{};
@@ -22,38 +22,67 @@ double choose(int n, int k) {
   return binomial[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
 }
 
-// Returns, for each multi-index of sum `degree`, the weights that the polar form gives to the
-// control points when its arguments are the corners so many times: the coefficients of the product
-// of (1 - s) + s z over the arguments.
-std::vector<blossom_row> blossoms(int degree, const std::array<rounded_interval, 3>& at) {
+// A product with a weight of a polar form. Where the corners are in the piece none is negative.
+template <bool inside>
+rounded_interval weighed(const rounded_interval& weight, const rounded_interval& a) {
+  if constexpr (inside)
+    return scaled(weight, a);
+  else
+    return weight * a;
+}
+template <bool inside>
+interval_vector weighed(const rounded_interval& weight, const interval_vector& a) {
+  if constexpr (inside)
+    return scaled(weight, a);
+  else
+    return weight * a;
+}
+
+// Weights that the polar form gives to the control points, rows of degree + 1.
+struct blossom_rows {
+  std::size_t row = 1;
+  std::vector<rounded_interval> weights;
+
+  std::size_t count() const { return weights.size() / row; }
+  const rounded_interval* at(std::size_t k) const { return weights.data() + k * row; }
+};
+
+// Returns, for each multi-index of sum `degree`, the weights when the arguments are the corners so
+// many times: the coefficients of the product of (1 - s) + s z over the arguments.
+template <bool inside>
+blossom_rows blossoms(int degree, const std::array<rounded_interval, 3>& at) {
   std::array<rounded_interval, 3> rest;
   for (std::size_t k = 0; k < 3; ++k) rest[k] = rounded_interval(1) - at[k];
-  std::vector<blossom_row> lower(1), rows;
-  lower[0][0] = 1;
+  const std::size_t row = static_cast<std::size_t>(degree) + 1;
+  std::vector<rounded_interval> lower(net_size(degree) * row), rows(lower.size());
+  lower[0] = 1;
   for (int n = 1; n <= degree; ++n) {
-    rows.assign(net_size(n), {});
     for (int i = n; i >= 0; --i)
       for (int j = n - i; j >= 0; --j) {
         const std::size_t corner = i > 0 ? 0 : j > 0 ? 1 : 2;
-        const blossom_row& from = lower[net_index(n - 1, i - (corner == 0), j - (corner == 1))];
-        blossom_row& to = rows[net_index(n, i, j)];
-        to[0] = rest[corner] * from[0];
-        for (std::size_t m = 1; m < static_cast<std::size_t>(n); ++m)
-          to[m] = rest[corner] * from[m] + at[corner] * from[m - 1];
-        to[static_cast<std::size_t>(n)] = at[corner] * from[static_cast<std::size_t>(n) - 1];
+        const rounded_interval* from =
+            lower.data() + row * net_index(n - 1, i - (corner == 0), j - (corner == 1));
+        rounded_interval* to = rows.data() + row * net_index(n, i, j);
+        const auto last = static_cast<std::size_t>(n);
+        to[0] = weighed<inside>(rest[corner], from[0]);
+        for (std::size_t m = 1; m < last; ++m)
+          to[m] = weighed<inside>(rest[corner], from[m]) + weighed<inside>(at[corner], from[m - 1]);
+        to[last] = weighed<inside>(at[corner], from[last - 1]);
       }
     lower.swap(rows);
   }
-  return lower;
+  return {row, std::move(lower)};
 }
 
+template <bool inside>
 weighted_point combined(const rounded_interval* weights, const weighted_point* points,
                         std::size_t count, std::size_t stride, bool is_rational) {
-  weighted_point sum{weights[0] * points[0].at,
-                     is_rational ? weights[0] * points[0].weight : rounded_interval(1)};
+  weighted_point sum{weighed<inside>(weights[0], points[0].at), 1};
+  if (is_rational) sum.weight = weighed<inside>(weights[0], points[0].weight);
   for (std::size_t k = 1; k < count; ++k) {
-    sum.at = sum.at + weights[k] * points[k * stride].at;
-    if (is_rational) sum.weight = sum.weight + weights[k] * points[k * stride].weight;
+    const weighted_point& c = points[k * stride];
+    sum.at = sum.at + weighed<inside>(weights[k], c.at);
+    if (is_rational) sum.weight = sum.weight + weighed<inside>(weights[k], c.weight);
   }
   return sum;
 }
@@ -72,35 +101,100 @@ void gather(int p, int q, const std::vector<weighted_point>& pairs, bool is_rati
           const rounded_interval ways = choose(i + a, i) * choose(j + b, j) * choose(k + c, k);
           const weighted_point& from = row[net_index(q, a, b)];
           weighted_point& to = net.points[net_index(p + q, i + a, j + b)];
-          to.at = to.at + ways * from.at;
-          if (is_rational) to.weight = to.weight + ways * from.weight;
+          to.at = to.at + scaled(ways, from.at);
+          if (is_rational) to.weight = to.weight + scaled(ways, from.weight);
         }
     }
+}
+
+template <bool inside>
+std::vector<weighted_point> pairs_of(const tensor_net& from, const parameter_triangle& corners,
+                                     bool is_rational) {
+  const auto row = static_cast<std::size_t>(from.degree_v) + 1,
+             rows = static_cast<std::size_t>(from.degree_u) + 1;
+  const blossom_rows by_u =
+      blossoms<inside>(from.degree_u, {corners[0].s, corners[1].s, corners[2].s});
+  const blossom_rows by_v =
+      blossoms<inside>(from.degree_v, {corners[0].t, corners[1].t, corners[2].t});
+  std::vector<weighted_point> pairs, line(row);
+  pairs.reserve(by_u.count() * by_v.count());
+  for (std::size_t i = 0; i < by_u.count(); ++i) {
+    for (std::size_t j = 0; j < row; ++j)
+      line[j] = combined<inside>(by_u.at(i), from.points + j, rows, row, is_rational);
+    for (std::size_t j = 0; j < by_v.count(); ++j)
+      pairs.push_back(combined<inside>(by_v.at(j), line.data(), row, 1, is_rational));
+  }
+  return pairs;
+}
+
+// The weights of the first multi-index alone.
+template <bool inside>
+std::array<rounded_interval, most_degree + 1> first_blossom(int degree,
+                                                            const rounded_interval& at) {
+  const rounded_interval rest = rounded_interval(1) - at;
+  std::array<rounded_interval, most_degree + 1> row;
+  row[0] = 1;
+  for (std::size_t n = 1; n <= static_cast<std::size_t>(degree); ++n) {
+    row[n] = weighed<inside>(at, row[n - 1]);
+    for (std::size_t m = n - 1; m > 0; --m)
+      row[m] = weighed<inside>(rest, row[m]) + weighed<inside>(at, row[m - 1]);
+    row[0] = weighed<inside>(rest, row[0]);
+  }
+  return row;
+}
+
+// Multiplies by the number of ways of the first multi-index, and divides by it, as for the net: the
+// same bits.
+void share_out(const tensor_net& from, weighted_point& point, bool is_rational) {
+  const rounded_interval ways = choose(from.degree_u + from.degree_v, from.degree_u);
+  const rounded_interval share = quotient(rounded_interval(1), ways);
+  point.at = scaled(share, scaled(ways, point.at));
+  if (is_rational) point.weight = scaled(share, scaled(ways, point.weight));
+}
+
+template <bool inside>
+weighted_point first_point(const tensor_net& from, const parameter_corner& at, bool is_rational) {
+  const auto row = static_cast<std::size_t>(from.degree_v) + 1,
+             rows = static_cast<std::size_t>(from.degree_u) + 1;
+  const auto by_u = first_blossom<inside>(from.degree_u, at.s);
+  const auto by_v = first_blossom<inside>(from.degree_v, at.t);
+  std::array<weighted_point, most_degree + 1> line;
+  for (std::size_t j = 0; j < row; ++j)
+    line[j] = combined<inside>(by_u.data(), from.points + j, rows, row, is_rational);
+  weighted_point point = combined<inside>(by_v.data(), line.data(), row, 1, is_rational);
+  share_out(from, point, is_rational);
+  return point;
+}
+
+bool is_inside(const parameter_triangle& corners) {
+  return std::all_of(corners.begin(), corners.end(), [](const parameter_corner& c) {
+    return c.s.inf() >= 0 && c.s.sup() <= 1 && c.t.inf() >= 0 && c.t.sup() <= 1;
+  });
 }
 
 }  // namespace
 
 triangle_net net_over(const tensor_net& from, const parameter_triangle& corners, bool is_rational) {
   const int p = from.degree_u, q = from.degree_v;
-  const auto row = static_cast<std::size_t>(q) + 1, rows = static_cast<std::size_t>(p) + 1;
-  const auto by_u = blossoms(p, {corners[0].s, corners[1].s, corners[2].s});
-  const auto by_v = blossoms(q, {corners[0].t, corners[1].t, corners[2].t});
-  std::vector<weighted_point> pairs, line(row);
-  pairs.reserve(by_u.size() * by_v.size());
-  for (const blossom_row& across : by_u) {
-    for (std::size_t j = 0; j < row; ++j)
-      line[j] = combined(across.data(), from.points + j, rows, row, is_rational);
-    for (const blossom_row& weights : by_v)
-      pairs.push_back(combined(weights.data(), line.data(), row, 1, is_rational));
-  }
+  const std::vector<weighted_point> pairs = is_inside(corners)
+                                                ? pairs_of<true>(from, corners, is_rational)
+                                                : pairs_of<false>(from, corners, is_rational);
   triangle_net net{p + q, std::vector<weighted_point>(net_size(p + q))};
   if (is_rational)
     for (weighted_point& c : net.points) c.weight = 0;
   gather(p, q, pairs, is_rational, net);
   const rounded_interval share = quotient(rounded_interval(1), choose(p + q, p));
-  for (weighted_point& c : net.points)
-    c = {share * c.at, is_rational ? share * c.weight : rounded_interval(1)};
+  for (weighted_point& c : net.points) {
+    c.at = scaled(share, c.at);
+    if (is_rational) c.weight = scaled(share, c.weight);
+  }
   return net;
+}
+
+// The net's first point has the first multi-indices of both directions alone.
+weighted_point point_at(const tensor_net& from, const parameter_corner& at, bool is_rational) {
+  return is_inside({at, at, at}) ? first_point<true>(from, at, is_rational)
+                                 : first_point<false>(from, at, is_rational);
 }
 
 }  // namespace asterism::internal

@@ -46,4 +46,7 @@ inline tensor_net tensor_of(const bezier_piece& p) {
 // product symmetrised (docs/math/surfaces.md).
 triangle_net net_over(const tensor_net& from, const parameter_triangle& corners, bool is_rational);
 
+// Returns the one point that all of the net over a triangle with three equal corners is.
+weighted_point point_at(const tensor_net& from, const parameter_corner& at, bool is_rational);
+
 }  // namespace asterism::internal

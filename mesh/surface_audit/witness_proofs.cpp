@@ -138,8 +138,7 @@ bool is_beyond_surface(const deviation_scene& scene, const interval_vector& x, d
                                            double proposed) {
   const bezier_piece& piece = scene.pieces[at.piece];
   const parameter_corner corner{at.s, at.t};
-  const triangle_net net = net_over(tensor_of(piece), {corner, corner, corner}, piece.is_rational);
-  const surface_point_proof proof{scene, net.points[0],
+  const surface_point_proof proof{scene, point_at(tensor_of(piece), corner, piece.is_rational),
                                   exact_at(scene.of.patches[piece.patch], at.s, at.t),
                                   evaluate(piece, at.s, at.t).at};
   for (const double share : shares)
