@@ -8,9 +8,6 @@
 
 namespace asterism::internal {
 
-// Returns the net of the surface over the part.
-triangle_net net_of(const lifted_scene& scene, const lifted_cell& cell);
-
 // Sets the squared distances: `above` bounds that of every point of the part of the surface from
 // the mesh.
 void look_at_distance(const lifted_scene& scene, lifted_cell& cell, const triangle_net& net);

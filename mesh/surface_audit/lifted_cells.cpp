@@ -142,4 +142,9 @@ std::array<lifted_cell, 4> quarters(const lifted_cell& cell) {
   return parts;
 }
 
+triangle_net net_of(const lifted_scene& scene, const lifted_cell& cell) {
+  const bezier_piece& piece = scene.space.pieces[cell.piece];
+  return net_over(tensor_of(piece), cell.corners, piece.is_rational);
+}
+
 }  // namespace asterism::internal

@@ -33,6 +33,8 @@ struct lifted_cell {
 // Returns the parts of a triangle in the pieces that it reaches into; none where a corner of a part
 // is so near to a crossing of knots that its side is not certain.
 std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t triangle);
+// Returns the net of the surface over the part.
+triangle_net net_of(const lifted_scene& scene, const lifted_cell& cell);
 // Returns the four parts between the middles of its sides.
 std::array<lifted_cell, 4> quarters(const lifted_cell& cell);
 

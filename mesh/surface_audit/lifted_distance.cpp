@@ -33,11 +33,6 @@ void bound_by_hull(const lifted_scene& scene, lifted_cell& cell, const triangle_
 
 }  // namespace
 
-triangle_net net_of(const lifted_scene& scene, const lifted_cell& cell) {
-  const bezier_piece& piece = scene.space.pieces[cell.piece];
-  return net_over(tensor_of(piece), cell.corners, piece.is_rational);
-}
-
 [[gnu::noinline]] void look_at_distance(const lifted_scene& scene, lifted_cell& cell,
                                         const triangle_net& net) {
   const bezier_piece& piece = scene.space.pieces[cell.piece];
