@@ -11,7 +11,7 @@ namespace {
 
 // Half of the length from which divide_curves halves a chord for the size across it: without a
 // tolerance of their own chords are hardly ever shorter.
-constexpr double least_length = 0.4;
+constexpr double least_of_wanted = 0.4;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ std::vector<double> factors_at_short_chords(const domain& d, const background_me
           const point &place = field.places()[v], off{place.x - end.x, place.y - end.y};
           if (off.x * off.x + off.y * off.y > square) continue;
           const double measured = squared_length(field.tensors()[v], chord);
-          if (!(measured > 0 && measured < least_length * least_length)) continue;
+          if (!(measured > 0 && measured < least_of_wanted * least_of_wanted)) continue;
           factors[v] = std::max(factors[v], 1 / measured);
           any = true;
         }

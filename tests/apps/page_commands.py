@@ -17,6 +17,8 @@ SHOWN = re.compile(r"^    ((?:asterism |echo .*\| ?asterism )(?:.*\\\n)*.*)$", r
 # What a reader has: an outline, one with a fault, meshes of other programs, a solution.
 OUTLINE = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n"
 FAULTY = "5 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n5 -0.1 0.5\n6 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n5 5 3 5\n6 5 1 6\n0\n"
+LAKE = ('{"type": "Polygon", "coordinates": [[[-1, -1], [2, -1], [2, 1], [-1, 1], [-1, -1]],\n'
+        '[[0.5, -0.3], [0.5, 0.3], [1, 0], [0.5, -0.3]]]}\n')
 # Lines that cannot be run: forms with [options], WORDS to fill in, programs of the reader's.
 FORM = re.compile(r"\[[A-Z-]|\.\.\.|\b(?!BAMG\b)[A-Z]{2,}\b|\||challenge \./")
 
@@ -34,6 +36,7 @@ class PageCommands(command.CommandTest):
             self.write(f"{name}.poly", OUTLINE)
         for name in ("lake", "crossed"):
             self.write(f"{name}.poly", FAULTY)
+        self.write("lake.geojson", LAKE)
         for example in (TOP / "examples").glob("*.poly"):
             self.write(example.name, example.read_text())
         for name in ("swirl", "plate", "old", "made", "m", "w", "round1", "round2", "round3"):
