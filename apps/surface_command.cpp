@@ -11,6 +11,7 @@
 
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/held_signals.hpp"
+#include "asterism/apps/notes.hpp"
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/run_limits.hpp"
@@ -22,6 +23,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/surface/surface_mesher.hpp"
+#include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
 #include "asterism/mesh/surface_io/shell_files.hpp"
 
@@ -126,22 +128,24 @@ int run_surface(surface_job job) {
     if (job.certificate.empty() && has_ending(path.string(), ".mesh"))
       job.certificate = fs::path(path).replace_extension(".certificate.json");
   if (const auto failed = check_files(job)) return complain(*failed, refused);
-  auto of = find_surface(job.of);
-  if (!of) return complain(of.failure(), refused);
+  auto found = find_surface(job.of);
+  if (!found) return complain(found.failure(), refused);
+  surface of = with_unit_patches(std::move(found).value());
+  if (auto refusal = say_notes(of.notes, {job.quiet, false})) return complain(*refusal, refused);
   run_limits limits(job.max_seconds, std::nullopt);
   job.how.stop = [&limits] { return limits.reason(); };
-  auto made = make_surface_mesh(of.value(), job.how);
+  auto made = make_surface_mesh(of, job.how);
   if (!made) return complain(made.failure().at(job.of), refused);
   shell_certificate claim;
   claim.asked = {job.how.chord, job.how.angle_bound, job.no_crossings};
   claim.shell = std::move(made.value().shell);
   claim.complete = made.value().complete;
   claim.reason = made.value().reason;
-  auto report = audit_shell(of.value(), claim.shell, claim.asked);
+  auto report = audit_shell(of, claim.shell, claim.asked);
   if (!report) return complain(report.failure().at(job.of), not_reached);
   limits.conclude();
   claim.report = std::move(report).value();
-  claim.of = std::move(of).value();
+  claim.of = std::move(of);
   const space_mesh mesh = mesh_of(claim.shell, triangles_of(claim.shell));
   if (mesh.triangles.empty())
     return complain(

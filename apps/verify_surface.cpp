@@ -13,6 +13,7 @@
 #include "asterism/apps/surface_summary.hpp"
 #include "asterism/apps/verify_question.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
 #include "asterism/mesh/surface_io/shell_files.hpp"
 #include "asterism/mesh/surface_io/space_mesh_reader.hpp"
@@ -106,7 +107,7 @@ int judge(const verify_options& options, const std::string& text, const fs::path
   if (!options.domain.empty()) {
     const auto wanted = find_surface(options.domain);
     if (!wanted) return complain(wanted.failure(), refused);
-    if (!same_surface(wanted.value(), c.of))
+    if (!same_surface(with_unit_patches(wanted.value()), with_unit_patches(c.of)))
       against.emplace_back("its surface is not the one named by --domain");
   }
   if (options.angle_bound) c.asked.angle_bound = *options.angle_bound;

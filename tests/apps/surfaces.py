@@ -360,10 +360,26 @@ class Surface(CommandTest):
     def test_units_of_a_parameter_do_not_matter(self):
         wave = wavy()
         bytes_of = set()
-        for scale in (1, 2 ** 20):
-            patch = {**wave, "knots_u": [0] * 4 + [scale] * 4, "knots_v": [0] * 4 + [1] * 4}
+        for low, high in ((0, 1), (0, 2 ** 20), (0, 1e4), (-3, 0.7)):
+            patch = {**wave, "knots_u": [low] * 4 + [high] * 4, "knots_v": [0] * 4 + [1] * 4}
             self.write("s.json", json.dumps({"patches": [patch]}))
-            self.make("s.json", "--chord", "0.02", "-o", "s.obj")
+            done = self.run_command("surface", "s.json", "--chord", "0.02", "-o", "s.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("patch 1: u, from" in done.stderr, (low, high) != (0, 1))
+            bytes_of.add((self.folder / "s.mesh").read_bytes()
+                         + (self.folder / "s.certificate.json").read_bytes())
+            self.assertEqual(self.run_command("verify", "s.mesh", "--domain", "s.json").returncode, 0)
+        self.assertEqual(len(bytes_of), 1)
+
+    def test_units_of_a_spline_in_powers_of_two_do_not_matter(self):
+        wave = wavy()
+        bytes_of = set()
+        for scale in (1, 2 ** 20):
+            control = wave["control"] + [[[x + 1, y, z] for x, y, z in row] for row in wave["control"][1:3]]
+            patch = {**wave, "control": control,
+                     "knots_u": [0] * 4 + [scale / 4, scale / 2] + [scale] * 4}
+            self.write("s.json", json.dumps({"patches": [patch]}))
+            self.make("s.json", "--chord", "0.05", "-o", "s.obj")
             bytes_of.add((self.folder / "s.obj").read_bytes())
         self.assertEqual(len(bytes_of), 1)
 
