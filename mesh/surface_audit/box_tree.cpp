@@ -22,16 +22,6 @@ double space_box::diagonal() const {
   return elementary::hypot(elementary::hypot(high[0] - low[0], high[1] - low[1]), high[2] - low[2]);
 }
 
-double squared_distance(const space_box& box, const plain_vector& p) {
-  const std::array<double, 3> at = {p.x, p.y, p.z};
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double out = std::max({box.low[k] - at[k], at[k] - box.high[k], 0.0});
-    sum += out * out;
-  }
-  return sum;
-}
-
 box_tree::box_tree(const std::vector<space_box>& boxes) : items_(boxes.size()) {
   std::iota(items_.begin(), items_.end(), 0U);
   nodes_.push_back({{}, 0, static_cast<std::uint32_t>(boxes.size()), 0});

@@ -3,6 +3,7 @@
 // Finds boxes in space near a point: a binary tree of boxes over items in the order given.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,15 @@ struct space_box {
 
 // Returns the squared distance of p from the box, rounded as the mode in force has it: not below
 // the true one where that is upward, up to the rounding of three differences.
-double squared_distance(const space_box& box, const plain_vector& p);
+inline double squared_distance(const space_box& box, const plain_vector& p) {
+  const std::array<double, 3> at = {p.x, p.y, p.z};
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double out = std::max({box.low[k] - at[k], at[k] - box.high[k], 0.0});
+    sum += out * out;
+  }
+  return sum;
+}
 
 class box_tree {
  public:

@@ -53,6 +53,8 @@ narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, c
       if (found.below <= limit && limit < enough) enough = limit;
     }
     std::vector<Cell> kept;
+    kept.reserve(static_cast<std::size_t>(std::count_if(
+        cells.begin(), cells.end(), [&](const Cell& c) { return c.above > enough; })));
     for (Cell& c : cells) {
       if (c.above > enough)
         kept.push_back(std::move(c));
@@ -66,7 +68,10 @@ narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, c
     }
     std::vector<std::vector<Cell>> parts(kept.size());
     parallel_for(kept.size(), [&](std::size_t i) { parts[i] = divide(kept[i]); });
+    std::size_t count = 0;
+    for (const std::vector<Cell>& some : parts) count += some.size();
     cells.clear();
+    cells.reserve(count);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].empty()) {
         found.above = std::max(found.above, kept[i].above);

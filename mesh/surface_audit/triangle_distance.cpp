@@ -13,15 +13,12 @@ double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
 // difference 1 - s is exact.
 triangle_place inside(double s, double t) {
   s = clamped(s), t = clamped(t);
-  if (s < t) {
-    const triangle_place other = inside(t, s);
-    return {other.t, other.s};
+  double more = std::max(s, t), less = std::min(s, t);
+  if (more + less > 1) {
+    more = std::max(more, 0.5);
+    less = std::min(less, 1 - more);
   }
-  if (s + t > 1) {
-    s = std::max(s, 0.5);
-    t = std::min(t, 1 - s);
-  }
-  return {s, t};
+  return s < t ? triangle_place{less, more} : triangle_place{more, less};
 }
 
 double share_along(double along, double length) { return length > 0 ? clamped(along / length) : 0; }
