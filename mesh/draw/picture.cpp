@@ -267,20 +267,20 @@ result<std::string> draw_picture(const mesh& m, picture_format format,
                                  const picture_options& options) {
   const auto coloured = colours_of(m, options);
   if (!coloured) return coloured.failure();
-  const auto& [triangles, boundary, legend] = coloured.value();
-  const auto layout = lay_out(m, options, legend);
+  const auto& colours = coloured.value();
+  const auto layout = lay_out(m, options, colours.legend);
   if (!layout.ok()) return layout.failure();
   const page& p = layout.value();
   return paint_file(format, p.width, p.height, [&](canvas& on) {
     on.use(paper);
     on.paint();
-    fill_triangles(on, p, m, options.angle_bound, triangles);
+    fill_triangles(on, p, m, options.angle_bound, colours.triangles);
     stroke_edges(on, p, m);
-    stroke_boundary(on, p, m, boundary);
+    stroke_boundary(on, p, m, colours.boundary);
     if (options.ellipses) draw_ellipses(on, p, m);
     if (has_dots(m, options)) draw_sites(on, p, m);
     draw_marks(on, p, options.marks);
-    draw_legend(on, legend, {p.margin, p.height - p.foot}, p.width);
+    draw_legend(on, colours.legend, {p.margin, p.height - p.foot}, p.width);
   });
 }
 
