@@ -12,6 +12,7 @@
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/surface_summary.hpp"
 #include "asterism/apps/verify_question.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
@@ -44,7 +45,8 @@ std::vector<std::string> differences(const space_mesh& file, const space_mesh& c
   for (std::size_t t = 0; t < file.triangles.size(); ++t) {
     if (file.triangles[t] != claimed.triangles[t])
       return {fmt::format("triangle {} has other vertices than the certificate says", t + 1)};
-    if (file.faces[t] != claimed.faces[t] + 1)
+    // Some formats have no place for the numbers of faces.
+    if (!file.faces.empty() && file.faces[t] != claimed.faces[t] + 1)
       return {fmt::format("triangle {} is of another face than the certificate says", t + 1)};
   }
   return {};
@@ -98,6 +100,14 @@ int judge(const verify_options& options, const std::string& text, const fs::path
                                              "--domain and --angle-bound can be named",
                      error_code::bad_option},
                     refused);
+  if (has_ending(options.mesh.string(), ".stl"))
+    return complain(
+        {options.mesh.string() +
+             ": .stl has corners of triangles and no vertices, which the certificate "
+             "numbers; `asterism surface` writes .mesh, .obj, .ply, .msh and .vtu, too, and "
+             "`asterism deviation` judges this file",
+         error_code::bad_option},
+        refused);
   auto read = parse_shell_certificate(text, path.string());
   if (!read) return complain(read.failure(), refused);
   shell_certificate& c = read.value();
@@ -121,13 +131,26 @@ int judge(const verify_options& options, const std::string& text, const fs::path
   return tell(options, c, found.value(), against);
 }
 
+// True for files that hold no plane meshes: .stl and the others may.
+bool is_mesh_in_space(const fs::path& file) {
+  return has_ending(file.string(), ".obj") || has_ending(file.string(), ".ply");
+}
+
 }  // namespace
 
 std::optional<int> verify_surface(const verify_options& options) {
   fs::path path = options.certificate;
   if (path.empty()) path = fs::path(options.mesh).replace_extension(".certificate.json");
   std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  if (!fs::is_regular_file(path, ignored)) {
+    if (!is_mesh_in_space(options.mesh)) return std::nullopt;
+    return complain(
+        {options.mesh.string() +
+             ": a mesh in space, without a certificate: `asterism surface` writes one beside "
+             "a .mesh, and where --certificate says; `asterism deviation` judges this file",
+         error_code::bad_option},
+        refused);
+  }
   const auto text = read_text_file(path);
   if (!text || !is_shell_certificate(text.value())) return std::nullopt;
   return judge(options, text.value(), path);

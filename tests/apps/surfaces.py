@@ -317,6 +317,24 @@ class Surface(CommandTest):
         self.assertIn('"certified": true', page)
         self.assertNotIn("://", page)
 
+    def test_every_format_with_vertices_is_verified(self):
+        """Files without numbers of faces ended verify with a signal."""
+        for ending in ("obj", "ply", "vtu", "msh", "mesh"):
+            with self.subTest(ending):
+                self.make("octant", "--chord", "0.05", "-o", f"o.{ending}", "--certificate", "c.json")
+                done = self.run_command("verify", f"o.{ending}", "--certificate", "c.json")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.make("octant", "--chord", "0.05", "-o", "o.stl", "-o", "alone.obj", "--certificate", "c.json")
+        done = self.run_command("verify", "o.stl", "--certificate", "c.json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("asterism deviation", done.stderr)
+        done = self.run_command("verify", "alone.obj")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("without a certificate", done.stderr)
+        lines = (self.folder / "alone.obj").read_text().split("\n")
+        (self.folder / "cut.obj").write_text("\n".join(lines[:-3]) + "\n")
+        self.assertEqual(self.run_command("verify", "cut.obj", "--certificate", "c.json").returncode, 1)
+
     def test_two_patches_share_their_edge(self):
         left = {"degree": [2, 2], "control": [[[i, j, (i - 1) ** 2 * .3 + j % 2 * .4] for j in range(3)]
                                               for i in range(3)]}
