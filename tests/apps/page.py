@@ -4,21 +4,11 @@ mouse and by keys, dark and light. Skipped where Chromium, its driver or Seleniu
 import json
 import math
 import shutil
-import sys
 import tempfile
 import unittest
 
+from browser_or_skip import browser
 from command import CommandTest, section
-
-NEEDED = "chromium, chromium-driver and python3-selenium (scripts/setup.sh, large_packages)"
-try:
-    import browser
-except ImportError as missing:
-    print(f"skipped: {missing}; the test needs {NEEDED}")
-    sys.exit(77)
-if not (shutil.which("chromium") and shutil.which("chromedriver")):
-    print(f"skipped: the test needs {NEEDED}")
-    sys.exit(77)
 
 
 class PageTest(CommandTest):

@@ -4,21 +4,11 @@ turned by mouse, fingers and keys, and saying what the certificate says. Skipped
 Selenium are missing."""
 import json
 import shutil
-import sys
 import tempfile
 import unittest
 
+from browser_or_skip import browser
 from command import CommandTest
-
-NEEDED = "chromium, chromium-driver and python3-selenium (scripts/setup.sh, large_packages)"
-try:
-    import browser
-except ImportError as missing:
-    print(f"skipped: {missing}; the test needs {NEEDED}")
-    sys.exit(77)
-if not (shutil.which("chromium") and shutil.which("chromedriver")):
-    print(f"skipped: the test needs {NEEDED}")
-    sys.exit(77)
 
 
 class SpacePage(CommandTest):

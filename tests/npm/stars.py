@@ -14,17 +14,9 @@ import unittest
 PROJECT, ASTERISM = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
 PAGE = PROJECT / "docs/stars.html"
 sys.path.insert(0, str(PROJECT / "tests/apps"))
-NEEDED = "chromium, chromium-driver and python3-selenium (scripts/setup.sh, large_packages)"
-try:
-    import browser
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.keys import Keys
-except ImportError as missing:
-    print(f"skipped: {missing}; the test needs {NEEDED}")
-    sys.exit(77)
-if not (shutil.which("chromium") and shutil.which("chromedriver")):
-    print(f"skipped: the test needs {NEEDED}")
-    sys.exit(77)
+from browser_or_skip import browser  # noqa: E402
+from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
 
 # Rings as they are, and as stars of the same sites made from nothing have them.
 RINGS = """
