@@ -8,6 +8,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/solution/nodal_sums.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -18,8 +19,7 @@ double cross(const point& origin, const point& a, const point& b) {
 
 double area_of(const mesh& m) {
   double doubled = 0;
-  for (const triangle& t : m.triangles)
-    doubled += cross(m.sites[t[0]].position, m.sites[t[1]].position, m.sites[t[2]].position);
+  for (const triangle& t : m.triangles) doubled += doubled_area(m, t);
   return doubled / 2;
 }
 
