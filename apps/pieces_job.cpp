@@ -44,7 +44,7 @@ namespace {
 // themselves (docs/math/pieces.md); of the jobs that were tried none took more than five.
 constexpr std::size_t most_rounds = 100;
 
-// What options_of says of what came of a run.
+// Names the options that tell what came of a run, and are not part of its question.
 constexpr std::array answers = {"size-delivered", "tol-at-end", "improve-done"};
 
 std::optional<error> refuse(const std::string& why) { return error{why, error_code::bad_option}; }

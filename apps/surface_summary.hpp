@@ -14,7 +14,7 @@ namespace asterism::apps {
 // "142 vertices, 250 triangles; every point ... ". One line, without its end.
 std::string text_of(const internal::shell_report& report, const internal::shell_question& asked);
 
-// The same by name and value, for pages.
+// Returns the summary as pairs of a name and a value, for pages.
 std::vector<std::pair<std::string, std::string>> table_of(const internal::shell_report& report,
                                                           const internal::shell_question& asked);
 

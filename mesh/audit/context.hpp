@@ -117,7 +117,7 @@ struct audit_context {
   // Sites whose tensors were changed since all stars were looked at; null where they were not.
   // Only what depends on one of them is looked at then (auditor.hpp).
   const std::vector<vertex_index>* changed = nullptr;
-  // What one audit passes to the next about the stars; may be null.
+  // Holds what one audit passes to the next about the stars; may be null.
   star_memory* memory = nullptr;
   bool leaves_open = false;        // hard questions about stars, to the memory
   std::size_t many_for_a_gap = 0;  // sites, for a gap of which no reach is known to be a hard one

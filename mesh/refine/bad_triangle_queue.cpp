@@ -215,7 +215,8 @@ bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state
       if (!holds_triangle(oracle, v, s, gap)) {
         found.disagreeing.push_back(t);  // a wide gap
       } else if (!has(t[1], t[2], v) || !has(t[2], v, t[1]) || stars.is_unsettled(v)) {
-        // The same triangle as another star holds it: its orientation is positive there, too.
+        // Lists the triangle from its least vertex on, for all three stars alike. Its orientation
+        // stays positive.
         found.disagreeing.push_back(canonical(t));
       } else if (v < t[1] && v < t[2]) {
         judge(state, oracle, t, found);

@@ -77,7 +77,7 @@ bool segments_meet(const space_point& p, const space_point& q, const space_point
          (u == 0 && is_between(a, b, p, i, k)) || (v == 0 && is_between(a, b, q, i, k));
 }
 
-// Of a segment in the plane of the triangle, looked at along an axis in which that has area; a
+// Tests a segment in the triangle's plane, along an axis in which the triangle has area. A
 // triangle without any is its edges.
 bool meets_in_plane(const space_point& p, const space_point& q, const corners& t) {
   int i = 0, k = 1;

@@ -213,7 +213,7 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
   py_mesh made;
   made.marks = marks_of(given, m.sites.size());
   auto adopted = value_or_raise(adopt_mesh(m, region_edges::as_listed, slit_rule::joined));
-  // With slits the points stay as they are, those of both sides.
+  // Keeps the given points where there are slits: one for each side, which the domain has once.
   if (!adopted.cracks.empty()) internal::keep_segments(m, {{}, true});
   made.content = adopted.cracks.empty() ? std::move(adopted.subject) : std::move(m);
   warn(std::exchange(made.content.notes, {}));

@@ -34,7 +34,7 @@ int digits_of(const std::string& text) {
   return first == std::string::npos ? 1 : static_cast<int>(last - first) + 1;
 }
 
-// What stands in for the standard library, where that lacks it, writes the same.
+// Requires that the stand-in for std::to_chars writes what std::to_chars writes.
 void hold_stand_in(double x) {
   if (asterism::internal::shortest_text(x) == written(x)) return;
   INFO(asterism::internal::shortest_text(x) << " where " << written(x) << " is wanted");

@@ -331,7 +331,7 @@ TEST_CASE("edges as long as the domain along a straight layer are told, whatever
     CHECK(longest > 2 / 1.25);
     CHECK(longest < 2 * 1.25);
   }
-  // What is bent everywhere has none.
+  // A function that is bent everywhere has no floored place.
   solution_metric_options options;
   options.vertices = 2000;
   const auto bowl = field(m, "u", [](const point& q) { return q.x * q.x + q.y * q.y; });
