@@ -47,6 +47,12 @@ bool is_whole(const working_mesh& m) {
   return faces > m.count();
 }
 
+void fit_to_layer(working_mesh& m, std::size_t count) {
+  unit_mesh_options options;
+  options.count = count;
+  unit_mesher(m, options).run(layer, {});
+}
+
 }  // namespace
 
 TEST_CASE("as many nodes are made as are wanted, within three percent") {
@@ -130,10 +136,7 @@ TEST_CASE("long edges are split up to the number of nodes that there is room for
 TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
   const domain d = square();
   working_mesh m = coarse(d);
-  unit_mesh_options options;
-  options.count = 200;
-  unit_mesher maker(m, options);
-  maker.run(layer, {});
+  fit_to_layer(m, 200);
   const background_metric own = field_of(m);
   for (const node& n : m.nodes()) {
     if (n.kind == node_kind::gone) continue;
@@ -146,11 +149,9 @@ TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
 TEST_CASE("after another field each node is looked up anew from its neighbour") {
   const domain d = square();
   working_mesh m = coarse(d);
-  unit_mesh_options options;
-  options.count = 200;
-  unit_mesher maker(m, options);
-  maker.run(layer, {});
+  fit_to_layer(m, 200);
   const background_metric wanted = field_of(m);
+  unit_mesh_options options;
   options.count = 600;
   unit_mesher finer(m, options);
   finer.run([&wanted](const point& q, vertex_index& hint) { return wanted.at(q, hint); }, {});
