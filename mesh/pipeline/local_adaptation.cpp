@@ -6,10 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
@@ -17,14 +15,13 @@
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/settling.hpp"
-#include "asterism/mesh/adapt/shape_filter.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/pipeline/audited_mesh.hpp"
+#include "asterism/mesh/pipeline/fitting_goal.hpp"
 #include "asterism/mesh/pipeline/giving_back.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
-#include "asterism/mesh/pipeline/short_chords.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 namespace asterism::internal {
@@ -47,9 +44,8 @@ constexpr std::array<strictness, 4> ladder = {
     {{4, 2.5, 2}, {3, 1.7, 1.7}, {1.8, 1.4, 1.4}, {1.25, 1.15, 1.15}}};
 // Most audits of one mesh, each after the findings of the one before were mended.
 constexpr int most_repairs = 12;
-// Number of vertices of a mesh whose edges have length 1, for each unit of its area.
-constexpr double vertices_for_area = 2 / std::numbers::sqrt3;
 constexpr std::size_t every_finding = std::numeric_limits<std::size_t>::max();
+
 class adaptation {
  public:
   explicit adaptation(const adaptation_job& job)
@@ -58,31 +54,29 @@ class adaptation {
         options_(job.options),
         start_(job.start),
         wanted_(job.wanted),
-        fitted_(job.wanted),
+        goal_(job.shape, job.wanted, job.count, job.options.max_sites),
         is_field_itself_(job.is_field_itself),
-        count_(job.count),
         made_(job.shape, options_) {}
 
   std::optional<mesh_outcome> run() {
-    if (count_ < 1) return std::nullopt;
+    if (goal_.count() < 1) return std::nullopt;
     order_places();
-    options_.stop.expect(count_);
+    options_.stop.expect(goal_.count());
     // A formula has no noise. With more sites what turns from node to node is mostly a feature, and
     // errors of fine waves grow without it (docs/design/adaptation.md).
-    is_fitted_to_other_ = is_field_itself_ && wants_few();
-    if (is_fitted_to_other_) fitted_.set_tensors(without_noise(wanted_, options_.stop));
+    if (is_field_itself_ && goal_.wants_few()) goal_.leave_out_noise(options_.stop);
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
     // Tries stricter steps while the meshes made have, together, no more nodes than one mesh may
     // have: a step's cost is proportional to its nodes.
     std::size_t made = 0;
-    make_room_where_needed();
+    goal_.make_room_where_needed(options_.stop);
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
       bool is_made = attempt(start_, ladder[step]);
       if (give_up_room_at_chords(is_made)) is_made = attempt(start_, ladder[step]);
       if (std::exchange(wants_room_, false)) {
-        make_room_for_segments(0);
+        goal_.make_room_for_segments(0, options_.stop);
         is_made = attempt(start_, ladder[step]);
       }
       if (is_made && !is_certified() && take_all_room()) is_made = attempt(start_, ladder[step]);
@@ -90,7 +84,7 @@ class adaptation {
         if (is_overworked()) break;
         return std::nullopt;
       }
-      made += std::max(count_, made_.subject().sites.size());
+      made += std::max(goal_.count(), made_.subject().sites.size());
       if (is_certified() || stop_reason() || is_overworked()) break;
       // Skips to the strictest step: where mending made no progress, a little more does not help.
       if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
@@ -120,11 +114,11 @@ class adaptation {
   // or fewer wanted to begin with. The new mesh stays if it is nearer to the number wanted.
   void meet_count(const mesh& start) {
     constexpr double tolerable = 0.04;
-    const std::size_t wanted = count_, got = made_.subject().sites.size();
+    const std::size_t wanted = goal_.count(), got = made_.subject().sites.size();
     if (off_count(got, wanted) <= tolerable || stop_reason() || is_overworked()) return;
     const audited_mesh before = made_;
     const double length_factor = length_factor_;
-    count_ = wanted * wanted / got;
+    goal_.set_count(wanted * wanted / got);
     const bool made = attempt(start, ladder[0]);
     if (made && is_certified() &&
         off_count(made_.subject().sites.size(), wanted) < off_count(got, wanted))
@@ -139,135 +133,17 @@ class adaptation {
     sort_along_curve(std::span(seeds_), domain_.box());
   }
 
-  // True if one node of ten or more is a vertex of the domain.
-  bool domain_has_many_vertices() const {
-    constexpr std::size_t part = 10;
-    return part * domain_.vertices.size() > count_;
-  }
-
-  // Parts of the vertices that all the room for short segments takes: below the first no attempt
-  // led to a mesh, with all the work there may be; the second sufficed on the coasts tried.
-  static constexpr double too_small_a_part = 0.57, part_that_does = 0.75;
-  // Ratio of the complexities with and without that room from which the room is made at once. On
-  // the coasts tried, with 1.75 and 4.2, the first mesh showed that it was needed, and its work was
-  // lost; with 1.1, where chords of curves are short, it was not.
-  static constexpr double good_part = 1.25;
-
-  // Makes room for short segments at once where it is known to be needed: at chords much shorter
-  // than wanted, where so few vertices are wanted that angles at the domain's own vertices cannot
-  // be met, or where the room takes a good part of all vertices. Otherwise the first mesh shows
-  // whether it is needed.
-  void make_room_where_needed() {
-    if (!factors_at_short_chords(domain_, fitted_).empty()) return make_room_at_chords();
-    constexpr std::size_t many = 100;  // a few vertices are no coast
-    if (!domain_has_many_vertices() || domain_.vertices.size() < many) return;
-    background_metric finer = fitted_;
-    finer.set_tensors(with_room());
-    const double with_all = finer.complexity();
-    if (static_cast<double>(count_) < too_small_a_part * vertices_for_area * with_all)
-      make_room_for_segments(part_that_does);
-    else if (with_all > good_part * fitted_.complexity())
-      make_room_for_segments(0);
-  }
-
-  void make_room_at_chords() {
-    without_room_.emplace(fitted_, is_fitted_to_other_);
-    make_room_for_segments(0);
-  }
-
   // Goes back to the metric without room at chords where no mesh was certified with it, as fewer
-  // vertices are wanted than it takes. Returns whether it did. The mesh made then has needles
-  // there.
+  // vertices are wanted than it takes. Returns whether it did.
   bool give_up_room_at_chords(bool is_made) {
-    const auto before = std::exchange(without_room_, std::nullopt);
-    if (!before || stop_reason() || is_overworked()) return false;
-    if (is_made && is_certified()) return false;
-    std::tie(fitted_, is_fitted_to_other_) = *before;
-    has_room_ = false;
-    return true;
+    const bool is_kept = stop_reason() || is_overworked() || (is_made && is_certified());
+    if (!is_kept) return goal_.give_up_room_at_chords();
+    goal_.keep_room_at_chords();
+    return false;
   }
 
-  // Raises the number of vertices, once, to what short segments have room for; false if it is that.
   bool take_all_room() {
-    if (!has_room_ || stop_reason() || is_overworked()) return false;
-    return raise_count(1);
-  }
-
-  // Raises the number of vertices to this part of what the metric with room takes.
-  bool raise_count(double part) {
-    const auto all = static_cast<std::size_t>(part * vertices_for_area * fitted_.complexity());
-    if (!(count_ < all && all < options_.max_sites)) return false;
-    count_ = all;
-    options_.stop.expect(count_);
-    return true;
-  }
-
-  // Returns the metric that the mesh is fitted to, refined by equal factors in all directions where
-  // vertices of the domain are less than one unit apart in it, at chords much shorter than that,
-  // and beside them.
-  std::vector<metric_tensor> with_room() const {
-    const std::vector<point>& places = fitted_.places();
-    const std::vector<graph_edge> edges = fitted_.edges();
-    const std::vector<char> is_given = at_vertices_of_domain(places);
-    std::vector<metric_tensor> tensors = fitted_.tensors();
-    std::vector<double> factor;
-    if (without_room_) factor = factors_at_short_chords(domain_, fitted_);
-    factor.resize(places.size(), 1);
-    for (const graph_edge& e : edges) {
-      if (is_given[e.a] == 0 || is_given[e.b] == 0) continue;
-      const double x = places[e.b].x - places[e.a].x, y = places[e.b].y - places[e.a].y;
-      for (const vertex_index v : {e.a, e.b})
-        factor[v] = std::max(factor[v], 1 / squared(tensors[v], x, y));
-    }
-    for (std::size_t v = 0; v < factor.size(); ++v)
-      tensors[v] = {tensors[v].m11 * factor[v], tensors[v].m12 * factor[v],
-                    tensors[v].m22 * factor[v]};
-    gradation_limit limit;
-    limit.distortion = 1.5;  // 1.3 to 2 do as well; with 2 and more some angles are low again
-    grade(places, edges, limit, tensors, options_.stop);
-    return tensors;
-  }
-
-  // Fits the mesh to that metric from now on. Angles need nodes there that the metric wanted does
-  // not have; without them no attempt led to a mesh with so many nodes
-  // (docs/design/adaptation.md).
-  void make_room_for_segments(double part) {
-    fitted_.set_tensors(with_room());
-    is_fitted_to_other_ = has_room_ = true;
-    raise_count(part);
-  }
-
-  // Returns which of the places are vertices of the domain, to the last bit: those of a mesh that
-  // is its own domain are.
-  std::vector<char> at_vertices_of_domain(const std::vector<point>& places) const {
-    const auto less = [](const point& p, const point& q) {
-      return p.x != q.x ? p.x < q.x : p.y < q.y;
-    };
-    std::vector<point> given = domain_.vertices;
-    std::sort(given.begin(), given.end(), less);
-    std::vector<char> found;
-    for (const point& q : places)
-      found.push_back(std::binary_search(given.begin(), given.end(), q, less) ? 1 : 0);
-    return found;
-  }
-
-  bool wants_few() const {
-    constexpr std::size_t few = 1000;
-    return count_ < few;
-  }
-
-  background_metric graded(double distortion) const {
-    background_metric made = fitted_;
-    std::vector<metric_tensor> tensors = fitted_.tensors();
-    gradation_limit limit;
-    limit.distortion = distortion;
-    limit.longest = 20;
-    // Few sites do not resolve the metric yet: its peaks are at single nodes, and much beside them
-    // would be refined for their sake (docs/design/adaptation.md).
-    if (wants_few()) limit.coarser_part = 0.6;
-    grade(made.places(), made.edges(), limit, tensors, options_.stop);
-    made.set_tensors(std::move(tensors));
-    return made;
+    return !stop_reason() && !is_overworked() && goal_.take_all_room(options_.stop);
   }
 
   // Returns the field as a function, and charges its searches to the mesh.
@@ -289,13 +165,13 @@ class adaptation {
   void take_interpolated(working_mesh& m) const {
     for (vertex_index v = 0; v < m.nodes().size(); ++v)
       if (m.at(v).kind != node_kind::gone)
-        m.set_metric(v, fitted_.at(m.at(v).position, m.at(v).hint));
+        m.set_metric(v, goal_.metric().at(m.at(v).position, m.at(v).hint));
   }
 
   // Sets the node's tensor to that of the metric fitted to where that differs from the metric
   // wanted; both are interpolated by the same operations.
   void take_other(working_mesh& m, vertex_index v) const {
-    const auto without = fitted_.where_other(wanted_, m.at(v).position, m.at(v).hint);
+    const auto without = goal_.metric().where_other(wanted_, m.at(v).position, m.at(v).hint);
     if (without) m.set_metric(v, *without);
   }
 
@@ -307,7 +183,7 @@ class adaptation {
       const auto there = wanted_at(m.at(v).position);
       if (!there) return false;
       m.set_metric(v, *there);
-      if (is_fitted_to_other_) take_other(m, v);
+      if (goal_.is_other()) take_other(m, v);
     }
     return true;
   }
@@ -318,14 +194,14 @@ class adaptation {
     auto built = working_mesh::build(domain_, start);
     if (!built) return false;
     working_mesh m = std::move(built).value();
-    const background_metric background = graded(how.background);
+    const background_metric background = goal_.graded(how.background, options_.stop);
     unit_mesh_options making;
-    making.count = count_;
+    making.count = goal_.count();
     // Ends splitting: if edges are still too long with so many more nodes, the metric is too thin
     // for it to get anywhere.
     constexpr std::size_t times_as_many = 4, at_least = 1000;
-    making.most_nodes =
-        std::min(options_.max_sites, times_as_many * count_ + at_least + start_.sites.size());
+    making.most_nodes = std::min(options_.max_sites,
+                                 times_as_many * goal_.count() + at_least + start_.sites.size());
     making.stop = options_.stop;
     unit_mesher maker(m, making);
     maker.run(field_by(background, m), seeds_);
@@ -335,7 +211,7 @@ class adaptation {
     // need as many nodes beside them as splits add.
     constexpr double tolerable = 0.015;
     if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
-    if (off_count(m.count(), count_) > tolerable && !stop_reason() && !are_many_given(m)) {
+    if (off_count(m.count(), goal_.count()) > tolerable && !stop_reason() && !are_many_given(m)) {
       const background_metric own = field_of(m);
       maker.meet_count(field_by(own, m));
       if (is_overworked()) return false;
@@ -425,7 +301,7 @@ class adaptation {
     agreement agreeing(m, agree);
     agreeing.run();
     constexpr std::size_t very_few = 100;  // one in so many
-    wants_room_ = !has_room_ && domain_has_many_vertices() &&
+    wants_room_ = !goal_.has_room() && goal_.domain_has_many_vertices() &&
                   very_few * (agreeing.report().disagreeing + agreeing.report().low) > m.count();
     if (wants_room_) return;
     if (!stop_reason() && !are_many_given(m)) {
@@ -499,7 +375,7 @@ class adaptation {
   void adapt_in_one_metric() {
     const auto metric = one_metric_for(wanted_, start_);
     if (!metric) return;
-    const auto made = mesh_in_one_metric(domain_, *metric, options_, count_);
+    const auto made = mesh_in_one_metric(domain_, *metric, options_, goal_.count());
     if (!made) return;
     auto built = working_mesh::build(domain_, made->made);
     if (!built) return;
@@ -553,17 +429,11 @@ class adaptation {
   mesh_options options_;  // with the work that the step at hand may do
   const mesh& start_;
   const background_metric& wanted_;
-  // What the mesh is made in: the metric wanted, maybe without noise, and finer at short segments.
-  background_metric fitted_;
-  bool is_fitted_to_other_ = false;  // is that another metric?
-  // Metric and flag before room was made at short chords, while that is tried.
-  std::optional<std::pair<background_metric, bool>> without_room_;
+  fitting_goal goal_;  // metric and count that the mesh is made for
   bool is_field_itself_;
-  std::size_t count_;
   std::vector<point> seeds_;
   double length_factor_ = 1;
-  // True if angles beside short segments were low; true once the metric was refined there.
-  bool wants_room_ = false, has_room_ = false;
+  bool wants_room_ = false;   // angles beside short segments were low
   bool is_hopeless_ = false;  // mending of the last mesh was given up
   audited_mesh made_;         // the last mesh
 };
