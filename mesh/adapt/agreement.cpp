@@ -11,12 +11,14 @@
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
 
-constexpr double degrees_above = 4;  // the bound, that are aimed at
+constexpr std::size_t faces_for_a_thread = 2048;  // at once
+constexpr double degrees_above = 4;               // the bound, that are aimed at
 // Longest edge that a merge may make, in units: twice the shortest that stay.
 constexpr double longest_edge = std::numbers::sqrt2;
 // Directions in which a node is moved, an equal part of a turn apart.
@@ -60,16 +62,52 @@ bool agreement::is_active(vertex_index t) const {
 bool agreement::round() {
   next_.assign(m_.nodes().size(), 0);
   report_.disagreeing = report_.low = 0;
+  find_clear_edges();
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) {
       const vertex_index s = m_.faces()[t].next[i];
       if (s == none || s < t || m_.faces()[t].segment[i] != none) continue;
       if (is_active(t) || is_active(s)) check_edge(t, i);
     }
+  find_fine_faces();
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists() && is_active(t)) check_angles(t);
   active_ = next_;
   return report_.disagreeing + report_.low > 0;
+}
+
+// Finds the edges that agree: nearly all, and what takes time in a round. Several threads do it, as
+// nothing changes meanwhile.
+void agreement::find_clear_edges() {
+  clear_edges_.assign(m_.faces().size(), 0);
+  const auto is_clear = [this](vertex_index t, std::size_t i) {
+    const face& f = m_.faces()[t];
+    const vertex_index s = f.next[i];
+    if (s == none || s < t || f.segment[i] != none) return false;
+    if (!is_active(t) && !is_active(s)) return false;
+    return tests_.worst_clearance(tests_.quad_at(t, i)) > least_clearance;
+  };
+  parallel_chunks(m_.faces().size(), faces_for_a_thread,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t)
+                      for (unsigned i = 0; i < 3 && m_.faces()[t].exists(); ++i)
+                        if (is_clear(static_cast<vertex_index>(t), i))
+                          clear_edges_[t] |= static_cast<unsigned char>(1U << i);
+                  });
+}
+
+// Finds the faces whose angles are in order, in the same way.
+void agreement::find_fine_faces() {
+  is_fine_.assign(m_.faces().size(), 0);
+  if (options_.angle_bound <= 0) return;
+  parallel_chunks(m_.faces().size(), faces_for_a_thread,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                      const auto t = static_cast<vertex_index>(i);
+                      if (m_.faces()[t].exists() && is_active(t) && !tests_.is_low(t))
+                        is_fine_[t] = 1;
+                    }
+                  });
 }
 
 void agreement::disagreed_at(const std::vector<vertex_index>& nodes) {
@@ -87,6 +125,9 @@ void agreement::changed_at(const std::vector<vertex_index>& nodes) {
 void agreement::check_edge(vertex_index t, std::size_t i) {
   m_.note_looked_at(work_weights::faces_for_edge_test);
   const edge_quad q = tests_.quad_at(t, i);
+  const bool is_as_found =
+      !is_touched(q.a) && !is_touched(q.b) && !is_touched(q.c) && !is_touched(q.d);
+  if (is_as_found && (clear_edges_[t] >> i & 1U) != 0) return;
   const double now = tests_.worst_clearance(q);
   if (now > least_clearance) return;
   ++report_.disagreeing;
@@ -104,9 +145,10 @@ void agreement::check_edge(vertex_index t, std::size_t i) {
 }
 
 void agreement::check_angles(vertex_index t) {
+  const std::array<vertex_index, 3> at = m_.faces()[t].v;
+  if (is_fine_[t] != 0 && !is_touched(at[0]) && !is_touched(at[1]) && !is_touched(at[2])) return;
   if (options_.angle_bound <= 0 || !tests_.is_low(t) || tests_.is_exempt(t)) return;
   ++report_.low;
-  const std::array<vertex_index, 3> at = m_.faces()[t].v;
   for (const vertex_index v : at) next_[v] = 1;
   constexpr double part = 0.7;
   if (report_.rounds % 2 == 1)

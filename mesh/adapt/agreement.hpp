@@ -55,6 +55,10 @@ class agreement {
  private:
   bool round();
   bool is_active(vertex_index t) const;
+  // True if a node was changed in this round, or is beside a change.
+  bool is_touched(vertex_index v) const { return next_[v] != 0; }
+  void find_clear_edges();
+  void find_fine_faces();
   void check_edge(vertex_index t, std::size_t i);
   void check_angles(vertex_index t);
   double excess(const node& a, const node& b, const node& c) const;
@@ -70,6 +74,9 @@ class agreement {
   local_tests tests_;
   double aim_;  // cotangent of the angle aimed at
   std::vector<char> active_, next_;
+  // Of each face, found before others change it: the edges that agree, a bit for each, and whether
+  // its angles meet the bound.
+  std::vector<unsigned char> clear_edges_, is_fine_;
   agreement_report report_;
 };
 

@@ -8,6 +8,7 @@
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -76,32 +77,94 @@ bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_
   return !are_surely_alike(r, most) && make_alike_by(r, most, coarser_part, a, b);
 }
 
+namespace {
+
+// Walks the edges of a graph, round after round, and has their ends within a limit of each other.
+class graph_grading {
+ public:
+  graph_grading(const std::vector<point>& places, const std::vector<graph_edge>& edges,
+                const gradation_limit& limit, std::vector<metric_tensor>& tensors)
+      : places_(places),
+        edges_(edges),
+        limit_(limit),
+        at_unit_(elementary::log(limit.distortion)),
+        tensors_(tensors),
+        changed_in_(places.size(), 1),
+        is_alike_(edges.size(), 0) {}
+
+  // Makes the tensors of each edge alike where they are not; true if any were changed. Adds the
+  // number of edges looked at to `pairs`.
+  bool round(std::size_t number, std::size_t& pairs) {
+    find_alike(number);
+    const double coarser_part = number <= limit_.uneven_rounds ? limit_.coarser_part : 0.5;
+    bool any = false;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const graph_edge& e = edges_[i];
+      if (!is_due(e, number)) continue;
+      ++pairs;
+      // What was found of the edge before the round holds unless an end has changed in it.
+      if (is_alike_[i] != 0 && !is_due(e, number + 1)) continue;
+      if (!make_ends_alike(e, coarser_part)) continue;
+      changed_in_[e.a] = changed_in_[e.b] = number + 1;
+      any = true;
+    }
+    return any;
+  }
+
+ private:
+  bool is_due(const graph_edge& e, std::size_t number) const {
+    return changed_in_[e.a] >= number || changed_in_[e.b] >= number;
+  }
+
+  double most_at(double mean) const {
+    return at_unit_ * std::clamp(mean / limit_.unit, limit_.shortest, limit_.longest);
+  }
+
+  // Marks the edges that are due and surely within the limit: nearly all, and that is the work of a
+  // round.
+  void find_alike(std::size_t number) {
+    constexpr std::size_t chunk = 4096;
+    parallel_chunks(edges_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        is_alike_[i] = is_due(edges_[i], number) && is_surely_alike(edges_[i]) ? 1 : 0;
+    });
+  }
+
+  bool is_surely_alike(const graph_edge& e) const {
+    const point d{places_[e.b].x - places_[e.a].x, places_[e.b].y - places_[e.a].y};
+    // The geometric mean is less than the logarithmic one.
+    const double mean = std::sqrt(plain_length(tensors_[e.a], d) * plain_length(tensors_[e.b], d));
+    return are_surely_alike(reduce(tensors_[e.a], tensors_[e.b]), most_at(mean));
+  }
+
+  bool make_ends_alike(const graph_edge& e, double coarser_part) {
+    const point d{places_[e.b].x - places_[e.a].x, places_[e.b].y - places_[e.a].y};
+    const double at_a = plain_length(tensors_[e.a], d), at_b = plain_length(tensors_[e.b], d);
+    const simultaneous_reduction r = reduce(tensors_[e.a], tensors_[e.b]);
+    if (are_surely_alike(r, most_at(std::sqrt(at_a * at_b)))) return false;
+    const double most = most_at(logarithmic_mean(at_a, at_b, quick_log));
+    return make_alike_by(r, most, coarser_part, tensors_[e.a], tensors_[e.b]);
+  }
+
+  const std::vector<point>& places_;
+  const std::vector<graph_edge>& edges_;
+  const gradation_limit& limit_;
+  double at_unit_;
+  std::vector<metric_tensor>& tensors_;
+  // Round from which an edge with this end has to be looked at again.
+  std::vector<std::size_t> changed_in_;
+  std::vector<char> is_alike_;  // edges, at the beginning of the round
+};
+
+}  // namespace
+
 std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge>& edges,
                   const gradation_limit& limit, std::vector<metric_tensor>& tensors,
                   const cancellation& stop) {
-  const double at_unit = elementary::log(limit.distortion);
-  // Round from which an edge with this end has to be looked at again.
-  std::vector<std::size_t> changed_in(places.size(), 1);
+  graph_grading grading(places, edges, limit, tensors);
   for (std::size_t round = 1; round <= limit.most_rounds && !stop.is_requested(); ++round) {
-    bool any = false;
     std::size_t pairs = 0;
-    const double coarser_part = round <= limit.uneven_rounds ? limit.coarser_part : 0.5;
-    for (const graph_edge& e : edges) {
-      if (changed_in[e.a] < round && changed_in[e.b] < round) continue;
-      ++pairs;
-      const point d{places[e.b].x - places[e.a].x, places[e.b].y - places[e.a].y};
-      const double at_a = plain_length(tensors[e.a], d), at_b = plain_length(tensors[e.b], d);
-      const auto most_at = [&](double mean) {
-        return at_unit * std::clamp(mean / limit.unit, limit.shortest, limit.longest);
-      };
-      // The geometric mean is less than the logarithmic one.
-      const simultaneous_reduction r = reduce(tensors[e.a], tensors[e.b]);
-      if (are_surely_alike(r, most_at(std::sqrt(at_a * at_b)))) continue;
-      const double most = most_at(logarithmic_mean(at_a, at_b, quick_log));
-      if (!make_alike_by(r, most, coarser_part, tensors[e.a], tensors[e.b])) continue;
-      changed_in[e.a] = changed_in[e.b] = round + 1;
-      any = true;
-    }
+    const bool any = grading.round(round, pairs);
     stop.charge(work_weights::graded_pair * static_cast<double>(pairs));
     if (!any) return round;
   }

@@ -10,6 +10,7 @@
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -48,10 +49,8 @@ settling::settling(working_mesh& m, double angle_bound, double unit, wanted_at w
       unit_(unit),
       field_(std::move(wanted)),
       awake_(m.nodes().size(), 1) {
-  wanted_.reserve(m.nodes().size());
-  for (vertex_index v = 0; v < m.nodes().size(); ++v)
-    wanted_.push_back(m.at(v).kind == node_kind::gone ? wanted_tensor{}
-                                                      : look_up(m.at(v).position, m.at(v).hint));
+  wanted_.resize(m.nodes().size());
+  m.each_node([&](vertex_index v) { wanted_[v] = look_up(m.at(v).position, m.at(v).hint); });
 }
 
 settling::wanted_tensor settling::look_up(const point& q, vertex_index& hint) const {
@@ -65,13 +64,18 @@ settling::wanted_tensor settling::look_up(const point& q, vertex_index& hint) co
 bool settling::is_in_vain() const {
   constexpr std::size_t part = 6;
   const double least = cotangent_of(angle_bound_ / 2) - cotangent_;
-  std::vector<char> is_hopeless(m_.nodes().size(), 0);
   m_.note_looked_at(m_.faces().size());
-  for (vertex_index t = 0; t < m_.faces().size(); ++t) {
-    if (!m_.faces()[t].exists()) continue;
-    for (const vertex_index u : m_.faces()[t].v)
-      if (excess_of(t, u) > least) is_hopeless[u] = 1;
-  }
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!m_.faces()[t].exists()) continue;
+      for (const vertex_index u : m_.faces()[t].v)
+        if (excess_of(static_cast<vertex_index>(t), u) > least) found.push_back(u);
+    }
+  };
+  constexpr std::size_t chunk = 4096;
+  std::vector<char> is_hopeless(m_.nodes().size(), 0);
+  for (const vertex_index u : collect_chunks<vertex_index>(m_.faces().size(), chunk, append))
+    is_hopeless[u] = 1;
   const auto hopeless =
       static_cast<std::size_t>(std::count(is_hopeless.begin(), is_hopeless.end(), char{1}));
   return part * hopeless > m_.count();

@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -117,28 +118,43 @@ void unit_mesher::seed(const std::vector<point>& seeds) {
   }
 }
 
+// Returns the area that the metric at the nodes measures, and how many faces it has. It is added up
+// by chunks of a fixed size, so that threads do not change it.
+std::pair<double, std::size_t> unit_mesher::measured_area() const {
+  std::vector<double> logarithms(m_.nodes().size(), 0);  // of the nodes' densities
+  m_.each_node([&](vertex_index v) { logarithms[v] = quick_log(m_.at(v).root); });
+  m_.note_looked_at(work_weights::faces_for_count * m_.faces().size());
+  constexpr std::size_t chunk = 8192;
+  std::vector<std::pair<double, std::size_t>> parts(chunk_count(m_.faces().size(), chunk));
+  const auto add = [&](std::size_t i, std::size_t begin, std::size_t end) {
+    auto& [area, faces] = parts[i];
+    for (std::size_t t = begin; t < end; ++t) {
+      const face& f = m_.faces()[t];
+      if (!f.exists()) continue;
+      const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
+      const double twice = (b.position.x - a.position.x) * (c.position.y - a.position.y) -
+                           (b.position.y - a.position.y) * (c.position.x - a.position.x);
+      // Interpolates densities geometrically, as the metric is. An arithmetic mean would count the
+      // density at one corner of a coarse face in the whole face.
+      area +=
+          twice / 2 * quick_exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
+      ++faces;
+    }
+  };
+  parallel_chunks(m_.faces().size(), chunk, add);
+  std::pair<double, std::size_t> whole{0, 0};
+  for (const auto& [area, faces] : parts) {
+    whole.first += area;
+    whole.second += faces;
+  }
+  return whole;
+}
+
 // Chooses the unit that gives the number of nodes wanted if all faces were equilateral, from the
 // area that the metric at the nodes measures.
 void unit_mesher::measure_unit() {
   if (options_.count == 0) return;
-  std::vector<double> logarithms;  // of the nodes' densities
-  logarithms.reserve(m_.nodes().size());
-  for (const node& n : m_.nodes())
-    logarithms.push_back(n.kind == node_kind::gone ? 0 : quick_log(n.root));
-  double area = 0;
-  std::size_t faces = 0;
-  m_.note_looked_at(work_weights::faces_for_count * m_.faces().size());
-  for (const face& f : m_.faces()) {
-    if (!f.exists()) continue;
-    const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
-    const double twice = (b.position.x - a.position.x) * (c.position.y - a.position.y) -
-                         (b.position.y - a.position.y) * (c.position.x - a.position.x);
-    // Interpolates densities geometrically, as the metric is. An arithmetic mean would count the
-    // density at one corner of a coarse face in the whole face.
-    area +=
-        twice / 2 * quick_exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
-    ++faces;
-  }
+  const auto [area, faces] = measured_area();
   // Twice the nodes less the faces depends on the boundary alone (Euler).
   const double boundary = 2 * static_cast<double>(m_.count()) - static_cast<double>(faces);
   const double wanted = std::max(1.0, 2 * static_cast<double>(options_.count) - boundary);
@@ -205,8 +221,7 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
 void unit_mesher::refit(metric_at field) {
   field_ = std::move(field);
   forget_shapes();
-  for (vertex_index v = 0; v < m_.nodes().size(); ++v)
-    if (m_.at(v).kind != node_kind::gone) measure(v);
+  m_.each_node([this](vertex_index v) { measure(v); });
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists()) note_change(t);
   // A mesh that was fitted is less crowded when it is fitted again, by about the root.

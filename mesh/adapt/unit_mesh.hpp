@@ -72,6 +72,7 @@ class unit_mesher {
   void seed(const std::vector<point>& seeds);
   bool is_crowded(vertex_index t, const node& there) const;
   vertex_index locate(const point& q, vertex_index from) const;
+  std::pair<double, std::size_t> measured_area() const;
   void measure_unit();
   void meet_count();
   // Called between passes; charges their work.

@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -28,17 +29,20 @@ bool longer(const long_edge& p, const long_edge& q) {
 // Returns the edges for which `wanted(length)`, longest first.
 template <class Wanted>
 std::vector<long_edge> edges_where(const working_mesh& m, Wanted&& wanted) {
-  std::vector<long_edge> found;
   m.note_looked_at(m.faces().size());
-  for (const face& f : m.faces()) {
-    if (!f.exists()) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const vertex_index a = f.v[after(i)], b = f.v[before(i)];
-      if (f.next[i] != none && a > b) continue;
-      const double length = m.length(a, b);
-      if (wanted(length)) found.push_back({length, std::min(a, b), std::max(a, b)});
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<long_edge>& found) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const face& f = m.faces()[t];
+      for (std::size_t i = 0; f.exists() && i < 3; ++i) {
+        const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+        if (f.next[i] != none && a > b) continue;
+        const double length = m.length(a, b);
+        if (wanted(length)) found.push_back({length, std::min(a, b), std::max(a, b)});
+      }
     }
-  }
+  };
+  constexpr std::size_t chunk = 4096;
+  std::vector<long_edge> found = collect_chunks<long_edge>(m.faces().size(), chunk, append);
   std::sort(found.begin(), found.end(), longer);
   return found;
 }

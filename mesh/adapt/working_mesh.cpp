@@ -13,15 +13,14 @@ void working_mesh::around(vertex_index v, face_list& out) const {
     out.push_back(t);
     t = faces_[t].next[after(faces_[t].corner_of(v))];
   } while (t != none && t != start);
-  looked_at_ += out.size();
-  if (t == start) return;
+  if (t == start) return looked_at_.add(out.size());
   face_list earlier;
   for (t = faces_[start].next[before(faces_[start].corner_of(v))]; t != none;
        t = faces_[t].next[before(faces_[t].corner_of(v))])
     earlier.push_back(t);
-  looked_at_ += earlier.size();
   std::reverse(earlier.begin(), earlier.end());
   out.insert(out.begin(), earlier.begin(), earlier.end());
+  looked_at_.add(out.size());
 }
 
 void working_mesh::neighbours(vertex_index v, face_list& out) const {

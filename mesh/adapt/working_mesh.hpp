@@ -24,6 +24,8 @@
 #include "asterism/mesh/domain/curve_chords.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/shared_count.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -81,6 +83,7 @@ inline double length_between(const node& p, const node& q) {
   return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
 }
 
+// Several threads may look at a mesh that none changes.
 class working_mesh {
  public:
   // Builds it from a mesh of `d` without disagreeing triangles. Fails, naming what is wrong, where
@@ -102,9 +105,19 @@ class working_mesh {
   // Charges the account with the faces looked at since the last time: those listed around nodes,
   // and those noted.
   void charge_work(const cancellation& stop) {
-    stop.charge(work_weights::face_listed * static_cast<double>(std::exchange(looked_at_, 0)));
+    stop.charge(work_weights::face_listed * static_cast<double>(looked_at_.take()));
   }
-  void note_looked_at(std::size_t faces) const { looked_at_ += faces; }
+  void note_looked_at(std::size_t faces) const { looked_at_.add(faces); }
+
+  // Calls act(v) for each node that is not gone, from as many threads as there are.
+  template <class Act>
+  void each_node(const Act& act) const {
+    constexpr std::size_t chunk = 1024;
+    parallel_chunks(nodes_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v)
+        if (nodes_[v].kind != node_kind::gone) act(static_cast<vertex_index>(v));
+    });
+  }
 
   // Lists the faces at v, counter-clockwise; at the boundary from its first to its last.
   void around(vertex_index v, face_list& out) const;
@@ -160,7 +173,7 @@ class working_mesh {
   std::vector<face> faces_;
   std::vector<vertex_index> free_faces_;
   std::size_t count_ = 0;
-  mutable std::size_t looked_at_ = 0;  // faces, not yet charged; one thread owns a mesh
+  mutable shared_count looked_at_;  // faces, not yet charged
 };
 
 }  // namespace asterism::internal::adapting

@@ -2,11 +2,18 @@
 #include "asterism/mesh/metric/background_metric.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
+namespace {
+
+constexpr std::size_t nodes_at_once = 4096;
+
+}  // namespace
 
 background_metric::background_metric(const mesh& background)
     : background_metric(background, box_of_sites(background.sites)) {}
@@ -20,8 +27,12 @@ background_metric::background_metric(const mesh& background, const bounding_box&
 
 void background_metric::set_tensors(std::vector<metric_tensor> tensors) {
   tensors_ = std::move(tensors);
-  logarithms_.clear();
-  for (const metric_tensor& m : tensors_) logarithms_.push_back(logarithm(m));
+  logarithms_.resize(tensors_.size());
+  parallel_chunks(tensors_.size(), nodes_at_once,
+                  [this](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t v = begin; v < end; ++v)
+                      logarithms_[v] = logarithm(tensors_[v]);
+                  });
 }
 
 metric_tensor background_metric::mean(const triangle_locator::located& where) const {
@@ -53,7 +64,7 @@ metric_tensor background_metric::at_place(const point& q,
 
 triangle_locator::located background_metric::nearby(const point& q, vertex_index hint) const {
   const triangle_locator::located where = locator_->nearby(q, hint);
-  looked_at_ += where.looked_at;
+  looked_at_.add(where.looked_at);
   return where;
 }
 

@@ -7,17 +7,17 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/search/triangle_locator.hpp"
+#include "asterism/mesh/support/shared_count.hpp"
 
 namespace asterism::internal {
 
-// Copies share the background, and may have other tensors on it.
+// Copies share the background, and may have other tensors on it. Several threads may ask.
 class background_metric {
  public:
   // Leaves out flat and clockwise triangles; requires one that is neither.
@@ -30,13 +30,12 @@ class background_metric {
   void set_tensors(std::vector<metric_tensor> tensors);
 
   // Returns the tensor at the point, interpolated in the triangle that it is farthest inside of, or
-  // in one near it; at a vertex of that triangle the vertex's own, bit for bit. Several threads may
-  // ask.
+  // in one near it; at a vertex of that triangle the vertex's own, bit for bit.
   metric_tensor at(const point& q) const;
   // Returns the same, or nothing if no triangle is within `reach` of the point.
   std::optional<metric_tensor> at_within(const point& q, double reach) const;
   // Returns about the same, sooner near the place asked about before: the walk begins at `hint`,
-  // which is set to the triangle where it ended. One thread asks.
+  // which is set to the triangle where it ended.
   metric_tensor at(const point& q, vertex_index& hint) const;
   // Returns the triangle that at() with this hint ends in.
   vertex_index triangle_near(const point& q, vertex_index hint) const {
@@ -50,7 +49,7 @@ class background_metric {
   triangle nodes_around(const point& q, vertex_index& hint) const;
   // Returns how many triangles searches of at() with a hint have looked at since the last call:
   // few, but where triangles are so thin that the box of each overlaps those of thousands.
-  std::size_t take_looked_at() const { return std::exchange(looked_at_, 0); }
+  std::size_t take_looked_at() const { return looked_at_.take(); }
 
   // Returns the edges, each once.
   std::vector<graph_edge> edges() const { return locator_->edges(); }
@@ -65,7 +64,7 @@ class background_metric {
   std::shared_ptr<const triangle_locator> locator_;
   std::vector<metric_tensor> tensors_;
   std::vector<tensor_logarithm> logarithms_;
-  mutable std::size_t looked_at_ = 0;
+  mutable shared_count looked_at_;
 };
 
 }  // namespace asterism::internal

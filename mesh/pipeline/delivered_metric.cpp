@@ -14,10 +14,13 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/wide_range.hpp"
 
 namespace asterism::internal {
 namespace {
+
+constexpr std::size_t sites_at_once = 1024;  // of sites, for a thread
 
 double area_in_metric(const mesh& m) {
   double sum = 0;
@@ -66,16 +69,40 @@ double distance(const metric_tensor& a, const metric_tensor& b) {
   return std::isfinite(wide) ? std::min(wide, most) : most;
 }
 
+std::vector<double> distances_of(const std::vector<site>& p, const std::vector<site>& q) {
+  std::vector<double> found(p.size(), 0);
+  parallel_chunks(p.size(), sites_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      if (!identical(p[v].metric, q[v].metric)) found[v] = distance(p[v].metric, q[v].metric);
+  });
+  return found;
+}
+
+// Gives sites the tensors that are wanted where they are; returns the first failure.
+std::optional<error> take_tensors(const metric_field& wanted, std::vector<site>& sites) {
+  std::vector<std::optional<error>> failures(chunk_count(sites.size(), sites_at_once));
+  parallel_chunks(sites.size(), sites_at_once,
+                  [&](std::size_t i, std::size_t begin, std::size_t end) {
+                    for (std::size_t v = begin; v < end && !failures[i]; ++v) {
+                      auto there = wanted.at(sites[v].position);
+                      if (there)
+                        sites[v].metric = there.value();
+                      else
+                        failures[i] = there.failure();
+                    }
+                  });
+  const auto failed = std::find_if(failures.begin(), failures.end(),
+                                   [](const std::optional<error>& f) { return f.has_value(); });
+  return failed == failures.end() ? std::nullopt : *failed;
+}
+
 void note_distances(const mesh& delivered, const mesh& wanted, delivered_report& report) {
   const double tenth = elementary::log(1.1);
-  std::vector<double> distances;
+  std::vector<double> distances = distances_of(wanted.sites, delivered.sites);
   std::size_t beyond = 0;
   for (std::size_t v = 0; v < wanted.sites.size(); ++v) {
-    const metric_tensor &a = wanted.sites[v].metric, &b = delivered.sites[v].metric;
-    const bool is_same = identical(a, b);
-    distances.push_back(is_same ? 0 : distance(a, b));
-    if (!is_same) ++report.changed;
-    if (distances.back() > tenth) ++beyond;
+    if (!identical(wanted.sites[v].metric, delivered.sites[v].metric)) ++report.changed;
+    if (distances[v] > tenth) ++beyond;
   }
   if (distances.empty()) return;
   std::sort(distances.begin(), distances.end());
@@ -91,11 +118,7 @@ result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& 
                                              std::optional<double> angle_bound) {
   mesh as_wanted = m;
   wanted.expect([&m] { return positions_of(m.sites); });
-  for (site& s : as_wanted.sites) {
-    const auto there = wanted.at(s.position);
-    if (!there) return there.failure();
-    s.metric = there.value();
-  }
+  if (auto failure = take_tensors(wanted, as_wanted.sites)) return *failure;
   delivered_report report;
   note_distances(m, as_wanted, report);
   report.complexity_wanted = area_in_metric(as_wanted);

@@ -8,6 +8,7 @@
 
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/adapt/restoration.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal {
@@ -187,6 +188,19 @@ class giver {
   std::size_t least_found_ = std::numeric_limits<std::size_t>::max();  // when mended
 };
 
+// Lists the nodes of faces, for each gap of theirs whose reach is unknown.
+std::vector<node_list> nodes_that_see_all(const adapting::working_mesh& m) {
+  constexpr std::size_t chunk = 2048;
+  const auto append = [&m](std::size_t begin, std::size_t end, std::vector<node_list>& found) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const adapting::face& f = m.faces()[t];
+      for (std::size_t i = 0; f.exists() && i < 3; ++i)
+        if (sees_all(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
+    }
+  };
+  return collect_chunks<node_list>(m.faces().size(), chunk, append);
+}
+
 }  // namespace
 
 void bound_gaps(adapting::working_mesh& m, adapting::agreement& agreeing,
@@ -194,10 +208,7 @@ void bound_gaps(adapting::working_mesh& m, adapting::agreement& agreeing,
   constexpr int rounds = 2;
   constexpr std::size_t few = 20;  // one in so many nodes
   for (int round = 0; round < rounds && !stop.is_requested(); ++round) {
-    std::vector<node_list> found;
-    for (const adapting::face& f : m.faces())
-      for (std::size_t i = 0; f.exists() && i < 3; ++i)
-        if (sees_all(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
+    const std::vector<node_list> found = nodes_that_see_all(m);
     m.note_looked_at(work_weights::faces_for_three_gaps * m.faces().size());
     m.charge_work(stop);
     if (found.empty() || few * found.size() > m.count()) return;

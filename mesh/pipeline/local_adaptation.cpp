@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -163,9 +164,9 @@ class adaptation {
   // Sets the nodes' tensors to those interpolated on the background: the metric wanted except for
   // rounding, and found sooner.
   void take_interpolated(working_mesh& m) const {
-    for (vertex_index v = 0; v < m.nodes().size(); ++v)
-      if (m.at(v).kind != node_kind::gone)
-        m.set_metric(v, goal_.metric().at(m.at(v).position, m.at(v).hint));
+    m.each_node([&](vertex_index v) {
+      m.set_metric(v, goal_.metric().at(m.at(v).position, m.at(v).hint));
+    });
   }
 
   // Sets the node's tensor to that of the metric fitted to where that differs from the metric
@@ -178,14 +179,14 @@ class adaptation {
   // Sets the nodes' tensors to the metric wanted there, or to the other metric fitted to. Returns
   // false where the field fails.
   bool take_wanted(working_mesh& m) const {
-    for (vertex_index v = 0; v < m.nodes().size(); ++v) {
-      if (m.at(v).kind == node_kind::gone) continue;
+    std::atomic<bool> is_known = true;
+    m.each_node([&](vertex_index v) {
       const auto there = wanted_at(m.at(v).position);
-      if (!there) return false;
+      if (!there) return is_known.store(false);
       m.set_metric(v, *there);
       if (goal_.is_other()) take_other(m, v);
-    }
-    return true;
+    });
+    return is_known;
   }
 
   // Makes the mesh and its audit in made_. Returns false where it cannot be made, or not with
@@ -359,12 +360,14 @@ class adaptation {
   // Restores the tensors wanted at as many nodes as the auditor accepts. Returns whether the mesh
   // that comes out is certified.
   bool give_back(working_mesh& m) {
-    std::vector<metric_tensor> tensors;
-    for (const node& n : m.nodes()) {
-      const auto there = n.kind == node_kind::gone ? n.metric : wanted_at(n.position);
-      if (!there) return false;
-      tensors.push_back(*there);
-    }
+    std::vector<metric_tensor> tensors(m.nodes().size());
+    std::atomic<bool> is_known = true;
+    m.each_node([&](vertex_index v) {
+      const auto there = wanted_at(m.at(v).position);
+      if (!there) return is_known.store(false);
+      tensors[v] = *there;
+    });
+    if (!is_known) return false;
     return internal::give_back(m, std::move(tensors), options_, asked_of_agreement(length_factor_),
                                made_);
   }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -17,11 +18,15 @@ double doubled_area(const point& a, const point& b, const point& c) {
 }
 
 std::vector<triangle> counter_clockwise(const mesh& m) {
-  std::vector<triangle> kept;
-  for (const triangle& t : m.triangles)
-    if (doubled_area(m.sites[t[0]].position, m.sites[t[1]].position, m.sites[t[2]].position) > 0)
-      kept.push_back(t);
-  return kept;
+  constexpr std::size_t chunk = 8192;
+  const auto append = [&m](std::size_t begin, std::size_t end, std::vector<triangle>& kept) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const triangle& t = m.triangles[i];
+      if (doubled_area(m.sites[t[0]].position, m.sites[t[1]].position, m.sites[t[2]].position) > 0)
+        kept.push_back(t);
+    }
+  };
+  return collect_chunks<triangle>(m.triangles.size(), chunk, append);
 }
 
 // Computes the weights of the corners at q. Returns the least; once one is below `least` the rest

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// Counts work from several threads. The sum does not depend on their order.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+namespace asterism::internal {
+
+// Copies count for themselves, from what was counted so far.
+class shared_count {
+ public:
+  shared_count() = default;
+  shared_count(const shared_count& other) : count_(other.count_.load(std::memory_order_relaxed)) {}
+  shared_count& operator=(const shared_count& other) {
+    count_.store(other.count_.load(std::memory_order_relaxed), std::memory_order_relaxed);
+    return *this;
+  }
+  ~shared_count() = default;
+
+  void add(std::size_t more) {
+    if (more > 0) count_.fetch_add(more, std::memory_order_relaxed);
+  }
+  // Returns the count and begins anew.
+  std::size_t take() { return count_.exchange(0, std::memory_order_relaxed); }
+
+ private:
+  std::atomic<std::size_t> count_{0};
+};
+
+}  // namespace asterism::internal
