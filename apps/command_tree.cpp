@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "asterism/mesh/metric/make_metric_field.hpp"
+
 namespace asterism::apps {
 namespace {
 
@@ -20,10 +22,12 @@ std::vector<std::string> choices_in(const std::string& type) {
 // Domains and metrics have names, and may be files or formulas as well.
 std::vector<std::string> names_of_values(const std::string& value) {
   if (value == "DOMAIN") return {"square", "airfoil"};
+  std::vector<std::string> names;
   if (value == "SPEC")
-    return {"identity", "swirl",   "sink",    "layer",   "shock",
-            "linear",   "polar-1", "polar-2", "circle-1"};
-  return {};
+    for (const metric_name& metric : metric_names())
+      if (metric.arguments.empty() || metric.arguments.front() == '[')
+        names.emplace_back(metric.name);
+  return names;
 }
 
 option_entry entry_of(const CLI::Option& option) {

@@ -95,13 +95,6 @@ layer_lengths circle_1(const point& u) {
   return across_circles(p, r, 0.0005 + d, 0.1 * r + d);
 }
 
-struct benchmark {
-  std::string_view name;
-  layer_lengths (*lengths)(const point& u);
-};
-constexpr std::array<benchmark, 4> benchmarks = {
-    {{"linear", linear}, {"polar-1", polar_1}, {"polar-2", polar_2}, {"circle-1", circle_1}}};
-
 result<double> positive_parameter(std::string_view specification, const std::string& name,
                                   std::string_view text) {
   const auto value = parse_number(text);
@@ -114,38 +107,57 @@ made_field made(double size, layer_formula lengths, const field_frame& frame, do
   return made_field(std::make_unique<layered_field>(size, std::move(lengths), frame, unit));
 }
 
-made_field make_layer(std::string_view specification, std::string_view parameter,
-                      const field_frame& frame, double size) {
+made_field no_extent(const field_request& asked) {
+  return bad_metric(asked.specification, "the domain has no extent to scale it to");
+}
+
+made_field make_layer(const field_request& asked) {
+  const auto corner = frame_at_the_corner(asked.box);
+  if (!corner) return no_extent(asked);
+  const std::string_view parameter = asked.parameter.value_or("0.001,0.1");
   const std::size_t comma = parameter.find(',');
   if (comma == std::string_view::npos)
-    return bad_metric(specification, "two lengths are wanted, H0,H1");
-  const auto at_wall = positive_parameter(specification, "H0", parameter.substr(0, comma));
+    return bad_metric(asked.specification, "two lengths are wanted, H0,H1");
+  const auto at_wall = positive_parameter(asked.specification, "H0", parameter.substr(0, comma));
   if (!at_wall.ok()) return at_wall.failure();
-  const auto far = positive_parameter(specification, "H1", parameter.substr(comma + 1));
+  const auto far = positive_parameter(asked.specification, "H1", parameter.substr(comma + 1));
   if (!far.ok()) return far.failure();
-  return made(size, boundary_layer(at_wall.value(), far.value()), frame, 1);
+  return made(asked.size, boundary_layer(at_wall.value(), far.value()), *corner, 1);
 }
+
+made_field make_shock(const field_request& asked) {
+  const auto middle = frame_in_the_middle(asked.box);
+  if (!middle) return no_extent(asked);
+  const auto aspect = positive_parameter(asked.specification, "A", asked.parameter.value_or("50"));
+  if (!aspect.ok()) return aspect.failure();
+  return made(asked.size, curved_shock(aspect.value()), *middle, 1);
+}
+
+// The benchmarks are defined on the unit square, which the box's longer side replaces.
+template <layer_lengths (*lengths)(const point& u)>
+made_field make_benchmark(const field_request& asked) {
+  const auto corner = frame_at_the_corner(asked.box);
+  if (!corner) return no_extent(asked);
+  if (asked.parameter) return takes_no_parameter(asked);
+  return made(asked.size, lengths, *corner, 2 * corner->half_unit);
+}
+
+constexpr std::array<named_field, 6> rows = {{
+    {"layer", "[:H0,H1]",
+     "flat along the lower side of the domain's box: H1 long, H0 high there and H1 high a longer "
+     "side above (0.001,0.1)",
+     make_layer},
+    {"shock", "[:A]", "A times as long as high along a curve, 1 high elsewhere (50)", make_shock},
+    {"linear", "", "a benchmark: thin along a horizontal line", make_benchmark<linear>},
+    {"polar-1", "", "a benchmark: thin along a circle around the lower left corner",
+     make_benchmark<polar_1>},
+    {"polar-2", "", "a benchmark: thin and short along the same circle", make_benchmark<polar_2>},
+    {"circle-1", "", "a benchmark: thin along a circle around a point left of the box",
+     make_benchmark<circle_1>},
+}};
 
 }  // namespace
 
-std::optional<made_field> make_layered_field(std::string_view specification, std::string_view name,
-                                             std::optional<std::string_view> parameter,
-                                             const bounding_box& box, double size) {
-  const auto* const known = std::find_if(benchmarks.begin(), benchmarks.end(),
-                                         [&](const benchmark& b) { return b.name == name; });
-  if (name != "layer" && name != "shock" && known == benchmarks.end()) return std::nullopt;
-  const auto middle = frame_in_the_middle(box), corner = frame_at_the_corner(box);
-  if (!middle || !corner)
-    return bad_metric(specification, "the domain has no extent to scale it to");
-  if (name == "layer")
-    return make_layer(specification, parameter.value_or("0.001,0.1"), *corner, size);
-  if (name == "shock") {
-    const auto aspect = positive_parameter(specification, "A", parameter.value_or("50"));
-    if (!aspect.ok()) return made_field(aspect.failure());
-    return made(size, curved_shock(aspect.value()), *middle, 1);
-  }
-  if (parameter) return bad_metric(specification, std::string(name) + " takes no parameter");
-  return made(size, known->lengths, *corner, 2 * corner->half_unit);
-}
+std::span<const named_field> layered_fields() { return rows; }
 
 }  // namespace asterism::internal

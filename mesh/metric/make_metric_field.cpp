@@ -74,45 +74,92 @@ class expression_field : public sized_field {
   mutable std::mutex mutex_;
 };
 
-made_field make_rotating(std::string_view specification, rotating_field::kind kind,
-                         std::optional<std::string_view> parameter, const bounding_box& box,
-                         double size) {
-  double strength = 12;
-  if (parameter) {
-    const auto value = parse_number(*parameter);
-    if (!value.ok()) return bad_metric(specification, "K: " + value.failure().message);
-    if (value.value() < 0)
-      return bad_metric(specification, "K must not be negative, not " + std::string(*parameter));
-    strength = value.value();
-  }
-  const auto frame = frame_in_the_middle(box);
-  if (!frame) return bad_metric(specification, "the domain has no extent to scale it to");
-  return made_field(std::make_unique<rotating_field>(size, kind, strength, *frame));
+made_field make_identity(const field_request& asked) {
+  if (asked.parameter) return takes_no_parameter(asked);
+  return made_field(std::make_unique<identity_field>(asked.size));
 }
 
-made_field make_expression(std::string_view specification, std::string_view text, double size) {
+template <rotating_field::kind kind>
+made_field make_rotating(const field_request& asked) {
+  double strength = 12;
+  if (asked.parameter) {
+    const auto value = parse_number(*asked.parameter);
+    if (!value.ok()) return bad_metric(asked.specification, "K: " + value.failure().message);
+    if (value.value() < 0)
+      return bad_metric(asked.specification,
+                        "K must not be negative, not " + std::string(*asked.parameter));
+    strength = value.value();
+  }
+  const auto frame = frame_in_the_middle(asked.box);
+  if (!frame) return bad_metric(asked.specification, "the domain has no extent to scale it to");
+  return made_field(std::make_unique<rotating_field>(asked.size, kind, strength, *frame));
+}
+
+made_field make_expression(const field_request& asked) {
   std::vector<plane_expression> entries;
   constexpr std::array<std::string_view, 3> names = {"M11", "M12", "M22"};
+  const std::string_view text = asked.parameter.value_or("");
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(';', begin), text.size());
     if (entries.size() == 3)
-      return bad_metric(specification, "three expressions are wanted, M11;M12;M22; there are more");
+      return bad_metric(asked.specification,
+                        "three expressions are wanted, M11;M12;M22; there are more");
     auto entry = plane_expression::parse(std::string(text.substr(begin, end - begin)));
     if (!entry.ok())
-      return bad_metric(specification,
+      return bad_metric(asked.specification,
                         std::string(names[entries.size()]) + ": " + entry.failure().message);
     entries.push_back(std::move(entry).value());
     begin = end + 1;
   }
   if (entries.size() < 3)
-    return bad_metric(specification, "three expressions are wanted, M11;M12;M22; there are only " +
-                                         std::to_string(entries.size()));
+    return bad_metric(asked.specification,
+                      "three expressions are wanted, M11;M12;M22; there are only " +
+                          std::to_string(entries.size()));
   return made_field(std::make_unique<expression_field>(
-      size, std::array<plane_expression, 3>{std::move(entries[0]), std::move(entries[1]),
-                                            std::move(entries[2])}));
+      asked.size, std::array<plane_expression, 3>{std::move(entries[0]), std::move(entries[1]),
+                                                  std::move(entries[2])}));
+}
+
+constexpr std::array<named_field, 4> tensor_fields = {{
+    {"identity", "", "the same everywhere", make_identity},
+    {"swirl", "[:K]",
+     "stretched along circles around the middle of the domain's box, by sqrt(1+K) at half of its "
+     "longer side (12)",
+     make_rotating<rotating_field::kind::swirl>},
+    {"sink", "[:K]", "stretched as much along rays (12)",
+     make_rotating<rotating_field::kind::sink>},
+    {"expr", ":M11;M12;M22", "three expressions in x and y (muparser's syntax)", make_expression},
+}};
+
+// Returns every row: those of lengths after those of tensors.
+std::vector<named_field> named_fields() {
+  std::vector<named_field> all(tensor_fields.begin(), tensor_fields.end());
+  const auto layered = layered_fields();
+  all.insert(all.end(), layered.begin(), layered.end());
+  return all;
+}
+
+// Returns the names with their arguments, as "identity, swirl[:K] and sink[:K]".
+std::string listed_names() {
+  std::string text;
+  const std::vector<metric_name> names = metric_names();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}{}{}",
+                        i == 0                 ? ""
+                        : i + 1 < names.size() ? ", "
+                                               : " and ",
+                        names[i].name, names[i].arguments);
+  return text;
 }
 
 }  // namespace
+
+std::vector<metric_name> metric_names() {
+  std::vector<metric_name> names;
+  for (const named_field& row : named_fields())
+    names.push_back({row.name, row.arguments, row.sentence});
+  return names;
+}
 
 result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specification,
                                                         const bounding_box& box, double size) {
@@ -120,24 +167,11 @@ result<std::unique_ptr<metric_field>> make_metric_field(std::string_view specifi
     return error{fmt::format("size must be positive and finite, not {}", size),
                  error_code::bad_option};
   const std::size_t colon = specification.find(':');
-  const std::string_view name = specification.substr(0, colon);
-  std::optional<std::string_view> parameter;
-  if (colon != std::string_view::npos) parameter = specification.substr(colon + 1);
-
-  if (name == "identity") {
-    if (parameter) return bad_metric(specification, "identity takes no parameter");
-    return made_field(std::make_unique<identity_field>(size));
-  }
-  if (name == "swirl")
-    return make_rotating(specification, rotating_field::kind::swirl, parameter, box, size);
-  if (name == "sink")
-    return make_rotating(specification, rotating_field::kind::sink, parameter, box, size);
-  if (name == "expr") return make_expression(specification, parameter.value_or(""), size);
-  if (auto layered = make_layered_field(specification, name, parameter, box, size))
-    return std::move(*layered);
-  return bad_metric(specification,
-                    "unknown; there are identity, swirl[:K], sink[:K], layer[:H0,H1], shock[:A], "
-                    "linear, polar-1, polar-2, circle-1 and expr:M11;M12;M22");
+  field_request asked{specification, std::nullopt, box, size};
+  if (colon != std::string_view::npos) asked.parameter = specification.substr(colon + 1);
+  for (const named_field& row : named_fields())
+    if (row.name == specification.substr(0, colon)) return row.make(asked);
+  return bad_metric(specification, "unknown; there are " + listed_names());
 }
 
 }  // namespace asterism

@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -208,4 +211,26 @@ TEST_CASE("layered fields with bad parameters are refused with the reason") {
   REQUIRE_FALSE(make_metric_field("polar-1", {{1, 1}, {1, 1}}).ok());
   // A tensor beyond the range of doubles is told when it is met.
   REQUIRE_FALSE(make_metric_field("layer:1e-200,1", unit_box).value()->at({0, -1}).ok());
+}
+
+TEST_CASE("the manual, help and errors have the metrics that there are") {
+  const auto page_of = [](const std::string& name) {
+    std::ifstream page(ASTERISM_DOCS "/manual/" + name);
+    REQUIRE(page);
+    return std::string((std::istreambuf_iterator<char>(page)), std::istreambuf_iterator<char>());
+  };
+  const std::string formulas = page_of("metrics.md"), refused = refusal("whirl");
+  std::string table = "| SPEC | |\n|---|---|\n";
+  for (const metric_name& metric : metric_names()) {
+    const std::string given = std::string(metric.name).append(metric.arguments);
+    INFO(given);
+    table += "| `" + given + "` | " + std::string(metric.sentence) + " |\n";
+    CHECK(formulas.find("\n| `" + given + "` |") != std::string::npos);
+    CHECK(refused.find(given) != std::string::npos);
+    // What may be left out is in brackets; all but three formulas may.
+    const bool may_be_left_out = metric.arguments.empty() || metric.arguments.front() == '[';
+    CHECK(make_metric_field(metric.name, unit_box).ok() == may_be_left_out);
+  }
+  INFO("docs/manual/command_line.md is to have\n" << table);
+  CHECK(page_of("command_line.md").find(table) != std::string::npos);
 }
