@@ -23,8 +23,10 @@
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/plain_question.hpp"
 #include "asterism/apps/second_order.hpp"
+#include "asterism/apps/value_lists.hpp"
 #include "asterism/mesh/io/fields_of_mesh.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/poly_writer.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -47,12 +49,9 @@ struct convert_job {
 };
 
 constexpr const char* convert_examples =
-    R"(IN is any mesh that is read: .mesh, .meshb (with .sol or .solb beside it), .msh, .vtu, .vtk, .su2,
-.14, .grd, .2dm, .stl. OUT is any that is written: .mesh, .meshb, .msh, .msh2, .vtu, .su2, .2dm, .14,
-.grd, .node, or a picture. Vertices, triangles, regions, markers, names, the metric and fields at the
-vertices go over, bit for bit; what OUT has no place for is told. With --order 2 the nodes of sides
-that IN has go over, too; sides without one are straight. '-' is standard input or output, and
---format says what is there.
+    R"(Vertices, triangles, regions, markers, names, the metric and fields at the vertices go over, bit for
+bit; what OUT has no place for is told. With --order 2 the nodes of sides that IN has go over, too;
+sides without one are straight. '-' is standard input or output, and --format says what is there.
 
 With --metric the tensors at the vertices are those of a metric, as 'asterism mesh' takes it, in
 place of any that IN has. Where OUT is a .poly file, IN is a domain in any form that 'asterism mesh'
@@ -136,16 +135,15 @@ std::optional<error> take_standard_input(const fs::path& file) {
   return std::nullopt;
 }
 
+bool is_medit(mesh_format format) {
+  return format == mesh_format::medit || format == mesh_format::medit_binary;
+}
+
 // Returns what a format has no place for, a sentence each.
 std::vector<std::string> losses(const mesh_file& read, const solution& fields, mesh_format format,
                                 const std::string& out) {
   const mesh& m = read.content;
-  const auto is = [format](std::initializer_list<mesh_format> those) {
-    return std::find(those.begin(), those.end(), format) != those.end();
-  };
-  const bool is_medit = is({mesh_format::medit, mesh_format::medit_binary});
-  const bool is_gmsh = is({mesh_format::gmsh, mesh_format::gmsh2});
-  const bool is_vtu = format == mesh_format::vtu, is_node = format == mesh_format::node;
+  const kept_parts& keeps = kept_in(format);
   const bool has_regions =
       std::any_of(m.regions.begin(), m.regions.end(), [](int r) { return r != 1; });
   const bool has_internal = std::any_of(m.boundary.begin(), m.boundary.end(),
@@ -154,21 +152,15 @@ std::vector<std::string> losses(const mesh_file& read, const solution& fields, m
   const auto lose = [&](bool there, bool kept, const char* what) {
     if (there && !kept) all.push_back(out + ": " + what + " have no place in it and are left out");
   };
-  const bool without_regions = is({mesh_format::su2, mesh_format::adcirc});
-  lose(has_regions, !without_regions, "regions");
-  lose(has_internal, !without_regions, "segments inside");
-  lose(!read.names.markers.empty(), is_gmsh || without_regions, "names of markers");
-  lose(!read.names.regions.empty(), is_gmsh, "names of regions");
-  lose(read.has_metric, is_medit || is_gmsh || is_vtu || is_node, "tensors of the metric");
-  lose(!fields.fields.empty(), is_medit || is_gmsh || is_vtu, "fields");
-  if (is_medit && !fields.fields.empty())
+  lose(has_regions, keeps.regions, "regions");
+  lose(has_internal, keeps.inner_segments, "segments inside");
+  lose(!read.names.markers.empty(), keeps.names_of_markers, "names of markers");
+  lose(!read.names.regions.empty(), keeps.names_of_regions, "names of regions");
+  lose(read.has_metric, keeps.metric, "tensors of the metric");
+  lose(!fields.fields.empty(), keeps.fields, "fields");
+  if (is_medit(format) && !fields.fields.empty())
     all.push_back(out + ": fields have numbers there, from 1, in place of names");
   return all;
-}
-
-bool is_drawing(mesh_format format) {
-  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf ||
-         format == mesh_format::html;
 }
 
 // Writes the first of the files, which has the mesh.
@@ -192,8 +184,7 @@ std::optional<error> check_output_differs(const places& where) {
 std::optional<error> check_places(const places& where, int order) {
   if (!is_mesh_file(where.in.string()))
     return error{where.in.string() + ": unknown kind of file '" + where.in.extension().string() +
-                     "'; meshes are read of .mesh, .meshb, .msh, .msh2, .vtu, .vtk, .su2, .14, "
-                     ".grd, .2dm and .stl",
+                     "'; meshes are read of " + endings_of(is_mesh_kind, "and"),
                  error_code::bad_option};
   const auto format = check_output(where.out);
   if (!format) return format.failure();
@@ -250,8 +241,8 @@ std::optional<error> convert(const convert_job& job, const places& where,
       notes.push_back(std::move(lost));
   std::error_code ignored;
   const fs::path beside = solution_path(where.out);
-  if ((format == mesh_format::medit || format == mesh_format::medit_binary) &&
-      !made.read.has_metric && made.fields.fields.empty() && fs::exists(beside, ignored))
+  if (is_medit(format) && !made.read.has_metric && made.fields.fields.empty() &&
+      fs::exists(beside, ignored))
     notes.push_back(beside.string() +
                     ": is there already, of another mesh, and would be taken for " +
                     where.out.string() + "'s");
@@ -322,7 +313,7 @@ void add_convert_command(CLI::App& program, command& chosen) {
       ->needs(metric);
   app->add_flag("--strict", job->strict, "Refuse what would be changed or left out, with a note");
   app->add_flag("--quiet", job->quiet, "No notes");
-  app->footer(convert_examples);
+  app->footer(convert_values() + "\n" + convert_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_convert(*job); }; });
 }
 

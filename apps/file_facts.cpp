@@ -14,6 +14,7 @@
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/io/edges_domain.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
@@ -187,8 +188,8 @@ result<file_facts> facts_of_solution(const fs::path& path) {
 }
 
 bool is_domain(const std::string& name) {
-  for (const char* const ending : {".poly", ".node", ".geojson", ".json", ".wkt"})
-    if (has_ending(name, ending)) return true;
+  const file_kind* const kind = kind_of_file(name);
+  if (kind != nullptr && is_domain_kind(*kind)) return true;
   return name == "square" || name == "airfoil" || name == "naca0012";
 }
 
@@ -228,16 +229,16 @@ result<file_facts> facts_of_file(const fs::path& path) {
   if (has_ending(name, ".certificate.json")) return facts_of_certificate(path);
   for (const char* const ending : {".sol", ".solb", ".bb", ".mtr", ".vtu"})
     if (has_ending(name, ending)) return facts_of_solution(path);
-  for (const char* const ending : {".ele", ".edge", ".svg", ".png", ".pdf", ".html"})
-    if (has_ending(name, ending))
-      return error{name + ": files of this kind are written here, not read"};
+  const file_kind* const kind = kind_of_file(name);
+  const bool is_drawn = kind != nullptr && kind->format && is_drawing(*kind->format);
+  if (is_drawn || has_ending(name, ".ele") || has_ending(name, ".edge"))
+    return error{name + ": files of this kind are written here, not read"};
   if (!is_domain(name))
-    return error{
-        name +
-        ": not a file that is known here by its name: domains (.poly, .node, .geojson, .json, "
-        ".wkt), meshes (.mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl), solutions "
-        "(.sol, .solb, .bb, .vtu), metrics "
-        "(.sol, .solb, .mtr), certificates (.certificate.json)"};
+    return error{name + ": not a file that is known here by its name: domains (" +
+                 endings_of(is_domain_kind, "and") + "), meshes (" +
+                 endings_of(is_mesh_kind, "and") +
+                 "), solutions (.sol, .solb, .bb, .vtu), metrics (.sol, .solb, .mtr), certificates "
+                 "(.certificate.json)"};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());
   // A certificate may have any name; a domain's message is the one to tell otherwise.

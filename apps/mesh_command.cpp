@@ -14,28 +14,13 @@
 #include "asterism/apps/second_order.hpp"
 #include "asterism/apps/size_options.hpp"
 #include "asterism/apps/thread_limit.hpp"
+#include "asterism/apps/value_lists.hpp"
 
 namespace asterism::apps {
 namespace {
 
 constexpr const char* mesh_examples =
-    R"(DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), a file in Triangle's .poly format, polygons
-        in .geojson or .wkt, or a mesh in Medit's .mesh or gmsh's .msh: what it covers, with all
-        its vertices and boundary edges. A mesh that meets what is asked already stays as it is; to
-        another, vertices are added.
-SPEC    identity; swirl:K or sink:K (K = 12 when left out), round in the middle of the domain and
-        stretched by sqrt(1+K) at distance R from it, R half the longer side of the bounding box;
-        layer:H0,H1 (0.001,0.1), flat along the lower side, H1 long, H0 high there and H1 high a
-        longer side above; shock:A (50), A times as long as high along a curve, 1 high elsewhere;
-        the benchmarks linear, polar-1, polar-2, circle-1; expr:M11;M12;M22 in x and y; or a
-        mesh with its metric, .mesh, .meshb, .msh or .vtu: the tensors at its vertices,
-        interpolated; or a .sol, a size or a tensor for each vertex of DOMAIN if that is a mesh,
-        else of the mesh of the same name beside it.
-OUT     by extension: .mesh (Medit, with the metric in .sol), .msh (gmsh 4.1), .msh2 (2.2), .su2,
-        .node (Triangle, with .ele and .edge), .vtu (ParaView), .svg .png .pdf,
-        .html (one page to look at and to judge by, which needs no network).
-
-Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;
+    R"(Exit status: 0 complete and certified; 1 not reached, what is certain is written and says so;
 2 bad usage or input, nothing is written.
 
 Examples:
@@ -262,7 +247,7 @@ void add_mesh_command(CLI::App& program, command& chosen, piece_team* team) {
   add_piece_options(*app, *job);
   add_guarantee_option(*app, *job);
   add_output_options(*app, *job);
-  app->footer(mesh_examples);
+  app->footer(mesh_values() + "\n" + mesh_examples);
   app->callback([app, job, sizes_asked, team, &chosen] {
     take_sizes(*job, *sizes_asked);
     if (job->guarantee && !job->size && job->sizes.is_empty() && !job->sizes_of_file) job->size = 1;

@@ -7,9 +7,7 @@
 
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/io/edges_domain.hpp"
-#include "asterism/mesh/io/file_ending.hpp"
-#include "asterism/mesh/io/poly.hpp"
-#include "asterism/mesh/io/polygons.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 
 namespace asterism {
@@ -31,18 +29,15 @@ result<domain> load_edges(const std::string& name) {
 result<domain> load_domain(std::string_view what) {
   if (what == "square") return square();
   if (what == "airfoil" || what == "naca0012") return airfoil();
-  if (has_ending(what, ".poly")) return read_poly(std::filesystem::path(what));
-  if (has_ending(what, ".geojson") || has_ending(what, ".json"))
-    return read_geojson(std::filesystem::path(what));
-  if (has_ending(what, ".wkt")) return read_wkt(std::filesystem::path(what));
-  if (has_ending(what, ".node")) return read_nodes(std::filesystem::path(what));
-  if (is_mesh_file(what)) return load_edges(std::string(what));
-  return error{
-      "unknown domain '" + std::string(what) +
-          "': square, airfoil, or a file whose name ends in .poly, .node, .geojson, .json or .wkt, "
-          "or as those of meshes do, .mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm or "
-          ".stl",
-      error_code::bad_option};
+  const file_kind* const kind = kind_of_file(what);
+  if (kind != nullptr && kind->read_domain != nullptr)
+    return kind->read_domain(std::filesystem::path(what));
+  if (kind != nullptr && kind->read != nullptr) return load_edges(std::string(what));
+  return error{"unknown domain '" + std::string(what) +
+                   "': square, airfoil, or a file whose name ends in " +
+                   endings_of(is_domain_kind, "or") + ", or as those of meshes do, " +
+                   endings_of(is_mesh_kind, "or"),
+               error_code::bad_option};
 }
 
 }  // namespace asterism

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/mesh_format.hpp"
 
-#include <array>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 
 #include "asterism/mesh/draw/picture.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
 
@@ -17,22 +14,6 @@ using namespace internal;
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::array<std::pair<std::string_view, mesh_format>, 14> written_formats = {
-    {{".mesh", mesh_format::medit},
-     {".meshb", mesh_format::medit_binary},
-     {".vtu", mesh_format::vtu},
-     {".svg", mesh_format::svg},
-     {".png", mesh_format::png},
-     {".pdf", mesh_format::pdf},
-     {".html", mesh_format::html},
-     {".msh", mesh_format::gmsh},
-     {".msh2", mesh_format::gmsh2},
-     {".su2", mesh_format::su2},
-     {".node", mesh_format::node},
-     {".2dm", mesh_format::sms},
-     {".14", mesh_format::adcirc},
-     {".grd", mesh_format::adcirc}}};
 
 std::string lower(std::string text) {
   for (char& c : text) c = lower_case(c);
@@ -45,18 +26,14 @@ fs::path beside(const fs::path& path, const char* extension) {
 
 }  // namespace
 
-bool is_picture(mesh_format format) {
-  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf;
-}
+bool is_picture(mesh_format format) { return is_drawing(format) && format != mesh_format::html; }
 
 result<mesh_format> mesh_format_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
-  for (const auto& [name, format] : written_formats)
-    if (extension == name) return format;
-  return error{path.string() + ": unknown kind of file '" + extension +
-                   "'; there are .mesh, .meshb, .msh, .msh2, .vtu, .su2, .node, .2dm, .14, .grd, "
-                   ".svg, .png, .pdf and "
-                   ".html",
+  for (const file_kind& kind : file_kinds())
+    if (kind.format && extension == kind.ending) return *kind.format;
+  return error{path.string() + ": unknown kind of file '" + extension + "'; there are " +
+                   endings_of(is_written_kind, "and"),
                error_code::bad_option};
 }
 
@@ -80,8 +57,6 @@ result<mesh_format> check_output(const std::filesystem::path& path) {
   return format;
 }
 
-bool holds_second_order(mesh_format format) {
-  return format == mesh_format::gmsh || format == mesh_format::gmsh2 || format == mesh_format::vtu;
-}
+bool holds_second_order(mesh_format format) { return kept_in(format).second_order; }
 
 }  // namespace asterism

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Names the formats in which meshes are written, and the files of each.
+// Tells the formats in which meshes are written by the names of files, and the files of each.
 #pragma once
 
 #include <filesystem>
@@ -8,25 +8,9 @@
 
 #include "asterism/core/export.h"
 #include "asterism/core/result.hpp"
+#include "asterism/mesh/io/format_names.hpp"  // IWYU pragma: export
 
 namespace asterism {
-
-// The formats of meshes, pictures and pages.
-enum class mesh_format {
-  medit,
-  vtu,
-  svg,
-  png,
-  pdf,
-  html,
-  gmsh,
-  gmsh2,
-  su2,
-  node,
-  medit_binary,
-  sms,
-  adcirc
-};
 
 // Returns the format that the extension names, in upper or lower case; the error lists the known
 // ones.

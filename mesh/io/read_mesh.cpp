@@ -2,40 +2,20 @@
 #include "asterism/mesh/io/read_mesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <system_error>
 #include <utility>
 
 #include "asterism/mesh/io/file_ending.hpp"
-#include "asterism/mesh/io/gmsh.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/listed_readers.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
 #include "asterism/mesh/io/poly.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
-#include "asterism/mesh/io/vtu_mesh.hpp"
 
 namespace asterism {
 using namespace internal;
 namespace {
-
-using text_reader = result<listed_mesh> (*)(std::string_view, const std::string&);
-
-// Formats whose one file holds the mesh, and the metric where they have a place for it.
-struct whole_file_format {
-  std::string_view ending, place_of_metric;
-  text_reader read;  // null: by read_gmsh
-};
-constexpr std::array<whole_file_format, 9> readers_of_whole_files = {
-    {{".msh", "node data", nullptr},
-     {".msh2", "node data", nullptr},
-     {".vtu", "point data", read_vtu_mesh},
-     {".vtk", "", read_vtk},
-     {".su2", "", read_su2},
-     {".14", "", read_adcirc},
-     {".grd", "", read_adcirc},
-     {".2dm", "", read_sms},
-     {".stl", "", read_stl}}};
 
 // BAMG's meshes are named .msh, too.
 bool begins_as_medit(const std::filesystem::path& path) {
@@ -48,22 +28,8 @@ bool begins_as_medit(const std::filesystem::path& path) {
   return text_scanner("", first).next().text == "MeshVersionFormatted";
 }
 
-const whole_file_format* format_of(std::string_view name) {
-  const auto at =
-      std::find_if(readers_of_whole_files.begin(), readers_of_whole_files.end(),
-                   [name](const whole_file_format& f) { return has_ending(name, f.ending); });
-  return at == readers_of_whole_files.end() ? nullptr : &*at;
-}
-
-result<listed_mesh> read_whole(const whole_file_format& format, const std::filesystem::path& path) {
-  if (format.read == nullptr) return read_gmsh(path);
-  const auto text = read_text_file(path);
-  if (!text) return text.failure();
-  return format.read(text.value(), path.string());
-}
-
-error no_metric(const whole_file_format& format, const std::string& file) {
-  const std::string where(format.place_of_metric);
+error no_metric(const file_kind& kind, const std::string& file) {
+  const std::string where(kind.place_of_metric);
   return {file +
               (where.empty() ? ": files of this kind have no metric"
                              : ": there is no " + where + " \"metric\"") +
@@ -71,19 +37,24 @@ error no_metric(const whole_file_format& format, const std::string& file) {
           error_code::invalid_metric};
 }
 
-std::optional<error> check_metric(const whole_file_format& format, const listed_mesh& m,
+std::optional<error> check_metric(const file_kind& kind, const listed_mesh& m,
                                   const medit_read_options& options) {
   if (options.identity_without_solution || options.without_solution || m.has_metric) return {};
-  return no_metric(format, m.file);
+  return no_metric(kind, m.file);
 }
 
-const whole_file_format* format_of_file(const std::filesystem::path& path) {
-  const whole_file_format* const format = format_of(path.string());
-  const bool may_be_medit = format != nullptr && format->read == nullptr;
+bool is_medit(const file_kind& kind) { return kind.read == read_listed_medit; }
+
+// Returns the kind by which the file is read: Medit's where the name says nothing.
+const file_kind& kind_to_read(const std::filesystem::path& path) {
+  const file_kind& medit = *kind_of_file(".mesh");
+  const file_kind* const kind = kind_of_file(path.string());
+  if (kind == nullptr || kind->read == nullptr) return medit;
   std::error_code ignored;
+  const bool may_be_medit = kind->ending == ".msh" || kind->ending == ".msh2";
   if (may_be_medit && std::filesystem::is_regular_file(path, ignored) && begins_as_medit(path))
-    return nullptr;
-  return format;
+    return medit;
+  return *kind;
 }
 
 // Takes the metric of a file with numbers for all vertices of the mesh's, those left out, too.
@@ -113,25 +84,25 @@ bool is_metric_file(std::string_view name) {
 }
 
 bool is_mesh_file(std::string_view name) {
-  return has_ending(name, ".mesh") || has_ending(name, ".meshb") || format_of(name) != nullptr;
+  const file_kind* const kind = kind_of_file(name);
+  return kind != nullptr && kind->read != nullptr;
 }
 
 result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                  const medit_read_options& options) {
-  const whole_file_format* const format = format_of_file(path);
-  auto read = format == nullptr ? read_listed_medit(path, options) : read_whole(*format, path);
+  const file_kind& kind = kind_to_read(path);
+  auto read = kind.read(path, options);
   if (!read && !is_mesh_file(path.string()))
-    return error{read.failure().message +
-                     "; read as Medit's .mesh, as its name ends in none of .mesh, .meshb, .msh, "
-                     ".msh2, .vtu, .vtk, .su2, .14, .grd, .2dm and .stl",
+    return error{read.failure().message + "; read as Medit's .mesh, as its name ends in none of " +
+                     endings_of(is_mesh_kind, "and"),
                  read.failure().code};
   if (!read) return read.failure();
   listed_mesh& m = read.value();
-  const bool is_mesh = !m.content.triangles.empty();
-  if (format != nullptr && is_mesh && !options.solution.empty())
+  const bool has_own_metric = !is_medit(kind) && !m.content.triangles.empty();
+  if (has_own_metric && !options.solution.empty())
     if (auto failed = take_metric(options.solution, m)) return *failed;
-  if (format != nullptr && is_mesh)
-    if (auto failed = check_metric(*format, m, options)) return *failed;
+  if (has_own_metric)
+    if (auto failed = check_metric(kind, m, options)) return *failed;
   return mesh_file{std::move(m.content),  std::move(m.marks), std::move(m.names),
                    std::move(m.left_out), m.has_metric,       std::move(m.parts),
                    m.second_order,        std::move(m.curved)};
@@ -144,7 +115,7 @@ result<mesh> read_mesh(const std::filesystem::path& path, const medit_read_optio
 }
 
 result<mesh_marks> read_mesh_marks(const std::filesystem::path& path) {
-  if (format_of_file(path) != nullptr) return mesh_marks{};
+  if (!is_medit(kind_to_read(path))) return mesh_marks{};
   auto read = read_mesh_file(path, {.without_solution = true});
   if (!read) return read.failure();
   return std::move(read.value().marks);
@@ -158,7 +129,8 @@ void take_back_note_of_corners(mesh_file& read) {
 
 physical_names names_in(const std::filesystem::path& path) {
   if (has_ending(path.string(), ".poly")) return {{}, region_names_in_poly(path)};
-  if (format_of(path.string()) == nullptr) return {};
+  const file_kind* const kind = kind_of_file(path.string());
+  if (kind == nullptr || kind->read == nullptr || is_medit(*kind)) return {};
   auto read = read_mesh_file(path, {.without_solution = true});
   return read ? std::move(read.value().names) : physical_names{};
 }

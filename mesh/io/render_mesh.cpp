@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/file_note.hpp"
 #include "asterism/mesh/io/flow_meshes.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
@@ -177,9 +178,12 @@ result<output_files> render(const fs::path& path, mesh_format format, const mesh
                           {fs::path(path).replace_extension(".edge"), edge_text(m)}};
     case mesh_format::html:
       return render_page(path, m, options);
-    default:
+    case mesh_format::svg:
+    case mesh_format::png:
+    case mesh_format::pdf:
       return render_picture(path, format, m, options);
   }
+  return error{path.string() + ": there is no such format", error_code::bad_option};
 }
 
 // Returns the nodes of sides in the numbers of a parted mesh: of the boundary's edges.
@@ -231,12 +235,6 @@ result<output_files> render_parted(const fs::path& path, mesh_format format, con
   return files;
 }
 
-// Pictures and pages show the mesh with one vertex at each place, as their facts have it.
-bool is_drawn(mesh_format format) {
-  return format == mesh_format::svg || format == mesh_format::png || format == mesh_format::pdf ||
-         format == mesh_format::html;
-}
-
 }  // namespace
 
 fs::path fields_path(const fs::path& mesh_path) {
@@ -249,7 +247,8 @@ result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, 
   const auto format = check_output(path);
   if (!format.ok()) return format.failure();
   if (auto failed = check_indices(m)) return failed->at(path.string());
-  if (options.cracks.empty() || is_drawn(format.value()))
+  // Pictures and pages show the mesh with one vertex at each place, as their facts have it.
+  if (options.cracks.empty() || is_drawing(format.value()))
     return render(path, format.value(), m, options);
   return render_parted(path, format.value(), m, options);
 }
