@@ -12,7 +12,6 @@
 #include "asterism/apps/notes.hpp"
 #include "asterism/apps/repair_hint.hpp"
 #include "asterism/apps/summary.hpp"
-#include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/convex_hull.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
@@ -21,12 +20,9 @@
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
-#include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/domain_background.hpp"
-#include "asterism/mesh/pipeline/layer_rows.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
-#include "asterism/mesh/pipeline/scaled_metric.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -35,49 +31,20 @@ namespace {
 note_options notes_of(const mesh_job& job) { return {job.quiet, job.strict}; }
 
 // Returns the function that makes the metric for any size; it reads a mesh only once.
-result<field_of_size> metric_of(const mesh_job& job, const domain& shape) {
-  if (job.field)
-    return field_of_size(
-        [make = job.field, box = shape.box()](double size) { return make(size, box); });
+result<field_in_box> metric_of(const mesh_job& job) {
+  if (job.field) return job.field;
   if (!is_metric_on_mesh(job.metric))
-    return field_of_size([spec = job.metric, box = shape.box()](double size) {
+    return field_in_box([spec = job.metric](double size, const bounding_box& box) {
       return make_metric_field(spec, box, size);
     });
   auto background = read_metric_on_mesh(job.metric, job.domain);
   if (!background) return background.failure();
-  return field_of_size([given = std::move(background.value().subject)](
-                           double size) -> result<std::unique_ptr<metric_field>> {
-    return make_sampled_field(given, size);
-  });
-}
-
-// Returns the size wanted where no place has one of its own.
-std::optional<double> size_elsewhere(const mesh_job& job, const size_wishes& sizes,
-                                     const domain& shape) {
-  if (job.size || job.complexity || job.refinement.vertices || sizes.is_empty()) return job.size;
-  return size_where_none_is_wished(sizes, shape);
-}
-
-result<prepared_input> with_metric(const mesh_job& job, const size_wishes& sizes, domain shape) {
-  const auto metric = metric_of(job, shape);
-  if (!metric) return metric.failure();
-  scale_demand wanted;
-  wanted.size = size_elsewhere(job, sizes, shape);
-  wanted.gradation = job.gradation;
-  wanted.complexity = job.complexity;
-  wanted.sizes = sizes;
-  if (job.refinement.vertices)
-    wanted.complexity = job.vertices_factor * complexity_of_vertices(*job.refinement.vertices);
-  auto made = make_scaled_metric(shape, metric.value(), wanted);
-  if (!made) return made.failure();
-  return prepared_input{std::move(shape),
-                        std::move(made.value().field),
-                        made.value().gradation,
-                        made.value().size,
-                        {},
-                        made.value().complexity,
-                        made.value().background_fingerprint,
-                        sizes};
+  auto given = std::make_shared<const mesh>(std::move(background.value().subject));
+  return field_in_box(
+      [given = std::move(given)](double size,
+                                 const bounding_box&) -> result<std::unique_ptr<metric_field>> {
+        return make_sampled_field(*given, size);
+      });
 }
 
 // Adds to a refusal that an option mends it, or may mend it, if there is such an option.
@@ -107,15 +74,13 @@ error without_repair(const error& refusal) {
           refusal.code};
 }
 
-// Returns the domain put in order, its curves divided, also for the field where one is given. A
-// domain with curves is not repaired, even if that is asked for.
-result<domain> checked_domain(const mesh_job& job, const domain& loaded, const metric_field* field,
-                              domain_repairs& repairs) {
+// Returns the domain put in order, its curves divided. A domain with curves is not repaired, even
+// if that is asked for.
+result<domain> checked_domain(const mesh_job& job, const domain& loaded, domain_repairs& repairs) {
   const bool has_curves = !loaded.curves.empty();
   if (job.repair && !has_curves) return repair_domain(loaded, job.repair_distance, &repairs);
   curve_division chords;
   chords.chord_tolerance = job.chord_tolerance;
-  chords.field = field;
   chords.most_chords = job.refinement.max_sites;
   const auto divided = divide_curves(loaded, chords);
   auto checked = divided ? check_domain(divided.value(), &repairs) : divided;
@@ -155,7 +120,7 @@ result<domain> put_in_order(const mesh_job& job, domain& loaded, domain_repairs&
     if (auto refused = take_areas(loaded, sizes)) return *refused;
   if (job.chord_tolerance && loaded.curves.empty())
     return error{"--chord-tolerance: " + job.domain + " has no curves"};
-  auto checked = checked_domain(job, loaded, nullptr, repairs);
+  auto checked = checked_domain(job, loaded, repairs);
   if (!checked) return checked;
   for (const auto& notes : {loaded.origin.notes, repairs.messages})
     if (auto refused = say_notes(notes, notes_of(job))) return *refused;
@@ -190,16 +155,16 @@ result<domain> domain_of_mesh(const mesh_job& job, mesh read, crack_markers& cra
 
 // Reads the domain of a mesh file: what its triangles cover, or what its edges bound where it has
 // no triangles.
-result<domain> read_mesh_domain(const mesh_job& job, domain& loaded, domain_repairs& repairs,
-                                size_wishes& sizes, bool& of_mesh, crack_markers& cracks) {
+result<domain> read_mesh_domain(const mesh_job& job, domain& loaded, prepared_input& prepared) {
   auto read = read_mesh_file(job.domain, {.without_solution = true});
   if (!read) return read.failure();
-  of_mesh = !has_edges_alone(read.value());
-  if (of_mesh) return domain_of_mesh(job, std::move(read.value().content), cracks);
+  prepared.of_mesh = !has_edges_alone(read.value());
+  if (prepared.of_mesh)
+    return domain_of_mesh(job, std::move(read.value().content), prepared.cracks);
   auto bounded = domain_of_edges(std::move(read).value(), job.domain);
   if (!bounded) return bounded;
   loaded = std::move(bounded).value();
-  return put_in_order(job, loaded, repairs, sizes);
+  return put_in_order(job, loaded, prepared.repairs, prepared.sizes);
 }
 
 // Refuses a limit that the vertices of the domain alone exceed.
@@ -225,46 +190,43 @@ result<domain> close_by_hull(domain d) {
   return closed;
 }
 
+void make_room(std::size_t given, mesh_options& options) {
+  constexpr std::size_t times = 10;
+  options.max_sites = std::max(options.max_sites, times * given);
+}
+
 result<prepared_input> prepare(const mesh_job& job) {
-  domain_repairs repairs;
+  prepared_input prepared;
   domain loaded;
-  size_wishes sizes = job.sizes;
+  prepared.sizes = job.sizes;
   if (job.metric != "identity" && !job.size && !job.complexity && !job.refinement.vertices &&
-      (!sizes.is_empty() || job.sizes_of_file))
+      (!job.sizes.is_empty() || job.sizes_of_file))
     return error{"sizes at places with --metric " + job.metric +
                  ": --size says how long edges are in that"};
-  bool of_mesh = false;
-  crack_markers cracks;
   auto checked = is_mesh_file(job.domain)
-                     ? read_mesh_domain(job, loaded, repairs, sizes, of_mesh, cracks)
-                     : load_and_check(job, loaded, repairs, sizes);
+                     ? read_mesh_domain(job, loaded, prepared)
+                     : load_and_check(job, loaded, prepared.repairs, prepared.sizes);
   if (!checked) return checked.failure();
-  // Curves are divided for the metric once it is known. What is placed in the domain's box is made
-  // anew then: in the box of the chords that are meshed, which the certificate holds.
-  if (job.refinement.limit_size && !checked.value().curves.empty()) {
-    const auto rough = with_metric(job, sizes, checked.value());
-    if (!rough) return rough.failure();
-    checked = checked_domain(job, loaded, rough.value().field.get(), repairs);
-    if (!checked) return checked.failure();
-  }
-  auto populated = add_random_points(checked.value(), job.random_points, job.refinement.seed);
-  if (!populated) return populated.failure();
-  if (auto refused = check_counts(job, populated.value().vertices.size())) return *refused;
-  auto prepared = with_metric(job, sizes, std::move(populated).value());
-  if (prepared && !sizes.layers.empty()) {
-    const prepared_input& rough = prepared.value();
-    auto rows = with_layer_rows(rough.shape, sizes, *rough.field,
-                                job.refinement.max_sites - rough.shape.vertices.size());
-    if (!rows) return rows.failure();
-    prepared = with_metric(job, sizes, std::move(rows).value());
-  }
-  if (!prepared) return prepared;
-  if (const auto note = note_on_uncovered(prepared.value().shape, *prepared.value().field))
+  if (checked.value().curves.empty())
+    if (auto refused = check_counts(job, checked.value().vertices.size() + job.random_points))
+      return *refused;
+  auto metric = metric_of(job);
+  if (!metric) return metric.failure();
+  mesh_source source{std::move(checked).value(),
+                     std::move(metric).value(),
+                     {job.size, job.complexity, job.gradation, {}, prepared.sizes},
+                     job.chord_tolerance,
+                     job.random_points};
+  mesh_options options = job.refinement;
+  if (!job.keeps_site_limit) make_room(source.shape.vertices.size() + job.random_points, options);
+  auto made = prepare_mesh_input(source, options);
+  if (!made) return made.failure();
+  static_cast<mesh_input&>(prepared) = std::move(made).value();
+  if (auto refused = check_counts(job, prepared.given)) return *refused;
+  if (const auto note = note_on_uncovered(prepared.shape, *prepared.metric.field))
     if (auto refused = say_notes({*note}, notes_of(job))) return *refused;
-  prepared.value().repairs = std::move(repairs);
-  prepared.value().of_mesh = of_mesh;
-  if (job.repair) prepared.value().before_repair = std::move(loaded);
-  prepared.value().cracks = std::move(cracks);
+  if (job.refinement.vertices && job.pieces == 0) prepared.source = std::move(source);
+  if (job.repair) prepared.before_repair = std::move(loaded);
   return prepared;
 }
 

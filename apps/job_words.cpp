@@ -40,12 +40,13 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"angle-bound", number_text(asked.angle_bound)},
       {"vertices", asked.vertices ? std::to_string(*asked.vertices) : "none"},
       {"complexity", job.complexity ? number_text(*job.complexity) : "none"},
-      {"complexity-delivered", input.complexity ? number_text(*input.complexity) : "none"},
+      {"complexity-delivered",
+       input.metric.complexity ? number_text(*input.metric.complexity) : "none"},
       {"size", job.size ? number_text(*job.size) : "none"},
       {"sizes", asterism::text_of(input.sizes)},
       {"size-delivered", text_of_size_delivered(job, outcome)},
       {"gradation", job.gradation ? number_text(*job.gradation) : "none"},
-      {"gradation-done", input.gradation ? text_of(*input.gradation) : "none"},
+      {"gradation-done", input.metric.gradation ? text_of(*input.metric.gradation) : "none"},
       {"refine", strategies[static_cast<std::size_t>(asked.strategy)]},
       {"tol", asked.tolerance ? number_text(*asked.tolerance) : "chosen"},
       {"tol-at-end", number_text(outcome.ended.tolerance)},
@@ -60,8 +61,9 @@ std::map<std::string, std::string> options_of(const mesh_job& job, const prepare
       {"repair-done", input.repairs.distance > 0 ? text_of(input.repairs) : "none"},
       {"repair-places", text_of_places(input.repairs)},
       {"random-points", std::to_string(job.random_points)},
-      {"metric-fingerprint",
-       input.background_fingerprint ? std::to_string(*input.background_fingerprint) : "none"},
+      {"metric-fingerprint", input.metric.background_fingerprint
+                                 ? std::to_string(*input.metric.background_fingerprint)
+                                 : "none"},
       {"metric-tolerance", asked.metric_tolerance ? number_text(*asked.metric_tolerance) : "none"},
       {"seed", std::to_string(asked.seed)}};
   if (job.guarantee) words.emplace("guarantee", "asked");

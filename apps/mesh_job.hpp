@@ -6,14 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/size_wishes.hpp"
+#include "asterism/mesh/pipeline/mesh_input.hpp"
 
 namespace asterism::apps {
 
@@ -28,7 +27,6 @@ struct mesh_job {
   bool repair = false;                    // what the domain's file has wrong
   std::optional<double> repair_distance;  // empty: as little as suffices
   std::optional<double> chord_tolerance;  // empty: a part of each chord
-  double vertices_factor = 1;             // of those aimed at, to those wanted
   bool number_regions = false;            // those the domain does not number, too
   bool convex_hull = false;               // of the vertices, as segments
   bool guarantee = false;               // edges are made shorter until the theorem on nets applies
@@ -54,7 +52,7 @@ struct mesh_job {
 
   // The metric, in place of the one that `metric` names, divided by the square of a size; empty but
   // where a program brings one along.
-  std::function<result<std::unique_ptr<metric_field>>(double size, const bounding_box&)> field;
+  field_in_box field;
 
   // True if lines for people go to standard output.
   bool tells() const { return !quiet && !json; }

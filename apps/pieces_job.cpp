@@ -150,10 +150,10 @@ class pieces_run {
     wishes.pieces = job_.pieces;
     wishes.angle_bound = job_.refinement.angle_bound;
     wishes.stop = [this] { return limits_.reason(); };
-    auto made = cut_domain(input_.shape, *input_.field, wishes);
+    auto made = cut_domain(input_.shape, *input_.metric.field, wishes);
     if (!made) return made.failure();
     index_.cut = std::move(made).value();
-    auto points = divide_seams(input_.shape, index_.cut, *input_.field);
+    auto points = divide_seams(input_.shape, index_.cut, *input_.metric.field);
     if (!points) return points.failure();
     index_.points = std::move(points).value();
     index_.version = ASTERISM_VERSION_TEXT;
@@ -171,7 +171,7 @@ class pieces_run {
     std::optional<error> failed;
     for (piece_index p = 0; team_.is_first() && !failed && p < job_.pieces; ++p) {
       const piece_shape shape = shape_of_piece(index_.original, index_.cut, index_.points, p);
-      failed = files_.write_metric(p, *part_of(*input_.field, shape.shape.box()));
+      failed = files_.write_metric(p, *part_of(*input_.metric.field, shape.shape.box()));
     }
     if (auto told = agree(failed)) return told;
     index_.pieces.resize(job_.pieces);
@@ -180,7 +180,7 @@ class pieces_run {
     if (!taken) return taken.failure();
     index_ = std::move(taken).value();
     index_.pieces.clear();
-    input_.field.reset();
+    input_.metric.field.reset();
     if (const auto size = parse_number(index_.options.at("size"))) job_.size = size.value();
     return std::nullopt;
   }
@@ -269,7 +269,7 @@ class pieces_run {
     options.metric_tolerance = 0;
     options.stop = [this] { return limits_.reason(); };
     progress_line line(!job_.quiet && team_.is_first());
-    auto made = make_piece_mesh(shape, part ? *part : *input_.field, options,
+    auto made = make_piece_mesh(shape, part ? *part : *input_.metric.field, options,
                                 [&](const mesh_progress& progress) {
                                   limits_.expect(progress.sites);
                                   line.show(progress);
@@ -419,7 +419,8 @@ int run_pieces_job(const mesh_job& asked, piece_team* given_team) {
   auto input = prepare(has_part ? without_metric(job) : job);
   if (const auto failure = agreed(team, input ? std::nullopt : std::optional(input.failure())))
     return complain_once(*failure);
-  if (input.value().complexity || !input.value().sizes.is_empty()) job.size = input.value().size;
+  if (input.value().metric.complexity || !input.value().sizes.is_empty())
+    job.size = input.value().metric.size;
   if (const auto failure = check_piece_places(job)) return complain_once(*failure);
   return pieces_run(std::move(job), std::move(input).value(), team, limits).run();
 }

@@ -27,7 +27,6 @@
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/second_order.hpp"
 #include "asterism/apps/summary.hpp"
-#include "asterism/apps/vertex_count.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
@@ -36,6 +35,7 @@
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/counted_mesh.hpp"
 #include "asterism/mesh/pipeline/curved_sides.hpp"
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
@@ -76,7 +76,8 @@ report_facts facts_of_page(const mesh_job& job, const fs::path& certificate_path
   facts.claim = made.claim;
   facts.claim_from = "As the run that made this page judged the mesh it had made.";
   facts.repeat = repeating_command(job.outputs, certificate_path);
-  if (made.outcome.delivered) facts.wanted = tensors_at_sites(*input.field, made.outcome.result);
+  if (made.outcome.delivered)
+    facts.wanted = tensors_at_sites(*input.metric.field, made.outcome.result);
   if (input.before_repair) {
     facts.label = "Repaired and meshed";
     facts.before = {{"As the file has it", outline_of(*input.before_repair), {}, {}}};
@@ -115,14 +116,22 @@ write_options how_to_write(const mesh_job& job, const fs::path& certificate_path
   return how;
 }
 
+// Says how many vertices came out, and, where these are not near those wanted, that nothing nearer
+// was found.
+std::string vertex_count_text(std::size_t wanted, std::size_t delivered) {
+  const double more = 100 * (static_cast<double>(delivered) / static_cast<double>(wanted) - 1);
+  return fmt::format("vertices: {} wanted, {} delivered ({:+.1f} %{})", wanted, delivered, more,
+                     is_count_near(wanted, delivered) ? "" : ": none nearer to that were found");
+}
+
 // Says how near the mesh is to what was asked of its size in all.
 void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
-  if (!input.complexity) return;
+  if (!input.metric.complexity) return;
   if (job.refinement.vertices)
     std::cout << vertex_count_text(*job.refinement.vertices, outcome.sites);
   else
     std::cout << fmt::format("complexity: {:g} wanted, {:g} delivered", *job.complexity,
-                             *input.complexity);
+                             *input.metric.complexity);
   std::cout << ", size " << number_text(*job.size) << '\n';
 }
 
@@ -141,7 +150,8 @@ void tell(const mesh_job& job, const prepared_input& input, const certified_mesh
     std::cout << "last resort: " << made.claim.reason << '\n';
   tell_scale(job, input, outcome);
   write_periodic(std::cout, made.claim);
-  if (input.gradation) std::cout << "gradation: " << text_of(*input.gradation) << '\n';
+  if (input.metric.gradation)
+    std::cout << "gradation: " << text_of(*input.metric.gradation) << '\n';
   std::cout << cracks_text(input.cracks);
   if (input.repairs.distance > 0) std::cout << "repaired: " << text_of(input.repairs) << '\n';
   if (outcome.improved)
@@ -165,12 +175,8 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
                   not_reached);
 }
 
-result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_input& input,
-                                          run_limits& limits, const cancellation& stop) {
-  mesh_options options = job.refinement;
-  options.keep_if_complete = input.of_mesh;
-  options.stop = stop;
-  if (options.vertices) options.vertices = vertices_aimed_at(job);
+result<certified_mesh> mesh_with_progress(const mesh_job& job, const mesh_input& input,
+                                          const mesh_options& options, run_limits& limits) {
   progress_line line(!job.quiet);
   // From so many sites on freed blocks go back to the system: sooner in a fill, in which blocks of
   // all sizes come and go before it is at its largest (3 % of all at a million triangles).
@@ -181,31 +187,43 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const prepared_in
     limits.expect(progress.sites);
     line.show(progress);
   };
-  auto made = job.guarantee
-                  ? make_guaranteed_mesh(input.shape, *input.field, options, show)
-                  : make_periodic_mesh(input.shape, *input.field, options, job.periodic, show);
+  auto made = job.guarantee ? make_guaranteed_mesh(input.shape, *input.metric.field, options, show)
+                            : make_periodic_mesh(input.shape, *input.metric.field, options,
+                                                 job.periodic, show);
   if (!made || !job.no_split_across) return made;
-  return split_across(std::move(made).value(), input.shape, *input.field, options, job.periodic);
-}
-
-// Raises the default limit where the domain has many vertices: an angle bound alone takes two to
-// five times as many sites.
-void make_room(std::size_t given, mesh_options& options) {
-  constexpr std::size_t times = 10;
-  options.max_sites = std::max(options.max_sites, times * given);
+  return split_across(std::move(made).value(), input.shape, *input.metric.field, options,
+                      job.periodic);
 }
 
 // Makes the mesh. If that takes more memory than there may be, all of it is given back, and the
 // mesh of the run is what there is without a step of the mesher: the domain's vertices and
 // segments.
-result<certified_mesh> mesh_within_memory(const mesh_job& job, const prepared_input& input,
-                                          run_limits& limits, const cancellation& stop) {
+result<certified_mesh> mesh_within_memory(const mesh_job& job, const mesh_input& input,
+                                          const mesh_options& options, run_limits& limits) {
   try {
-    return mesh_with_progress(job, input, limits, stop);
+    return mesh_with_progress(job, input, options, limits);
   } catch (const std::bad_alloc&) {
     limits.note_want_of_memory();
   }
-  return mesh_with_progress(job, input, limits, stop);
+  return mesh_with_progress(job, input, options, limits);
+}
+
+// Makes the mesh of a job, with as many vertices as are wanted, if any are, and changes the input
+// to what it was made of.
+result<certified_mesh> make(const mesh_job& job, prepared_input& input, run_limits& limits) {
+  mesh_options options = job.refinement;
+  options.keep_if_complete = input.of_mesh;
+  options.stop = [&limits] { return limits.reason(); };
+  const mesh_maker maker = [&](const mesh_input& of, const mesh_options& how) {
+    return mesh_within_memory(job, of, how, limits);
+  };
+  auto made = maker(input, options);
+  if (!made || !input.source) return made;
+  counted_mesh met =
+      meet_vertices({std::move(static_cast<mesh_input&>(input)), std::move(made).value()},
+                    *input.source, options, maker);
+  static_cast<mesh_input&>(input) = std::move(met.input);
+  return std::move(met.made);
 }
 
 int run_within_limits(const mesh_job& asked) {
@@ -234,16 +252,10 @@ int run_within_limits(const mesh_job& asked) {
         {"--no-split-across: the mesh has slits, and edges beside them are not looked at"},
         refused);
   if (!job.keeps_site_limit) make_room(input.value().shape.vertices.size(), job.refinement);
-  const cancellation stop = [&limits] { return limits.reason(); };
-  auto made = mesh_within_memory(job, input.value(), limits, stop);
+  auto made = make(job, input.value(), limits);
   if (!made) return complain(made.failure(), refused);
-  meet_vertex_count(
-      job, stop,
-      [&](const mesh_job& other, const prepared_input& of_other, const cancellation& bounded) {
-        return mesh_within_memory(other, of_other, limits, bounded);
-      },
-      input.value(), made.value());
-  if (input.value().complexity || !input.value().sizes.is_empty()) job.size = input.value().size;
+  if (input.value().metric.complexity || !input.value().sizes.is_empty())
+    job.size = input.value().metric.size;
   describe(made.value(), job, input.value());
   const proof_output proof = find_proof(job.proof, made.value().outcome.result,
                                         &input.value().shape, made.value().report.certified);

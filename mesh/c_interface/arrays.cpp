@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -113,6 +114,31 @@ made_field sampled_field(const asterism_metric& metric, double size) {
   return make_sampled_field(background.value().subject, size);
 }
 
+// Adds the curves. What is wrong with one as a curve is for divide_curves to refuse.
+std::optional<error> add_curves(const asterism_domain& arrays, domain& d) {
+  for (std::size_t k = 0; k < arrays.curve_count; ++k) {
+    const std::string name = "curve " + std::to_string(k);
+    const unsigned s = arrays.curve_segments[k];
+    if (s >= d.segments.size())
+      return error{name + " is of segment " + std::to_string(s) + " of " +
+                   std::to_string(d.segments.size())};
+    const int kind = arrays.curve_kinds != nullptr ? arrays.curve_kinds[k] : ASTERISM_CUBIC;
+    if (kind < ASTERISM_CUBIC || kind > ASTERISM_CLOCKWISE_ARC)
+      return error{name + " is of kind " + std::to_string(kind) + ", which there is not"};
+    const double* const at = arrays.curve_points + 4 * k;
+    domain_curve curve;
+    curve.kind = kind == ASTERISM_CUBIC ? curve_kind::cubic : curve_kind::arc;
+    if (curve.kind == curve_kind::cubic) curve.control = {{{at[0], at[1]}, {at[2], at[3]}}};
+    if (curve.kind == curve_kind::arc) curve.centre = {at[0], at[1]};
+    curve.clockwise = kind == ASTERISM_CLOCKWISE_ARC;
+    curve.vertices = {d.segments[s].a, d.segments[s].b};
+    curve.parameters = {0, 1};
+    curve.segment = s;
+    d.curves.push_back(std::move(curve));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 result<domain> domain_of(const asterism_domain& arrays) {
@@ -122,7 +148,9 @@ result<domain> domain_of(const asterism_domain& arrays) {
   if (missing(arrays.vertex_count, arrays.vertices) ||
       missing(arrays.segment_count, arrays.segments) || missing(arrays.hole_count, arrays.holes) ||
       missing(arrays.region_count, arrays.regions) ||
-      missing(arrays.region_count, arrays.region_numbers))
+      missing(arrays.region_count, arrays.region_numbers) ||
+      missing(arrays.curve_count, arrays.curve_segments) ||
+      missing(arrays.curve_count, arrays.curve_points))
     return error{"an array of the domain is null although its count is not 0"};
   if (arrays.vertex_count > std::numeric_limits<vertex_index>::max())
     return error{"the domain has too many vertices"};
@@ -139,6 +167,7 @@ result<domain> domain_of(const asterism_domain& arrays) {
   for (std::size_t k = 0; k < arrays.hole_count; ++k) d.holes.push_back(point_at(arrays.holes, k));
   for (std::size_t k = 0; k < arrays.region_count; ++k)
     d.regions.push_back({point_at(arrays.regions, k), arrays.region_numbers[k]});
+  if (auto refused = add_curves(arrays, d)) return *refused;
   return d;
 }
 

@@ -16,7 +16,9 @@
 #include "asterism/mesh/c_interface/arrays.hpp"
 #include "asterism/mesh/c_interface/message_buffer.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
+#include "asterism/mesh/pipeline/counted_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 
 using namespace asterism;
@@ -47,6 +49,12 @@ result<mesh_options> options_of(const asterism_mesh_options& given) {
   if (!std::isfinite(given.metric_tolerance))
     return error{"metric_tolerance must be a finite number"};
   if (given.metric_tolerance >= 0) options.metric_tolerance = given.metric_tolerance;
+  if (given.vertices > 0) {
+    if (given.vertices < 3 || given.vertices > given.max_sites)
+      return error{"vertices must be from 3 to max_sites"};
+    options.vertices = given.vertices;
+    options.limit_size = true;
+  }
   if (given.stop != nullptr)
     options.stop = [stop = given.stop, context = given.stop_context] {
       return stop(context) != 0 ? std::optional<std::string>("the caller stopped it")
@@ -68,22 +76,47 @@ std::unique_ptr<asterism_mesh> package(certified_mesh made) {
   return mesh;
 }
 
+// Returns the domain put in order, its curves divided.
+result<domain> accepted(const asterism_domain& arrays, const mesh_options& options) {
+  const auto drawn = domain_of(arrays);
+  if (!drawn) return drawn;
+  const auto divided = divide_curves(drawn.value());
+  if (!divided) return divided;
+  auto shape = check_domain(divided.value());
+  if (!shape) return shape;
+  const std::size_t given = shape.value().vertices.size();
+  if (given > options.max_sites) return error{"the domain has more vertices than max_sites allows"};
+  if (shape.value().curves.empty() && given > options.vertices.value_or(given))
+    return error{"vertices: the domain has " + std::to_string(given) + " already"};
+  return shape;
+}
+
+// Returns the metric of arrays for any size: its own size times that.
+field_in_box metric_of(const asterism_metric& metric) {
+  return [&metric](double size, const bounding_box& box) {
+    asterism_metric sized = metric;
+    sized.size = size * (metric.size == 0 ? 1 : metric.size);
+    return field_of(sized, box);
+  };
+}
+
 asterism_status create(const asterism_domain& domain, const asterism_metric& metric,
                        const asterism_mesh_options& wanted, asterism_mesh** out,
                        const message_buffer& message) {
   const auto options = options_of(wanted);
   if (!options) return message.refuse(options.failure());
-  const auto drawn = domain_of(domain);
-  if (!drawn) return message.refuse(drawn.failure());
-  const auto shape = check_domain(drawn.value());
+  if (!(wanted.chord_tolerance >= 0 && std::isfinite(wanted.chord_tolerance)))
+    return message.refuse({"chord_tolerance must be a finite number, at least 0"});
+  auto shape = accepted(domain, options.value());
   if (!shape) return message.refuse(shape.failure());
-  if (shape.value().vertices.size() > options.value().max_sites)
-    return message.refuse({"the domain has more vertices than max_sites allows"});
-  const auto field = field_of(metric, shape.value().box());
-  if (!field) return message.refuse(field.failure());
-  auto made = make_certified_mesh(shape.value(), *field.value(), options.value());
+  mesh_source source{std::move(shape).value(), metric_of(metric)};
+  if (wanted.chord_tolerance > 0) source.chord_tolerance = wanted.chord_tolerance;
+  auto made = make_counted_mesh(source, options.value(),
+                                [](const mesh_input& input, const mesh_options& how) {
+                                  return make_certified_mesh(input.shape, *input.metric.field, how);
+                                });
   if (!made) return message.refuse(made.failure());
-  *out = package(std::move(made).value()).release();
+  *out = package(std::move(made.value().made)).release();
   return ASTERISM_OK;
 }
 

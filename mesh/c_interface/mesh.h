@@ -38,7 +38,22 @@ typedef struct asterism_domain {
   size_t region_count;
   const double* regions; /* x y, a point inside each */
   const int* region_numbers;
+  /* Segments that are curves from their first vertex to their second: divided in chords, as the
+   * metric wants them (mesh/domain/divide_curves.hpp). */
+  size_t curve_count;
+  const unsigned* curve_segments; /* one each */
+  const int* curve_kinds;         /* asterism_curve_kind; null: all cubics */
+  const double* curve_points; /* x y x y: the inner control points of a cubic; the centre of an arc,
+                                 and two numbers that are not read */
 } asterism_domain;
+
+/* Kinds of curves: a cubic Bezier curve, an arc of a circle counter-clockwise or clockwise. An arc
+ * of a segment from a vertex to itself is a whole circle. */
+typedef enum asterism_curve_kind {
+  ASTERISM_CUBIC = 0,
+  ASTERISM_ARC = 1,
+  ASTERISM_CLOCKWISE_ARC = 2
+} asterism_curve_kind;
 
 /* Writes the tensor wanted at x y to metric and returns 0; anything else ends the run with
  * ASTERISM_REFUSED. A function of x and y alone. Never called twice at once, though from different
@@ -86,6 +101,11 @@ typedef struct asterism_mesh_options {
    * that disagree; negative: any distance, but of half of the sites no more
    * than ln 10, and on the whole no more than ten times as dense or as thin; -1 */
   double metric_tolerance;
+  /* Vertices wanted, from 3 to max_sites: the metric is scaled until about so many come out
+   * (mesh/pipeline/counted_mesh.hpp), as if limit_size were 1. 0: the metric is as given; 0 */
+  size_t vertices;
+  /* Greatest distance of a curve from its chord. 0: a part of each chord; 0 */
+  double chord_tolerance;
 } asterism_mesh_options;
 
 /* A mesh with its certificate. */

@@ -5,13 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <optional>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/mesh/stars/work_limit.hpp"
-#include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal {
 
@@ -64,44 +60,5 @@ class count_search {
   double least_ = std::numeric_limits<double>::infinity();
   bound above_, below_;
 };
-
-// True if a mesh has as many vertices as are wanted, or a few percent more or fewer.
-inline bool is_count_near(std::size_t wanted, std::size_t delivered) {
-  constexpr double tolerable = 0.05;
-  const auto n = static_cast<double>(wanted);
-  return std::abs(static_cast<double>(delivered) - n) <= tolerable * n;
-}
-
-// Returns the number of vertices to ask for when the metric is scaled by a factor.
-inline std::size_t count_aimed_at(std::size_t wanted, double factor, std::size_t max_sites) {
-  constexpr double fewest = 3;
-  const double aim = std::round(factor * static_cast<double>(wanted));
-  return static_cast<std::size_t>(std::clamp(aim, fewest, static_cast<double>(max_sites)));
-}
-
-// Makes other meshes where the first one has too few or too many vertices, until one is near.
-// `attempt(factor, stop)` returns how many its mesh has, or none, which ends it, as does a limit of
-// work; `keep()` is called when the last one tried is the nearest so far.
-//
-// A domain, its sharp corners and a metric that varies may each take more vertices than the area,
-// or its chords fewer: then it helps to aim at others.
-template <class Attempt, class Keep>
-void meet_count(std::size_t wanted, std::size_t first, const cancellation& stop,
-                const Attempt& attempt, const Keep& keep) {
-  if (is_count_near(wanted, first)) return;
-  constexpr int most_times = 10;
-  constexpr double part_of_run = 0.3;
-  constexpr double slowest_growth = 0.25;  // a boundary with narrow parts takes what it takes
-  const cancellation bounded =
-      stop.with_work(part_of_run * units_for_run, part_of_run * run_units_for_site);
-  count_search search(static_cast<double>(wanted), slowest_growth);
-  search.take(static_cast<double>(first));
-  for (int times = 0; times < most_times && !bounded.is_requested(); ++times) {
-    const std::optional<std::size_t> sites = attempt(search.factor(), bounded);
-    if (!sites) return;
-    if (search.take(static_cast<double>(*sites))) keep();
-    if (is_count_near(wanted, *sites)) return;
-  }
-}
 
 }  // namespace asterism::internal

@@ -1,60 +1,73 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "asterism/mesh/pipeline/count_search.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
 
 namespace asterism {
 namespace {
 
-result<counted_mesh> make_once(const domain& d, const field_of_size& make,
-                               const scale_demand& scale, const mesh_options& options,
-                               const progress_listener& progress,
-                               const std::vector<periodic_pair>& pairs) {
-  auto metric = make_scaled_metric(d, make, scale);
-  if (!metric) return metric.failure();
-  auto made = make_periodic_mesh(d, *metric.value().field, options, pairs, progress);
-  if (!made) return made.failure();
-  return counted_mesh{std::move(made).value(), std::move(metric).value()};
+// Returns the number of vertices to ask for at a density.
+std::size_t count_aimed_at(std::size_t wanted, double density, std::size_t max_sites) {
+  constexpr double fewest = 3;
+  const double aim = std::round(density * static_cast<double>(wanted));
+  return static_cast<std::size_t>(std::clamp(aim, fewest, static_cast<double>(max_sites)));
 }
 
-// Makes it in the metric scaled to a number of vertices, times the factor.
-result<counted_mesh> make_scaled(const domain& d, const field_of_size& make,
-                                 const scale_demand& scale, const mesh_options& options,
-                                 const progress_listener& progress,
-                                 const std::vector<periodic_pair>& pairs, double factor) {
+result<counted_mesh> make_at(double density, const mesh_source& source, const mesh_options& options,
+                             const mesh_maker& make) {
+  auto input = prepare_mesh_input(source, options, density);
+  if (!input) return input.failure();
   mesh_options aiming = options;
-  aiming.vertices = internal::count_aimed_at(*options.vertices, factor, options.max_sites);
-  scale_demand scaled = scale;
-  scaled.size.reset();
-  scaled.complexity = factor * complexity_of_vertices(*options.vertices);
-  return make_once(d, make, scaled, aiming, progress, pairs);
+  if (options.vertices)
+    aiming.vertices = count_aimed_at(*options.vertices, density, options.max_sites);
+  auto made = make(input.value(), aiming);
+  if (!made) return made.failure();
+  return counted_mesh{std::move(input).value(), std::move(made).value()};
 }
 
 }  // namespace
 
-result<counted_mesh> make_counted_mesh(const domain& d, const field_of_size& make,
-                                       const scale_demand& scale, const mesh_options& options,
-                                       const progress_listener& progress,
-                                       const std::vector<periodic_pair>& pairs) {
-  if (!options.vertices) return make_once(d, make, scale, options, progress, pairs);
-  auto nearest = make_scaled(d, make, scale, options, progress, pairs, 1);
-  if (!nearest || !nearest.value().made.certified()) return nearest;
-  std::optional<result<counted_mesh>> tried;
-  const auto attempt = [&](double factor, const cancellation& bounded) {
-    mesh_options limited = options;
-    limited.stop = bounded;
-    tried = make_scaled(d, make, scale, limited, progress, pairs, factor);
-    std::optional<std::size_t> sites;
-    if (*tried && tried->value().made.certified()) sites = tried->value().made.outcome.sites;
-    return sites;
-  };
-  const auto keep = [&] { nearest = std::move(*tried); };
-  internal::meet_count(*options.vertices, nearest.value().made.outcome.sites, options.stop, attempt,
-                       keep);
+result<counted_mesh> make_counted_mesh(const mesh_source& source, const mesh_options& options,
+                                       const mesh_maker& make) {
+  auto first = make_at(1, source, options, make);
+  if (!first) return first;
+  return meet_vertices(std::move(first).value(), source, options, make);
+}
+
+// A domain, its sharp corners and a metric that varies may each take more vertices than the area,
+// or its chords fewer: then it helps to aim at others.
+counted_mesh meet_vertices(counted_mesh nearest, const mesh_source& source,
+                           const mesh_options& options, const mesh_maker& make) {
+  if (!options.vertices || !nearest.made.certified()) return nearest;
+  constexpr int most_times = 10;
+  constexpr double part_of_run = 0.3;
+  constexpr double slowest_growth = 0.25;  // a boundary with narrow parts takes what it takes
+  mesh_options bounded = options;
+  bounded.stop = options.stop.with_work(part_of_run * internal::units_for_run,
+                                        part_of_run * internal::run_units_for_site);
+  internal::count_search search(static_cast<double>(*options.vertices), slowest_growth);
+  std::size_t sites = nearest.made.outcome.sites;
+  search.take(static_cast<double>(sites));
+  for (int times = 0; times < most_times && !bounded.stop.is_requested(); ++times) {
+    if (is_count_near(*options.vertices, sites)) break;
+    auto other = make_at(search.factor(), source, bounded, make);
+    if (!other || !other.value().made.certified()) break;
+    sites = other.value().made.outcome.sites;
+    if (search.take(static_cast<double>(sites))) nearest = std::move(other).value();
+  }
   return nearest;
+}
+
+bool is_count_near(std::size_t wanted, std::size_t delivered) {
+  constexpr double tolerable = 0.05;
+  const auto n = static_cast<double>(wanted);
+  return std::abs(static_cast<double>(delivered) - n) <= tolerable * n;
 }
 
 }  // namespace asterism

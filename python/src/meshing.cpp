@@ -9,12 +9,10 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "asterism/mesh/domain/divide_curves.hpp"
-#include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
-#include "asterism/mesh/pipeline/layer_rows.hpp"
+#include "asterism/mesh/pipeline/periodic_mesh.hpp"
 #include "bindings.hpp"
 #include "periodic_arguments.hpp"
 #include "py_domain.hpp"
@@ -149,40 +147,11 @@ py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_ar
   return m;
 }
 
-// Returns the domain with chords for the metric and the tolerance, as the command divides them.
-result<domain> divided_for(const domain& d, const field_of_size& metric, const scale_demand& scale,
-                           const mesh_arguments& a) {
-  curve_division chords;
-  chords.chord_tolerance = a.chord_tolerance;
-  if (!a.options.limit_size) return divide_curves_anew(d, chords);
-  scale_demand wanted = scale;
-  if (a.options.vertices) wanted.complexity = complexity_of_vertices(*a.options.vertices);
-  const auto scaled = make_scaled_metric(d, metric, wanted);
-  if (!scaled) return scaled.failure();
-  chords.field = scaled.value().field.get();
-  chords.most_chords = a.options.vertices.value_or(a.options.max_sites);
-  return divide_curves_anew(d, chords);
-}
-
-// Returns the size where no place has one of its own, as the command has it.
-std::optional<double> size_elsewhere(const mesh_arguments& a, const domain& d,
-                                     const py::object& metric) {
-  if (a.size || a.complexity || a.options.vertices) return a.size;
+// Refuses sizes at places where nothing says how long edges are elsewhere.
+void check_sizes(const mesh_arguments& a, const py::object& metric) {
+  if (a.sizes.is_empty() || a.size || a.complexity || a.options.vertices) return;
   if (!py::isinstance<py::str>(metric) || metric.cast<std::string>() != "identity")
     throw input_error("sizes at places: size says how long edges are in this metric");
-  return size_where_none_is_wished(a.sizes, d);
-}
-
-// Returns the domain with the first rows of layers.
-result<domain> with_rows(domain d, const field_of_size& metric, const scale_demand& scale,
-                         const mesh_arguments& a) {
-  if (a.sizes.layers.empty()) return d;
-  scale_demand wanted = scale;
-  if (a.options.vertices) wanted.complexity = complexity_of_vertices(*a.options.vertices);
-  const auto scaled = make_scaled_metric(d, metric, wanted);
-  if (!scaled) return scaled.failure();
-  const std::size_t room = a.options.max_sites - std::min(a.options.max_sites, d.vertices.size());
-  return with_layer_rows(std::move(d), a.sizes, *scaled.value().field, room);
 }
 
 void check_counts(const domain& d, const mesh_arguments& a) {
@@ -195,51 +164,40 @@ void check_counts(const domain& d, const mesh_arguments& a) {
     throw input_error("vertices: the domain has " + std::to_string(d.vertices.size()) + " already");
 }
 
-// Makes a mesh to which the theorem on nets applies, in the metric scaled as asked.
-result<counted_mesh> make_guaranteed(const domain& d, const field_of_size& metric,
-                                     const scale_demand& scale, const mesh_arguments& a,
-                                     const progress_listener& progress) {
-  auto scaled = make_scaled_metric(d, metric, scale);
-  if (!scaled) return scaled.failure();
-  auto made = make_guaranteed_mesh(d, *scaled.value().field, a.options, progress);
-  if (!made) return made.failure();
-  return counted_mesh{std::move(made).value(), std::move(scaled).value()};
-}
-
 py_mesh run(const py_domain& held, const py::object& metric, const py::dict& more) {
   const domain& d = held.shape;
   const keywords given(more);
   mesh_arguments a = arguments_of(given, d.vertices.size());
   check_counts(d, a);
+  check_sizes(a, metric);
   watched_run watch(given);
   // A function called for a metric must live as long as the last field that calls it.
   std::vector<python_metric> wanted;
-  const field_of_size metric_of_size = [&](double size) -> result<std::unique_ptr<metric_field>> {
+  const field_in_box metric_of_size =
+      [&](double size, const bounding_box& box) -> result<std::unique_ptr<metric_field>> {
     const py::gil_scoped_acquire locked;
-    wanted.emplace_back(metric, d, size, watch.errors());
+    wanted.emplace_back(metric, d.origin.file, box, size, watch.errors());
     return wanted.back().take_field();
   };
   a.options.stop = watch.stop();
-  if (!a.sizes.is_empty()) a.size = size_elsewhere(a, d, metric);
-  const scale_demand scale{a.size, a.complexity, a.gradation, a.options.stop, a.sizes};
   std::optional<result<counted_mesh>> made;
   {
     const py::gil_scoped_release unlocked;
-    const bool is_divided = !d.curves.empty() && (a.options.limit_size || a.chord_tolerance);
-    auto shape = is_divided ? divided_for(d, metric_of_size, scale, a) : result<domain>(d);
-    if (shape) shape = with_rows(std::move(shape).value(), metric_of_size, scale, a);
-    if (shape && a.guarantee)
-      made = make_guaranteed(shape.value(), metric_of_size, scale, a, watch.listener());
-    else if (shape)
-      made = make_counted_mesh(shape.value(), metric_of_size, scale, a.options, watch.listener(),
-                               a.periodic);
-    else
-      made = shape.failure();
+    const mesh_source source{d,
+                             metric_of_size,
+                             {a.size, a.complexity, a.gradation, a.options.stop, a.sizes},
+                             a.chord_tolerance};
+    made = make_counted_mesh(source, a.options, [&](const mesh_input& of, const mesh_options& how) {
+      return a.guarantee ? make_guaranteed_mesh(of.shape, *of.metric.field, how, watch.listener())
+                         : make_periodic_mesh(of.shape, *of.metric.field, how, a.periodic,
+                                              watch.listener());
+    });
   }
   watch.errors().raise();
   counted_mesh done = value_or_raise(std::move(*made));
-  if (done.metric.complexity) a.size = done.metric.size;
-  return packaged(std::move(done.made), wanted.back(), a, held, done.metric.complexity);
+  const std::optional<double> complexity = done.input.metric.complexity;
+  if (complexity || !a.sizes.is_empty()) a.size = done.input.metric.size;
+  return packaged(std::move(done.made), wanted.back(), a, held, complexity);
 }
 
 }  // namespace

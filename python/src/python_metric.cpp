@@ -93,25 +93,25 @@ std::unique_ptr<metric_field> sampled(const py::object& background, const py::ob
   return make_sampled_field(adopted.subject, size);
 }
 
-std::unique_ptr<metric_field> called(called_field& callable, const domain& d, double size) {
+std::unique_ptr<metric_field> called(called_field& callable, const bounding_box& box, double size) {
   asterism_metric asked{};
   asked.batch_function = &called_field::ask;
   asked.context = &callable;
   asked.size = size;
-  return value_or_raise(internal::field_of(asked, d.box()));
+  return value_or_raise(internal::field_of(asked, box));
 }
 
 }  // namespace
 
-python_metric::python_metric(const py::object& metric, const domain& d, double size,
-                             raised_error& errors) {
+python_metric::python_metric(const py::object& metric, const std::string& file,
+                             const bounding_box& box, double size, raised_error& errors) {
   if (py::isinstance<py::str>(metric)) {
     name_ = metric.cast<std::string>();
     if (!internal::is_metric_on_mesh(name_)) {
-      field_ = value_or_raise(make_metric_field(name_, d.box(), size));
+      field_ = value_or_raise(make_metric_field(name_, box, size));
       return;
     }
-    const auto read = value_or_raise(internal::read_metric_on_mesh(name_, d.origin.file));
+    const auto read = value_or_raise(internal::read_metric_on_mesh(name_, file));
     field_ = make_sampled_field(read.subject, size);
     fingerprint_ = std::to_string(mesh_fingerprint(*field_->background()));
     return;
@@ -124,7 +124,7 @@ python_metric::python_metric(const py::object& metric, const domain& d, double s
   }
   name_ = "of a callable";
   callable_ = std::make_unique<called_field>(metric.cast<py::function>(), errors);
-  field_ = called(*callable_, d, size);
+  field_ = called(*callable_, box, size);
 }
 
 python_metric::~python_metric() = default;

@@ -17,8 +17,10 @@ class called_field;
 // A metric, and what must live as long as its field.
 class python_metric {
  public:
-  // Makes the field for edges of length `size`, on the domain. With the interpreter's lock.
-  python_metric(const py::object& metric, const domain& d, double size, raised_error& errors);
+  // Makes the field for edges of length `size`, for a domain from this file, or from none, with
+  // this box. With the interpreter's lock.
+  python_metric(const py::object& metric, const std::string& file, const bounding_box& box,
+                double size, raised_error& errors);
   ~python_metric();
   python_metric(python_metric&&) noexcept;
   python_metric& operator=(python_metric&&) = delete;

@@ -138,6 +138,16 @@ def test_vertices_are_met_where_the_boundary_takes_many():
     assert made.certified and abs(len(made.points) / 150 - 1) <= 0.05
 
 
+def test_chords_of_curves_follow_the_number_of_vertices():
+    domain = asterism.Domain.read(os.path.join(os.path.dirname(__file__), "../../examples/fillets.poly"))
+    edges = []
+    for wanted in (400, 1600):
+        made = asterism.mesh(domain, vertices=wanted)
+        assert made.certified and abs(len(made.points) / wanted - 1) <= 0.05, (wanted, made.reason)
+        edges.append(len(made.edges))
+    assert edges[1] > 1.3 * edges[0], edges
+
+
 def test_domains_from_arrays_and_shapes():
     hole = [(0.5, 0.25), (1.5, 0.25), (1.0, 0.75)]
     by_arrays = asterism.Domain(CORNERS + hole, SIDES + [(4, 5), (5, 6), (6, 4)],

@@ -121,7 +121,7 @@ std::optional<error> make(const json& asked) {
   if (!input) return input.failure();
   mesh_options options = job.refinement;
   options.keep_if_complete = input.value().of_mesh;
-  auto run = make_certified_mesh(input.value().shape, *input.value().field, options);
+  auto run = make_certified_mesh(input.value().shape, *input.value().metric.field, options);
   if (!run) return run.failure();
   certified_mesh& made = run.value();
   made.claim.metric = job.metric;

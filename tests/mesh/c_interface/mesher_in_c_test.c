@@ -317,6 +317,55 @@ static void test_metric_tolerance(void) {
   asterism_mesh_free(near_it);
 }
 
+/* Makes a disc with so many vertices wanted and returns how many it has. */
+static size_t disc_vertices(size_t wanted, double chord_tolerance, size_t* edges) {
+  const double ends[] = {1, 0, -1, 0};
+  const unsigned halves[] = {0, 1, 1, 0}, curved[] = {0, 1};
+  const int kinds[] = {ASTERISM_ARC, ASTERISM_ARC};
+  const double centres[] = {0, 0, 0, 0, 0, 0, 0, 0};
+  asterism_domain disc;
+  asterism_metric metric;
+  asterism_mesh_options options;
+  asterism_mesh* mesh = NULL;
+  char message[200];
+  size_t sites;
+  asterism_domain_init(&disc);
+  asterism_metric_init(&metric);
+  asterism_mesh_options_init(&options);
+  disc.vertex_count = 2;
+  disc.vertices = ends;
+  disc.segment_count = 2;
+  disc.segments = halves;
+  disc.curve_count = 2;
+  disc.curve_segments = curved;
+  disc.curve_kinds = kinds;
+  disc.curve_points = centres;
+  metric.specification = "identity";
+  options.vertices = wanted;
+  options.chord_tolerance = chord_tolerance;
+  expect(asterism_mesh_create(&disc, &metric, &options, &mesh, message, sizeof message) ==
+                 ASTERISM_OK &&
+             asterism_mesh_is_certified(mesh),
+         message);
+  (void)asterism_mesh_sites(mesh, &sites);
+  (void)asterism_mesh_boundary(mesh, edges);
+  asterism_mesh_free(mesh);
+  return sites;
+}
+
+/* The number of vertices is met, and chords of curves are as long as it wants them. */
+static void test_vertex_counts(void) {
+  const size_t few = 150, many = 1200;
+  size_t coarse, fine, fine_by_tolerance, sites;
+  sites = disc_vertices(few, 0, &coarse);
+  expect(20 * sites >= 19 * few && 20 * sites <= 21 * few, "few vertices are met");
+  sites = disc_vertices(many, 0, &fine);
+  expect(20 * sites >= 19 * many && 20 * sites <= 21 * many, "many vertices are met");
+  expect(2 * fine > 3 * coarse, "chords follow the number");
+  (void)disc_vertices(few, 1e-3, &fine_by_tolerance);
+  expect(fine_by_tolerance > coarse, "chords follow a tolerance");
+}
+
 static void expect_refused(const asterism_domain* domain, const asterism_metric* metric,
                            const asterism_mesh_options* options, const char* word) {
   char message[200], cut[5];
@@ -333,7 +382,7 @@ static void expect_refused(const asterism_domain* domain, const asterism_metric*
 }
 
 static void test_refused_meshes(void) {
-  const unsigned open[] = {0, 1, 1, 2, 2, 3, 3, 9};
+  const unsigned open[] = {0, 1, 1, 2, 2, 3, 3, 9}, no_segment = 7;
   asterism_domain square, wrong;
   asterism_metric metric, other;
   asterism_mesh_options options;
@@ -362,6 +411,23 @@ static void test_refused_meshes(void) {
   expect_refused(&wrong, &metric, NULL, "9");
   wrong.segments = NULL;
   expect_refused(&wrong, &metric, NULL, "null");
+  wrong = square;
+  wrong.curve_count = 1;
+  expect_refused(&wrong, &metric, NULL, "null");
+  wrong.curve_segments = &no_segment;
+  wrong.curve_points = corners;
+  expect_refused(&wrong, &metric, NULL, "curve 0 is of segment 7 of 4");
+  wrong.curve_segments = sides;
+  wrong.curve_kinds = markers;
+  expect_refused(&wrong, &metric, NULL, "curve 0 is of kind 11");
+  options.vertices = 2;
+  expect_refused(&square, &metric, &options, "vertices must be");
+  options.vertices = 3;
+  expect_refused(&square, &metric, &options, "has 4 already");
+  options.vertices = 0;
+  options.chord_tolerance = -1;
+  expect_refused(&square, &metric, &options, "chord_tolerance");
+  options.chord_tolerance = 0;
   options.angle_bound = 60;
   expect_refused(&square, &metric, &options, "angle bound");
   expect(asterism_mesh_create(NULL, &metric, NULL, &mesh, NULL, 0) == ASTERISM_NULL_POINTER,
@@ -373,6 +439,7 @@ int main(void) {
   test_refused_sites();
   test_meshes();
   test_metric_tolerance();
+  test_vertex_counts();
   test_refused_meshes();
   if (failures == 0) puts("stars and meshes come and are refused as documented");
   return failures == 0 ? 0 : 1;

@@ -6,7 +6,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/mesher.hpp"
 
 using namespace asterism;
@@ -23,8 +25,34 @@ domain strip() {
   return std::move(checked).value();
 }
 
-field_of_size in_metric(const std::string& spec, const domain& d) {
-  return [spec, &d](double size) { return make_metric_field(spec, d.box(), size); };
+// A moon between two arcs through the same two points.
+domain moon() {
+  domain d;
+  d.vertices = {{-1, 0}, {1, 0}};
+  d.segments = {{0, 1, 1}, {1, 0, 2}};
+  for (const auto& [centre, segment] : {std::pair{point{0, 1}, 0U}, std::pair{point{0, 1.1}, 1U}}) {
+    domain_curve arc;
+    arc.centre = centre;
+    arc.clockwise = segment == 1;
+    arc.vertices = {d.segments[segment].a, d.segments[segment].b};
+    arc.parameters = {0, 1};
+    arc.segment = segment;
+    d.curves.push_back(arc);
+  }
+  const auto divided = divide_curves(d);
+  REQUIRE(divided.ok());
+  auto checked = check_domain(divided.value());
+  REQUIRE(checked.ok());
+  return std::move(checked).value();
+}
+
+field_in_box in_metric(const std::string& spec) {
+  return
+      [spec](double size, const bounding_box& box) { return make_metric_field(spec, box, size); };
+}
+
+result<certified_mesh> made_of(const mesh_input& input, const mesh_options& options) {
+  return make_certified_mesh(input.shape, *input.metric.field, options);
 }
 
 double off(std::size_t wanted, const certified_mesh& made) {
@@ -36,38 +64,68 @@ double off(std::size_t wanted, const certified_mesh& made) {
 TEST_CASE(
     "the metric was scaled once, and a narrow strip had other numbers of vertices than were "
     "wanted") {
-  const domain d = strip();
   constexpr std::size_t wanted = 40;
-  const auto metric = in_metric("identity", d);
-  scale_demand scale;
-  scale.complexity = complexity_of_vertices(wanted);
   mesh_options options;
   options.limit_size = true;
   options.vertices = wanted;
-  const auto scaled = make_scaled_metric(d, metric, scale);
-  REQUIRE(scaled.ok());
-  const auto once = make_certified_mesh(d, *scaled.value().field, options);
+  const mesh_source source{strip(), in_metric("identity")};
+  const auto first = prepare_mesh_input(source, options);
+  REQUIRE(first.ok());
+  const auto once = made_of(first.value(), options);
   REQUIRE(once.ok());
   CHECK(off(wanted, once.value()) > 0.05);
 
-  const auto made = make_counted_mesh(d, metric, {}, options);
+  const auto made = make_counted_mesh(source, options, made_of);
   REQUIRE(made.ok());
   CHECK(made.value().made.certified());
   CHECK(off(wanted, made.value().made) <= 0.05);
-  CHECK(made.value().metric.complexity);
+  CHECK(made.value().input.metric.complexity);
+}
+
+TEST_CASE("chords of curves stayed as the first density wanted them when a number was met") {
+  constexpr std::size_t wanted = 600;
+  mesh_options options;
+  options.limit_size = true;
+  options.vertices = wanted;
+  const mesh_source source{moon(), in_metric("identity")};
+  const auto first = prepare_mesh_input(source, options);
+  REQUIRE(first.ok());
+  const auto made = make_counted_mesh(source, options, made_of);
+  REQUIRE(made.ok());
+  CHECK(made.value().made.certified());
+  CHECK(off(wanted, made.value().made) <= 0.05);
+  const domain& shape = made.value().input.shape;
+  CHECK(shape.segments.size() != first.value().shape.segments.size());
+  CHECK(shape.segments.size() > source.shape.segments.size());
+}
+
+TEST_CASE("a density divides curves and scales the metric, and leaves the rest of a source") {
+  mesh_options options;
+  options.limit_size = true;
+  options.vertices = 500;
+  mesh_source source{moon(), in_metric("identity")};
+  source.random_points = 7;
+  const auto coarse = prepare_mesh_input(source, options),
+             fine = prepare_mesh_input(source, options, 4);
+  REQUIRE(coarse.ok());
+  REQUIRE(fine.ok());
+  CHECK(fine.value().shape.segments.size() > coarse.value().shape.segments.size());
+  CHECK(std::abs(*fine.value().metric.complexity / *coarse.value().metric.complexity - 4) < 0.08);
+  CHECK(coarse.value().given == coarse.value().shape.vertices.size());
+  source.metric = in_metric("no such metric");
+  CHECK_FALSE(prepare_mesh_input(source, options).ok());
 }
 
 TEST_CASE("without a number wanted the metric has the size asked for") {
-  const domain d = strip();
-  scale_demand scale;
-  scale.size = 0.02;
+  mesh_source source{strip(), in_metric("identity")};
+  source.scale.size = 0.02;
   mesh_options options;
   options.limit_size = true;
-  const auto made = make_counted_mesh(d, in_metric("identity", d), scale, options);
+  const auto made = make_counted_mesh(source, options, made_of);
   REQUIRE(made.ok());
   CHECK(made.value().made.certified());
-  CHECK(made.value().metric.size == 0.02);
-  CHECK_FALSE(made.value().metric.complexity);
-  scale.size = -1;
-  CHECK_FALSE(make_counted_mesh(d, in_metric("identity", d), scale, options).ok());
+  CHECK(made.value().input.metric.size == 0.02);
+  CHECK_FALSE(made.value().input.metric.complexity);
+  source.scale.size = -1;
+  CHECK_FALSE(make_counted_mesh(source, options, made_of).ok());
 }
