@@ -127,6 +127,7 @@ std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t trian
     });
   });
   if (!certain || !across) cells.clear();
+  for (lifted_cell& cell : cells) cell.is_cut = cells.size() > 1;
   return cells;
 }
 

@@ -23,6 +23,7 @@ struct lifted_scene {
 struct lifted_cell {
   std::uint32_t triangle = 0, piece = 0;
   int depth = 0;
+  bool is_cut = false;          // the triangle has several parts, as knots cut it
   parameter_triangle corners;   // in the piece
   std::uint32_t hint = 0;       // a triangle in space nearby
   double above = 0, below = 0;  // squared distances, or tangents

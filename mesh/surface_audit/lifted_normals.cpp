@@ -15,14 +15,10 @@
 #include <utility>
 
 #include "asterism/mesh/surface_audit/lifted_bounds.hpp"
+#include "asterism/mesh/surface_audit/part_directions.hpp"
 
 namespace asterism::internal {
 namespace {
-
-struct triangle_frame {
-  interval_vector corner, edge, across, normal;
-  rounded_interval squared_edge, squared_normal;
-};
 
 triangle_frame frame_of(const lifted_scene& scene, const shell_triangle& t) {
   const auto at = [&](std::size_t k) {
@@ -43,18 +39,6 @@ triangle_frame frame_of(const lifted_scene& scene, const shell_triangle& t) {
   return f;
 }
 
-// Ranges of p, r and c over a part.
-struct direction_range {
-  rounded_interval p, r, c;
-
-  friend direction_range operator-(const direction_range& x, const direction_range& y) {
-    return {x.p - y.p, x.r - y.r, x.c - y.c};
-  }
-  friend direction_range operator*(const rounded_interval& s, const direction_range& x) {
-    return {s * x.p, s * x.r, s * x.c};
-  }
-};
-
 direction_range in_frame(const triangle_frame& f, const interval_vector& q) {
   return {dot(f.edge, q), dot(f.across, q), dot(f.normal, q)};
 }
@@ -66,52 +50,17 @@ void include(std::optional<direction_range>& range, const direction_range& q) {
     range = {hull(range->p, q.p), hull(range->r, q.r), hull(range->c, q.c)};
 }
 
-// Two vector fields over a part, whose cross product is a positive multiple of r_u x r_v, or a
-// negative one.
-struct two_directions {
-  direction_range first, second;
-  bool negative = false;
-};
+double infinite() { return std::numeric_limits<double>::infinity(); }
 
 double squared_tangent_above(const triangle_frame& f, const two_directions& q) {
   const direction_range &x = q.first, &y = q.second;
   rounded_interval along = x.p * y.r - x.r * y.p;
   if (q.negative) along = -along;
-  if (!(along.inf() > 0) || !(f.squared_normal.inf() > 0))
-    return std::numeric_limits<double>::infinity();
+  if (!(along.inf() > 0) || !(f.squared_normal.inf() > 0)) return infinite();
   const rounded_interval across =
       f.squared_edge *
       (squared(x.p * y.c - x.c * y.p) + quotient(squared(x.r * y.c - x.c * y.r), f.squared_normal));
   return quotient(across, squared(rounded_interval(along.inf()))).sup();
-}
-
-// The net with its points from `origin` on, times the weight.
-void move_to(triangle_net& net, const interval_vector& origin) {
-  for (weighted_point& c : net.points) c.at = c.at - c.weight * origin;
-}
-
-// The derivatives along the part's own sides, times n and w: differences of the net, and of a
-// quotient less r w'.
-two_directions along_sides(const triangle_frame& f, triangle_net net, bool is_rational) {
-  move_to(net, f.corner);
-  const int n = net.degree;
-  std::array<std::optional<direction_range>, 2> range;
-  std::array<std::optional<rounded_interval>, 2> weight;
-  for (int i = n - 1; i >= 0; --i)
-    for (int j = n - 1 - i; j >= 0; --j) {
-      const weighted_point& from = net.points[net_index(n, i + 1, j)];
-      const std::array<std::size_t, 2> to = {net_index(n, i, j + 1), net_index(n, i, j)};
-      for (std::size_t k = 0; k < 2; ++k) {
-        include(range[k], in_frame(f, net.points[to[k]].at - from.at));
-        if (!is_rational) continue;
-        const rounded_interval change = net.points[to[k]].weight - from.weight;
-        weight[k] = weight[k] ? hull(*weight[k], change) : change;
-      }
-    }
-  if (!is_rational) return {*range[0], *range[1], false};
-  std::optional<direction_range> place;
-  for (const weighted_point& c : net.points) include(place, in_frame(f, quotient(c.at, c.weight)));
-  return {*range[0] - *weight[0] * *place, *range[1] - *weight[1] * *place, false};
 }
 
 // A piece turned and mirrored so that t = 0 is its side that is one point, which is the origin.
@@ -209,10 +158,68 @@ two_directions from_one_point(const triangle_frame& f, turned_piece p, const par
   return {first, last, p.negative};
 }
 
+// Differences of a piece's control points in one direction, from `origin` on times the weight.
+std::vector<weighted_point> differences(const bezier_piece& p, const interval_vector& origin,
+                                        bool by_s) {
+  const auto rows = static_cast<std::size_t>(p.degree_u) + (by_s ? 0 : 1);
+  const std::size_t count = p.row() - (by_s ? 0 : 1), to = by_s ? p.row() : 1;
+  const auto moved = [&](const weighted_point& c) { return c.at - c.weight * origin; };
+  std::vector<weighted_point> all;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < count; ++j) {
+      const weighted_point &a = p.net[i * p.row() + j], &b = p.net[i * p.row() + j + to];
+      all.push_back({moved(b) - moved(a), b.weight - a.weight});
+    }
+  return all;
+}
+
+// r_s w and r_t w but for factors that are positive. Of a part that a knot cut off so narrowly that
+// its own sides are nearly parallel these say what differences along the sides do not.
+two_directions along_parameters(const triangle_frame& f, const bezier_piece& p,
+                                const parameter_triangle& at, const triangle_net& net) {
+  const auto by_s = differences(p, f.corner, true), by_t = differences(p, f.corner, false);
+  const triangle_net first = net_over({p.degree_u - 1, p.degree_v, by_s.data()}, at, p.is_rational),
+                     second =
+                         net_over({p.degree_u, p.degree_v - 1, by_t.data()}, at, p.is_rational);
+  const two_directions plain{range_of(f, first), range_of(f, second), false};
+  if (!p.is_rational) return plain;
+  std::optional<direction_range> place;
+  for (const weighted_point& c : net.points)
+    include(place, in_frame(f, quotient(c.at - c.weight * f.corner, c.weight)));
+  return {plain.first - weights_of(first) * *place, plain.second - weights_of(second) * *place,
+          false};
+}
+
 bool is_at(const parameter_corner& c, piece_side side) {
   const rounded_interval& x = side == piece_side::s_low || side == piece_side::s_high ? c.s : c.t;
   const double end = side == piece_side::s_high || side == piece_side::t_high ? 1 : 0;
   return x.inf() == end && x.sup() == end;
+}
+
+// The squared tangent of the angle between the normals at a place of the piece, in doubles; -1
+// where the surface is folded over the triangle there.
+double squared_tangent_at(const bezier_piece& piece, const plain_vector& own, double s, double t) {
+  const plain_jet jet = evaluate(piece, s, t);
+  const plain_vector normal = cross(jet.by_s, jet.by_t), across = cross(normal, own);
+  const double along = dot(normal, own);
+  return along > 0 ? dot(across, across) / (along * along) : -1;
+}
+
+// Proposes the greatest over a part: in its middle, which says whether it is folded, and near its
+// corners, where normals that turn evenly are farthest from the triangle's. Near alone, as there is
+// no normal at a corner where a side is one point.
+double squared_tangent_below(const bezier_piece& piece, const parameter_triangle& corners,
+                             const plain_vector& own) {
+  constexpr double near = 63.0 / 64;
+  std::array<double, 3> s, t;
+  for (std::size_t k = 0; k < 3; ++k)
+    s[k] = middle_of(corners[k].s), t[k] = middle_of(corners[k].t);
+  const double middle_s = (s[0] + s[1] + s[2]) / 3, middle_t = (t[0] + t[1] + t[2]) / 3;
+  double most = squared_tangent_at(piece, own, middle_s, middle_t);
+  for (std::size_t k = 0; k < 3 && most >= 0; ++k)
+    most = std::max(most, squared_tangent_at(piece, own, middle_s + near * (s[k] - middle_s),
+                                             middle_t + near * (t[k] - middle_t)));
+  return most;
 }
 
 }  // namespace
@@ -220,9 +227,12 @@ bool is_at(const parameter_corner& c, piece_side side) {
 [[gnu::noinline]] void look_at_normals(const lifted_scene& scene, lifted_cell& cell,
                                        const triangle_net& net) {
   const bezier_piece& piece = scene.space.pieces[cell.piece];
-  const shell_triangle& t = scene.triangles[cell.triangle];
-  const triangle_frame f = frame_of(scene, t);
-  cell.above = squared_tangent_above(f, along_sides(f, net, piece.is_rational));
+  const triangle_frame f = frame_of(scene, scene.triangles[cell.triangle]);
+  const auto directions = along_sides(f, net, piece.is_rational);
+  cell.above = directions ? squared_tangent_above(f, *directions) : infinite();
+  if (cell.is_cut || std::isinf(cell.above))
+    cell.above = std::min(cell.above,
+                          squared_tangent_above(f, along_parameters(f, piece, cell.corners, net)));
   for (std::size_t k = 0; k < 4 && std::isinf(cell.above); ++k) {
     const auto side = static_cast<piece_side>(k);
     const auto stands_there = [&](const parameter_corner& c) { return is_at(c, side); };
@@ -232,16 +242,7 @@ bool is_at(const parameter_corner& c, piece_side side) {
                                   piece.point[k], piece.is_rational);
     cell.above = squared_tangent_above(f, q);
   }
-  // In the middle, in doubles.
-  const auto middle = [&](const auto& of) {
-    return (middle_of(of(0)) + middle_of(of(1)) + middle_of(of(2))) / 3;
-  };
-  const plain_jet jet = evaluate(piece, middle([&](std::size_t k) { return cell.corners[k].s; }),
-                                 middle([&](std::size_t k) { return cell.corners[k].t; }));
-  const plain_vector normal = cross(jet.by_s, jet.by_t), own = middle_of(f.normal);
-  const plain_vector across = cross(normal, own);
-  const double along = dot(normal, own);
-  cell.below = along > 0 ? dot(across, across) / (along * along) : -1;  // folded
+  cell.below = squared_tangent_below(piece, cell.corners, middle_of(f.normal));
 }
 
 }  // namespace asterism::internal

@@ -4,23 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "asterism/mesh/surface_audit/plain_net.hpp"
+#include "asterism/mesh/surface_audit/ways_to_choose.hpp"
+
 namespace asterism::internal {
 namespace {
-
-constexpr std::array<std::array<double, 2 * most_degree + 1>, 2 * most_degree + 1> binomials() {
-  std::array<std::array<double, 2 * most_degree + 1>, 2 * most_degree + 1> c{};
-  for (std::size_t n = 0; n < c.size(); ++n) {
-    c[n][0] = 1;
-    for (std::size_t k = 1; k <= n; ++k) c[n][k] = c[n - 1][k - 1] + (k < n ? c[n - 1][k] : 0);
-  }
-  return c;
-}
-// Exact: the greatest, C(24, 12), is far below 2^53.
-constexpr auto binomial = binomials();
-
-double choose(int n, int k) {
-  return binomial[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
-}
 
 // A product with a weight of a polar form. Where the corners are in the piece none is negative.
 template <bool inside>
@@ -49,7 +37,6 @@ struct blossom_rows {
 
 // Returns, for each multi-index of sum `degree`, the weights when the arguments are the corners so
 // many times: the coefficients of the product of (1 - s) + s z over the arguments.
-template <bool inside>
 blossom_rows blossoms(int degree, const std::array<rounded_interval, 3>& at) {
   std::array<rounded_interval, 3> rest;
   for (std::size_t k = 0; k < 3; ++k) rest[k] = rounded_interval(1) - at[k];
@@ -64,10 +51,10 @@ blossom_rows blossoms(int degree, const std::array<rounded_interval, 3>& at) {
             lower.data() + row * net_index(n - 1, i - (corner == 0), j - (corner == 1));
         rounded_interval* to = rows.data() + row * net_index(n, i, j);
         const auto last = static_cast<std::size_t>(n);
-        to[0] = weighed<inside>(rest[corner], from[0]);
+        to[0] = rest[corner] * from[0];
         for (std::size_t m = 1; m < last; ++m)
-          to[m] = weighed<inside>(rest[corner], from[m]) + weighed<inside>(at[corner], from[m - 1]);
-        to[last] = weighed<inside>(at[corner], from[last - 1]);
+          to[m] = rest[corner] * from[m] + at[corner] * from[m - 1];
+        to[last] = at[corner] * from[last - 1];
       }
     lower.swap(rows);
   }
@@ -98,7 +85,8 @@ void gather(int p, int q, const std::vector<weighted_point>& pairs, bool is_rati
       for (int a = q; a >= 0; --a)
         for (int b = q - a; b >= 0; --b) {
           const int c = q - a - b;
-          const rounded_interval ways = choose(i + a, i) * choose(j + b, j) * choose(k + c, k);
+          const rounded_interval ways =
+              ways_to_choose(i + a, i) * ways_to_choose(j + b, j) * ways_to_choose(k + c, k);
           const weighted_point& from = row[net_index(q, a, b)];
           weighted_point& to = net.points[net_index(p + q, i + a, j + b)];
           to.at = to.at + scaled(ways, from.at);
@@ -107,22 +95,19 @@ void gather(int p, int q, const std::vector<weighted_point>& pairs, bool is_rati
     }
 }
 
-template <bool inside>
 std::vector<weighted_point> pairs_of(const tensor_net& from, const parameter_triangle& corners,
                                      bool is_rational) {
   const auto row = static_cast<std::size_t>(from.degree_v) + 1,
              rows = static_cast<std::size_t>(from.degree_u) + 1;
-  const blossom_rows by_u =
-      blossoms<inside>(from.degree_u, {corners[0].s, corners[1].s, corners[2].s});
-  const blossom_rows by_v =
-      blossoms<inside>(from.degree_v, {corners[0].t, corners[1].t, corners[2].t});
+  const blossom_rows by_u = blossoms(from.degree_u, {corners[0].s, corners[1].s, corners[2].s});
+  const blossom_rows by_v = blossoms(from.degree_v, {corners[0].t, corners[1].t, corners[2].t});
   std::vector<weighted_point> pairs, line(row);
   pairs.reserve(by_u.count() * by_v.count());
   for (std::size_t i = 0; i < by_u.count(); ++i) {
     for (std::size_t j = 0; j < row; ++j)
-      line[j] = combined<inside>(by_u.at(i), from.points + j, rows, row, is_rational);
+      line[j] = combined<false>(by_u.at(i), from.points + j, rows, row, is_rational);
     for (std::size_t j = 0; j < by_v.count(); ++j)
-      pairs.push_back(combined<inside>(by_v.at(j), line.data(), row, 1, is_rational));
+      pairs.push_back(combined<false>(by_v.at(j), line.data(), row, 1, is_rational));
   }
   return pairs;
 }
@@ -146,7 +131,7 @@ std::array<rounded_interval, most_degree + 1> first_blossom(int degree,
 // Multiplies by the number of ways of the first multi-index, and divides by it, as for the net: the
 // same bits.
 void share_out(const tensor_net& from, weighted_point& point, bool is_rational) {
-  const rounded_interval ways = choose(from.degree_u + from.degree_v, from.degree_u);
+  const rounded_interval ways = ways_to_choose(from.degree_u + from.degree_v, from.degree_u);
   const rounded_interval share = quotient(rounded_interval(1), ways);
   point.at = scaled(share, scaled(ways, point.at));
   if (is_rational) point.weight = scaled(share, scaled(ways, point.weight));
@@ -166,6 +151,21 @@ weighted_point first_point(const tensor_net& from, const parameter_corner& at, b
   return point;
 }
 
+// The exact net is within the plain one's bounds.
+triangle_net enclosed(const plain_triangle_net& plain, bool is_rational) {
+  triangle_net net{plain.degree, std::vector<weighted_point>(plain.points.size())};
+  for (std::size_t k = 0; k < net.points.size(); ++k) {
+    const std::array<double, 4>& c = plain.points[k];
+    const double weight = is_rational ? c[3] : 1, off = rounded_product(plain.off, weight);
+    const rounded_interval about(-off, off);
+    net.points[k].at = {c[0] + about, c[1] + about, c[2] + about};
+    if (!is_rational) continue;
+    const double weight_off = rounded_product(plain.weight_off, weight);
+    net.points[k].weight = weight + rounded_interval(-weight_off, weight_off);
+  }
+  return net;
+}
+
 bool is_inside(const parameter_triangle& corners) {
   return std::all_of(corners.begin(), corners.end(), [](const parameter_corner& c) {
     return c.s.inf() >= 0 && c.s.sup() <= 1 && c.t.inf() >= 0 && c.t.sup() <= 1;
@@ -175,15 +175,20 @@ bool is_inside(const parameter_triangle& corners) {
 }  // namespace
 
 triangle_net net_over(const tensor_net& from, const parameter_triangle& corners, bool is_rational) {
+  if (const auto plain = plain_net_over(from, corners, is_rational))
+    return enclosed(*plain, is_rational);
+  return net_in_intervals(from, corners, is_rational);
+}
+
+triangle_net net_in_intervals(const tensor_net& from, const parameter_triangle& corners,
+                              bool is_rational) {
   const int p = from.degree_u, q = from.degree_v;
-  const std::vector<weighted_point> pairs = is_inside(corners)
-                                                ? pairs_of<true>(from, corners, is_rational)
-                                                : pairs_of<false>(from, corners, is_rational);
+  const std::vector<weighted_point> pairs = pairs_of(from, corners, is_rational);
   triangle_net net{p + q, std::vector<weighted_point>(net_size(p + q))};
   if (is_rational)
     for (weighted_point& c : net.points) c.weight = 0;
   gather(p, q, pairs, is_rational, net);
-  const rounded_interval share = quotient(rounded_interval(1), choose(p + q, p));
+  const rounded_interval share = quotient(rounded_interval(1), ways_to_choose(p + q, p));
   for (weighted_point& c : net.points) {
     c.at = scaled(share, c.at);
     if (is_rational) c.weight = scaled(share, c.weight);

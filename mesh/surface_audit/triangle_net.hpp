@@ -5,46 +5,16 @@
 // stands in a floating_point_scope(rounding::upward).
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <vector>
-
-#include "asterism/mesh/surface_audit/bezier_pieces.hpp"
-#include "asterism/mesh/surface_audit/space_algebra.hpp"
+#include "asterism/mesh/surface_audit/net_layout.hpp"
 
 namespace asterism::internal {
 
-// A corner in a piece's own parameters; exact corners are points, others known as intervals.
-struct parameter_corner {
-  rounded_interval s, t;
-};
-using parameter_triangle = std::array<parameter_corner, 3>;
-
-// Index of the multi-index (i, j, n - i - j) among those of sum n: by i descending, then j
-// descending. (n, 0, 0) is the first, (0, 0, n) the last.
-inline std::size_t net_index(int n, int i, int j) {
-  const int rest = n - i;
-  return static_cast<std::size_t>(rest * (rest + 1) / 2 + (rest - j));
-}
-inline std::size_t net_size(int n) { return static_cast<std::size_t>((n + 1) * (n + 2) / 2); }
-
-struct triangle_net {
-  int degree = 0;
-  std::vector<weighted_point> points;
-};
-
-// Rows of control points, (degree_u + 1)(degree_v + 1) of them: a piece's, or a derivative's.
-struct tensor_net {
-  int degree_u = 0, degree_v = 0;
-  const weighted_point* points = nullptr;
-};
-inline tensor_net tensor_of(const bezier_piece& p) {
-  return {p.degree_u, p.degree_v, p.net.data()};
-}
-
 // Returns the net of degree degree_u + degree_v over the triangle, by the polar form of the tensor
-// product symmetrised (docs/math/surfaces.md).
+// product symmetrised (docs/math/surfaces.md): in doubles with a bound of their errors where that
+// can be (plain_net.hpp), else in intervals.
 triangle_net net_over(const tensor_net& from, const parameter_triangle& corners, bool is_rational);
+triangle_net net_in_intervals(const tensor_net& from, const parameter_triangle& corners,
+                              bool is_rational);
 
 // Returns the one point that all of the net over a triangle with three equal corners is.
 weighted_point point_at(const tensor_net& from, const parameter_corner& at, bool is_rational);

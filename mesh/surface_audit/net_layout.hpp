@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Says where the points of a net over a triangle stand, and of what it is made.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "asterism/mesh/surface_audit/bezier_pieces.hpp"
+#include "asterism/mesh/surface_audit/space_algebra.hpp"
+
+namespace asterism::internal {
+
+// A corner in a piece's own parameters; exact corners are points, others known as intervals.
+struct parameter_corner {
+  rounded_interval s, t;
+};
+using parameter_triangle = std::array<parameter_corner, 3>;
+
+// Index of the multi-index (i, j, n - i - j) among those of sum n: by i descending, then j
+// descending. (n, 0, 0) is the first, (0, 0, n) the last.
+inline std::size_t net_index(int n, int i, int j) {
+  const int rest = n - i;
+  return static_cast<std::size_t>(rest * (rest + 1) / 2 + (rest - j));
+}
+constexpr std::size_t net_size(int n) { return static_cast<std::size_t>((n + 1) * (n + 2) / 2); }
+
+struct triangle_net {
+  int degree = 0;
+  std::vector<weighted_point> points;
+};
+
+// Rows of control points, (degree_u + 1)(degree_v + 1) of them: a piece's, or a derivative's.
+struct tensor_net {
+  int degree_u = 0, degree_v = 0;
+  const weighted_point* points = nullptr;
+};
+inline tensor_net tensor_of(const bezier_piece& p) {
+  return {p.degree_u, p.degree_v, p.net.data()};
+}
+
+}  // namespace asterism::internal

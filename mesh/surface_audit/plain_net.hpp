@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes a piece over a triangle of its parameters in Bernstein form in doubles, with a bound of
+// all that differs from the exact net: the fast way of triangle_net.hpp, whose intervals take some
+// twenty times as long.
+//
+// A net's point is sum b_i P_i with shares b_i >= 0, sum 1, as long as the corners are in the
+// piece. A computed share is a product of sums of numbers that are not negative; each rounding to
+// nearest changes it by a factor between 1 - 2^-53 and 1 + 2^-53. With k roundings on the way of
+// every summand the sum is off by at most ((1 + 2^-53)^k - 1) sum b_i |P_i|. If |P_i| <= X w_i with
+// weights w_i > 0 of the control points, that is the factor times X w, with w the net's own weight:
+// the error is no greater relative to the weight than that of the greatest control point, however
+// the weights differ.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "asterism/mesh/surface_audit/net_layout.hpp"
+
+namespace asterism::internal {
+
+// Values x, y, z (times the weight) and the weight of each point; the true ones differ by at most
+// `off` and `weight_off`, each times the computed weight, and the weights by weight_off times it.
+struct plain_triangle_net {
+  int degree = 0;
+  std::vector<std::array<double, 4>> points;
+  double off = 0, weight_off = 0;
+};
+
+// Bounds the roundings on the way of a summand: degrees p and q, share and rest.
+//   3 p and 3 q in the shares of the two directions: 1 - s, its product, the sum, p times;
+//   1 + p and 1 + q for products with control points and their sums;
+//   1 for the number of ways, net_size(min(p, q)) for sums of pairs of one multi-index;
+//   2 for one over all ways, and its product.
+constexpr int roundings_of_net(int p, int q) {
+  return 4 * (p + q) + static_cast<int>(net_size(p < q ? p : q)) + 5;
+}
+
+// None where a corner may be outside of the piece, a weight may not be positive, or corners are
+// known so roughly beside the ratio of the weights that intervals are narrower. In any rounding
+// mode: it has its own, and the same bits on every machine.
+std::optional<plain_triangle_net> plain_net_over(const tensor_net& from,
+                                                 const parameter_triangle& corners,
+                                                 bool is_rational);
+
+}  // namespace asterism::internal
