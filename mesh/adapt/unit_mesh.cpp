@@ -49,8 +49,7 @@ double size_energy(const node& a, const node& b, const node& c, double unit) {
 }
 
 double unit_mesher::shape_of(vertex_index t) {
-  constexpr double unknown = -1;
-  if (shapes_.size() <= t) shapes_.resize(m_.faces().size(), unknown);
+  if (shapes_.size() <= t) shapes_.resize(m_.faces().size(), shape_not_known);
   if (shapes_[t] < 0) {
     const face& f = m_.faces()[t];
     shapes_[t] = shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), 0);
@@ -96,26 +95,6 @@ bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
     const bool is_near = squared(there.metric, x, y) < least || squared(n.metric, x, y) < least;
     return is_near && !(length_between(there, n) > far * unit_);
   });
-}
-
-void unit_mesher::seed(const std::vector<point>& seeds) {
-  vertex_index from = 0, hint = 0;
-  for (const point& q : seeds) {
-    if (m_.nodes().size() >= options_.most_nodes) return;
-    const vertex_index t = locate(q, from);
-    if (t == none) continue;
-    from = t;
-    node there;
-    there.position = q;
-    there.metric = field_(q, hint);
-    if (is_crowded(t, there)) continue;
-    const auto made = m_.insert(t, q);
-    if (!made) continue;
-    m_.at(*made).hint = hint;
-    m_.set_metric(*made, there.metric);
-    settle_around(*made);
-    from = m_.at(*made).face;
-  }
 }
 
 // Returns the area that the metric at the nodes measures, and how many faces it has. It is added up
@@ -175,29 +154,21 @@ void unit_mesher::meet_count() {
       merge_short(unit_, off);
     else
       split_long(unit_, off);
-    flip_all();
-    smooth();
-    flip_all();
+    merge_and_move(0, 1);
   }
 }
 
 // Splits, merges, flips and moves by turns, with the unit that gives as many nodes as are wanted.
 // Adds rounds while the count is off by more than this part of it.
 void unit_mesher::fit(double tolerable) {
-  constexpr int rounds = 2, sweeps = 2, most_splits = 40, most_rounds = 10;
+  constexpr int rounds = 2, sweeps = 2, most_rounds = 10;
   double ratio = 1;
   for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
     if (round >= rounds && std::abs(ratio - 1) < tolerable) break;
     measure_unit();
-    for (int i = 0; i < most_splits && !is_stopped(); ++i)
-      if (split_long(std::numbers::sqrt2 * unit_) == 0) break;
+    split_all_long(std::numbers::sqrt2 * unit_);
     measure_unit();
-    merge_short(unit_ / std::numbers::sqrt2);
-    flip_all();
-    for (int i = 0; i < sweeps; ++i) {
-      smooth();
-      flip_all();
-    }
+    merge_and_move(unit_ / std::numbers::sqrt2, sweeps);
     if (options_.count == 0) continue;
     ratio = static_cast<double>(m_.count()) / static_cast<double>(options_.count);
     // Corrects by half as much again: the count would follow the square of the unit if all edges

@@ -9,9 +9,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/adapt/mesh_blocks.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -69,7 +71,6 @@ class unit_mesher {
                                          std::size_t most_nodes);
 
   void fit(double tolerable);
-  void seed(const std::vector<point>& seeds);
   bool is_crowded(vertex_index t, const node& there) const;
   vertex_index locate(const point& q, vertex_index from) const;
   std::pair<double, std::size_t> measured_area() const;
@@ -87,6 +88,25 @@ class unit_mesher {
   double energy(vertex_index t);
   // Forgets the energies found; to be called when the mesh was changed from outside.
   void forget_shapes() { shapes_.clear(); }
+
+  // Defined in unit_mesh_blocks.cpp.
+  struct block_state;
+  void begin_block(const unit_mesher& whole, const mesh_blocks::block& part);
+  block_state end_block(const unit_mesher& whole, const mesh_blocks::block& part, std::size_t done);
+  std::size_t take_up(const mesh_blocks& blocks, const std::vector<block_state>& states);
+  using block_work = std::function<std::size_t(unit_mesher& part, std::size_t block)>;
+  std::size_t in_blocks(const block_work& work,
+                        const std::function<void(const mesh_blocks&)>& prepare = {});
+  void split_all_long(double longest);
+  void merge_and_move(double shortest, int sweeps);
+  void move_all(int sweeps);
+  // True if the node was inside of a block, so that what is at the frames alone leaves it out.
+  bool was_inside(vertex_index v) const { return v < is_inside_.size() && is_inside_[v] != 0; }
+
+  // Defined in unit_mesh_seeds.cpp.
+  void seed(const std::vector<point>& seeds);
+  std::vector<point> insert_seeds(std::span<const point> seeds);
+  std::vector<point> insert_in_blocks(const std::vector<point>& seeds);
 
   // Defined in unit_mesh_changes.cpp.
   std::size_t split_long(double longest, std::size_t most = no_limit);
@@ -112,7 +132,10 @@ class unit_mesher {
   // Faces whose edges are to be checked for flips, in that order, and nodes that may want to move.
   std::vector<vertex_index> due_;
   std::vector<char> is_due_, is_restless_;
-  std::vector<double> shapes_;  // of faces, negative where not known
+  static constexpr double shape_not_known = -1;
+  std::vector<double> shapes_;   // of faces, negative where not known
+  std::vector<char> is_inside_;  // nodes, of a block of the cuts so far
+  unsigned cuts_ = 0;            // into blocks
 };
 
 }  // namespace asterism::internal::adapting

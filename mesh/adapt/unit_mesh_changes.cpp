@@ -180,6 +180,7 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none || !(m_.length(e.a, e.b) > longest)) continue;
     const face& f = m_.faces()[t];
+    if (is_of_frame(f.segment[edge])) continue;
     const auto place = m_.place_on_edge(t, edge, middle(m_.at(e.a), m_.at(e.b)));
     if (!place) continue;
     const point& q = *place;
@@ -246,6 +247,7 @@ std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
   for (const long_edge& e : found) {
     if (done >= most) return done;
     if (m_.at(e.a).kind == node_kind::gone || m_.at(e.b).kind == node_kind::gone) continue;
+    if (was_inside(e.a) || was_inside(e.b)) continue;
     if (find_edge(m_, e.a, e.b).first == none || !(m_.length(e.a, e.b) < shortest)) continue;
     const double longest = std::numbers::sqrt2 * unit_;
     if (merge_if_good(e.b, e.a, longest) || merge_if_good(e.a, e.b, longest)) ++done;
@@ -331,6 +333,7 @@ void unit_mesher::smooth() {
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
     const node_kind kind = m_.at(v).kind;
     if (kind == node_kind::given || kind == node_kind::gone || is_restless_[v] == 0) continue;
+    if (was_inside(v)) continue;
     is_restless_[v] = 0;
     m_.around(v, at);
     const double before = energies_of(at, each);

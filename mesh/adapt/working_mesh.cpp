@@ -241,6 +241,28 @@ std::optional<point> working_mesh::place_on_edge(vertex_index t, std::size_t edg
   return curves_->is_chord(segment) ? curves_->nearest(segment, where) : where;
 }
 
+working_mesh::parts working_mesh::release() {
+  free_faces_.clear();
+  count_ = 0;
+  return {std::exchange(nodes_, {}), std::exchange(faces_, {})};
+}
+
+void working_mesh::assign(parts p) {
+  nodes_ = std::move(p.nodes);
+  faces_ = std::move(p.faces);
+  free_faces_.clear();
+  for (vertex_index t = 0; t < faces_.size(); ++t)
+    if (!faces_[t].exists()) free_faces_.push_back(t);
+  count_ = static_cast<std::size_t>(std::count_if(
+      nodes_.begin(), nodes_.end(), [](const node& n) { return n.kind != node_kind::gone; }));
+}
+
+working_mesh working_mesh::like(parts p) const {
+  working_mesh made(*domain_, curves_);
+  made.assign(std::move(p));
+  return made;
+}
+
 mesh working_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
   mesh made;
   made.given = static_cast<vertex_index>(domain_->vertices.size());

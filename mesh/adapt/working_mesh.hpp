@@ -57,6 +57,13 @@ struct face {
   std::size_t corner_of(vertex_index u) const { return v[0] == u ? 0 : v[1] == u ? 1 : 2; }
 };
 
+// Segments of this number and above stand for edges of a frame between blocks (mesh_blocks.hpp),
+// which does not change.
+inline constexpr vertex_index first_of_frame = vertex_index{1} << 31U;
+inline constexpr bool is_of_frame(vertex_index segment) {
+  return segment >= first_of_frame && segment != none;
+}
+
 using face_list = boost::container::small_vector<vertex_index, 16>;
 
 inline constexpr std::size_t after(std::size_t i) { return i == 2 ? 0 : i + 1; }
@@ -107,6 +114,8 @@ class working_mesh {
   void charge_work(const cancellation& stop) {
     stop.charge(work_weights::face_listed * static_cast<double>(looked_at_.take()));
   }
+  // Returns the faces noted, which will not be charged here.
+  std::size_t take_looked_at() { return looked_at_.take(); }
   void note_looked_at(std::size_t faces) const { looked_at_.add(faces); }
 
   // Calls act(v) for each node that is not gone, from as many threads as there are.
@@ -152,13 +161,26 @@ class working_mesh {
   // the place itself. Nothing where the curve has no such point.
   std::optional<point> place_on_edge(vertex_index t, std::size_t edge, const point& where) const;
 
+  // Nodes and faces of a mesh or of a part of one.
+  struct parts {
+    std::vector<node> nodes;
+    std::vector<face> faces;
+  };
+  // Takes all nodes and faces out. Nothing may be asked until others are assigned.
+  parts release();
+  // Replaces nodes and faces: the domain's vertices first, none of them missing.
+  void assign(parts p);
+  // Returns a mesh of the same domain with these nodes and faces.
+  working_mesh like(parts p) const;
+
   // Returns the mesh: the nodes in the order of the domain's vertices, then by number; faces as
   // triangles; subsegments in the order of their segments. `renumbered` maps nodes to sites.
   mesh triangulation(std::vector<vertex_index>& renumbered) const;
 
  private:
-  explicit working_mesh(const domain& d)
-      : domain_(&d), curves_(std::make_shared<const curve_chords>(d)) {}
+  explicit working_mesh(const domain& d) : working_mesh(d, std::make_shared<curve_chords>(d)) {}
+  working_mesh(const domain& d, std::shared_ptr<const curve_chords> curves)
+      : domain_(&d), curves_(std::move(curves)) {}
   std::optional<error> add(const mesh& start);
   vertex_index new_face();
   vertex_index new_node(const point& where, node_kind kind);

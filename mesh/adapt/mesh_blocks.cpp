@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/mesh_blocks.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+// Faces of a block. With half as many a tenth of all nodes is on the frame, and with twice as many
+// a mesh of 10,000 faces has too few blocks for two threads.
+constexpr std::size_t faces_in_block = 2048;
+constexpr std::size_t faces_at_once = 4096;  // for a thread
+
+// Returns the box through which the curve of a cut goes: that of the domain, grown on the lower
+// left, so that the lines at which a curve is far from itself are elsewhere in each.
+bounding_box box_of_cut(const bounding_box& box, unsigned cut) {
+  // Multiples of these, modulo one, are evenly spread in the square (Roberts' sequence).
+  constexpr double across = 0.7548776662466927, up = 0.5698402909980532;
+  constexpr unsigned period = 64;
+  const auto part = [n = static_cast<double>(cut % period)](double step) {
+    const double x = n * step;
+    return (x - static_cast<double>(static_cast<unsigned>(x))) / 2;
+  };
+  const point extent{box.high.x - box.low.x, box.high.y - box.low.y};
+  bounding_box grown = box;
+  grown.low = {box.low.x - part(across) * extent.x, box.low.y - part(up) * extent.y};
+  return grown;
+}
+
+// Numbers of nodes in a block, by those they have in the whole: a table with open addresses.
+class local_numbers {
+ public:
+  explicit local_numbers(std::size_t faces)
+      : slots_(std::bit_ceil(std::max<std::size_t>(16, 4 * faces)), {none, none}) {}
+
+  // Returns the place for the number that a node has or gets; `none` in it if it has none yet.
+  vertex_index& at(vertex_index v) {
+    constexpr std::uint64_t spread = 0x9e3779b97f4a7c15U;
+    std::size_t i = static_cast<std::size_t>((v * spread) >> 20U) & (slots_.size() - 1);
+    while (slots_[i].first != v && slots_[i].first != none) i = (i + 1) & (slots_.size() - 1);
+    slots_[i].first = v;
+    return slots_[i].second;
+  }
+
+ private:
+  std::vector<std::pair<vertex_index, vertex_index>> slots_;
+};
+
+}  // namespace
+
+bool mesh_blocks::are_worth_it(const working_mesh& m) {
+  constexpr std::size_t least = 4;  // blocks
+  return m.faces().size() >= least * faces_in_block;
+}
+
+mesh_blocks::mesh_blocks(working_mesh& whole, unsigned cut)
+    : whole_(whole), given_(whole.release()), box_(box_of_cut(whole.shape().box(), cut)) {
+  assign_blocks();
+  list_blocks();
+  mark_frame();
+  blocks_.resize(count());
+}
+
+// Cuts the curve at quantiles of a sample of the faces' places on it: each block has about as many.
+void mesh_blocks::assign_blocks() {
+  const std::vector<face>& faces = given_.faces;
+  std::vector<std::uint64_t> places(faces.size());
+  parallel_chunks(
+      faces.size(), faces_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+          if (!faces[t].exists()) continue;
+          const point &a = given_.nodes[faces[t].v[0]].position,
+                      &b = given_.nodes[faces[t].v[1]].position,
+                      &c = given_.nodes[faces[t].v[2]].position;
+          places[t] = place_on_curve({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, box_);
+        }
+      });
+  constexpr std::size_t sampled = 16;  // one face in so many
+  std::vector<std::uint64_t> sample;
+  for (std::size_t t = 0; t < faces.size(); t += sampled)
+    if (faces[t].exists()) sample.push_back(places[t]);
+  std::sort(sample.begin(), sample.end());
+  const std::size_t blocks = std::max<std::size_t>(1, faces.size() / faces_in_block);
+  for (std::size_t b = 1; b < blocks && !sample.empty(); ++b)
+    bounds_.push_back(sample[b * sample.size() / blocks]);
+  block_of_.resize(faces.size());
+  parallel_chunks(faces.size(), faces_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t)
+                      block_of_[t] = static_cast<std::uint32_t>(block_at(places[t]));
+                  });
+  first_.assign(blocks + 1, 0);
+}
+
+std::size_t mesh_blocks::block_at(std::uint64_t place) const {
+  return static_cast<std::size_t>(std::upper_bound(bounds_.begin(), bounds_.end(), place) -
+                                  bounds_.begin());
+}
+
+std::size_t mesh_blocks::block_near(const point& q) const {
+  return block_at(place_on_curve(q, box_));
+}
+
+void mesh_blocks::list_blocks() {
+  const std::vector<face>& faces = given_.faces;
+  for (std::size_t t = 0; t < faces.size(); ++t)
+    if (faces[t].exists()) ++first_[block_of_[t] + 1];
+  for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
+  listed_.resize(first_.back());
+  local_.resize(faces.size());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (vertex_index t = 0; t < faces.size(); ++t) {
+    if (!faces[t].exists()) continue;
+    const std::uint32_t b = block_of_[t];
+    local_[t] = static_cast<vertex_index>(next[b] - first_[b]);
+    listed_[next[b]++] = t;
+  }
+}
+
+// Gives the edges between blocks numbers in place of their segments, which are kept.
+void mesh_blocks::mark_frame() {
+  std::vector<face>& faces = given_.faces;
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<frame_edge>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto t = static_cast<vertex_index>(i);
+      for (std::uint32_t e = 0; e < 3 && faces[t].exists(); ++e) {
+        const vertex_index s = faces[t].next[e];
+        if (s == none || s < t || block_of_[s] == block_of_[t]) continue;
+        const std::size_t beyond = after(faces[s].corner_of(faces[t].v[after(e)]));
+        found.push_back({{t, e, block_of_[t]},
+                         {s, static_cast<std::uint32_t>(beyond), block_of_[s]},
+                         faces[t].segment[e]});
+      }
+    }
+  };
+  frame_ = collect_chunks<frame_edge>(faces.size(), faces_at_once, append);
+  for (std::size_t i = 0; i < frame_.size(); ++i)
+    for (const frame_edge::side* side : {&frame_[i].left, &frame_[i].right})
+      faces[side->face].segment[side->edge] = first_of_frame + static_cast<vertex_index>(i);
+}
+
+mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
+  block made{whole_.like({}), {}, {}, {}};
+  made.faces.assign(listed_.begin() + static_cast<std::ptrdiff_t>(first_[b]),
+                    listed_.begin() + static_cast<std::ptrdiff_t>(first_[b + 1]));
+  working_mesh::parts parts;
+  parts.faces.reserve(made.faces.size());
+  local_numbers numbers(made.faces.size());
+  for (const vertex_index t : made.faces) {
+    face f = given_.faces[t];
+    for (vertex_index& v : f.v) {
+      vertex_index& number = numbers.at(v);
+      if (number == none) {
+        number = static_cast<vertex_index>(made.nodes.size());
+        made.nodes.push_back(v);
+        parts.nodes.push_back(given_.nodes[v]);
+      }
+      v = number;
+      parts.nodes[v].face = static_cast<vertex_index>(parts.faces.size());
+    }
+    for (std::size_t e = 0; e < 3; ++e)
+      if (f.next[e] != none) f.next[e] = is_of_frame(f.segment[e]) ? none : local_[f.next[e]];
+    parts.faces.push_back(f);
+  }
+  made.is_frame.assign(made.nodes.size(), 0);
+  for (const face& f : parts.faces)
+    for (std::size_t e = 0; e < 3; ++e)
+      if (is_of_frame(f.segment[e]))
+        for (const vertex_index v : {f.v[after(e)], f.v[before(e)]}) {
+          made.is_frame[v] = 1;
+          parts.nodes[v].kind = node_kind::given;
+        }
+  made.part = whole_.like(std::move(parts));
+  return made;
+}
+
+// Numbers what a block has: the domain's vertices as they are, the frame's nodes in the first block
+// that has them.
+void mesh_blocks::number_block(std::size_t b, std::vector<vertex_index>& frame_now,
+                               vertex_index& nodes, vertex_index& faces) {
+  const block& now = *blocks_[b];
+  const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
+  std::vector<vertex_index>& number = node_now_[b];
+  number.assign(now.part.nodes().size(), none);
+  writes_[b].assign(now.part.nodes().size(), 0);
+  for (vertex_index v = 0; v < number.size(); ++v) {
+    if (now.part.at(v).kind == node_kind::gone) continue;
+    const bool is_old = v < now.nodes.size();
+    const vertex_index before = is_old ? now.nodes[v] : none;
+    if (is_old && now.is_frame[v] != 0 && frame_now[before] != none) {
+      number[v] = frame_now[before];
+      continue;
+    }
+    number[v] = before < given ? before : nodes++;
+    writes_[b][v] = 1;
+    if (is_old && now.is_frame[v] != 0) frame_now[before] = number[v];
+  }
+  face_now_[b].assign(now.part.faces().size(), none);
+  for (vertex_index t = 0; t < face_now_[b].size(); ++t)
+    if (now.part.faces()[t].exists()) face_now_[b][t] = faces++;
+}
+
+void mesh_blocks::write_block(std::size_t b, working_mesh::parts& made) {
+  const block& now = *blocks_[b];
+  for (vertex_index v = 0; v < now.part.nodes().size(); ++v) {
+    if (writes_[b][v] == 0) continue;
+    const bool is_frame = v < now.nodes.size() && now.is_frame[v] != 0;
+    node& n = made.nodes[node_now_[b][v]];
+    n = is_frame ? given_.nodes[now.nodes[v]] : now.part.at(v);
+    n.face = face_now_[b][now.part.at(v).face];
+  }
+  for (vertex_index t = 0; t < now.part.faces().size(); ++t) {
+    if (face_now_[b][t] == none) continue;
+    face f = now.part.faces()[t];
+    for (std::uint32_t e = 0; e < 3; ++e) {
+      f.v[e] = node_now_[b][f.v[e]];
+      if (f.next[e] != none) f.next[e] = face_now_[b][f.next[e]];
+      if (!is_of_frame(f.segment[e])) continue;
+      frame_edge& edge = frame_[f.segment[e] - first_of_frame];
+      frame_edge::side& side = edge.left.block == b ? edge.left : edge.right;
+      side.face = face_now_[b][t];
+      side.edge = e;
+    }
+    made.faces[face_now_[b][t]] = f;
+  }
+}
+
+void mesh_blocks::join() {
+  node_now_.resize(count());
+  face_now_.resize(count());
+  writes_.resize(count());
+  std::vector<vertex_index> frame_now(given_.nodes.size(), none);
+  auto nodes = static_cast<vertex_index>(whole_.shape().vertices.size());
+  vertex_index faces = 0;
+  for (std::size_t b = 0; b < count(); ++b) number_block(b, frame_now, nodes, faces);
+  working_mesh::parts made;
+  made.nodes.resize(nodes);
+  made.faces.resize(faces);
+  parallel_for(count(), [&](std::size_t b) { write_block(b, made); });
+  for (const frame_edge& edge : frame_) {
+    const auto &l = edge.left, &r = edge.right;
+    made.faces[l.face].next[l.edge] = r.face;
+    made.faces[r.face].next[r.edge] = l.face;
+    made.faces[l.face].segment[l.edge] = made.faces[r.face].segment[r.edge] = edge.segment;
+  }
+  for (std::size_t b = 0; b < count(); ++b)
+    whole_.note_looked_at(blocks_[b]->part.take_looked_at());
+  whole_.assign(std::move(made));
+}
+
+std::vector<vertex_index> mesh_blocks::faces_at_frame() const {
+  std::vector<vertex_index> found;
+  for (const frame_edge& edge : frame_) {
+    found.push_back(edge.left.face);
+    found.push_back(edge.right.face);
+  }
+  return found;
+}
+
+}  // namespace asterism::internal::adapting

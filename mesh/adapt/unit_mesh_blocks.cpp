@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes the changes of a unit mesh in blocks, by several threads, where the mesh is large.
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/adapt/mesh_blocks.hpp"
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/support/parallel_for.hpp"
+
+namespace asterism::internal::adapting {
+
+struct unit_mesher::block_state {
+  std::size_t done = 0;
+  std::vector<char> is_restless, is_inside, is_due;
+  std::vector<double> shapes;
+};
+
+// Makes this the mesher of one block of a whole.
+void unit_mesher::begin_block(const unit_mesher& whole, const mesh_blocks::block& part) {
+  field_ = whole.field_;
+  unit_ = whole.unit_;
+  crowding_ = whole.crowding_;
+  is_restless_.assign(part.nodes.size(), 0);
+  for (std::size_t v = 0; v < part.nodes.size(); ++v)
+    if (part.nodes[v] < whole.is_restless_.size())
+      is_restless_[v] = whole.is_restless_[part.nodes[v]];
+  is_due_.assign(part.faces.size(), 0);
+  shapes_.assign(part.faces.size(), shape_not_known);
+  for (vertex_index t = 0; t < part.faces.size(); ++t) {
+    const vertex_index before = part.faces[t];
+    if (before < whole.shapes_.size()) shapes_[t] = whole.shapes_[before];
+    if (before >= whole.is_due_.size() || whole.is_due_[before] == 0) continue;
+    is_due_[t] = 1;
+    due_.push_back(t);
+  }
+}
+
+unit_mesher::block_state unit_mesher::end_block(const unit_mesher& whole,
+                                                const mesh_blocks::block& part, std::size_t done) {
+  block_state left;
+  left.done = done;
+  const std::size_t nodes = m_.nodes().size(), faces = m_.faces().size();
+  left.is_inside.assign(nodes, 1);
+  for (std::size_t v = 0; v < part.nodes.size(); ++v)
+    if (part.is_frame[v] != 0)
+      left.is_inside[v] =
+          part.nodes[v] < whole.is_inside_.size() ? whole.is_inside_[part.nodes[v]] : 0;
+  left.is_restless = std::move(is_restless_);
+  left.is_restless.resize(nodes, 0);
+  left.is_due = std::move(is_due_);
+  left.is_due.resize(faces, 0);
+  left.shapes = std::move(shapes_);
+  left.shapes.resize(faces, shape_not_known);
+  return left;
+}
+
+// Takes up again what blocks have left to do. Edges of the frame are to be checked.
+std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
+                                 const std::vector<block_state>& states) {
+  std::size_t done = 0;
+  is_restless_.assign(m_.nodes().size(), 0);
+  is_inside_.assign(m_.nodes().size(), 0);
+  is_due_.assign(m_.faces().size(), 0);
+  shapes_.assign(m_.faces().size(), shape_not_known);
+  for (std::size_t b = 0; b < states.size(); ++b) {
+    const block_state& left = states[b];
+    done += left.done;
+    for (vertex_index v = 0; v < left.is_inside.size(); ++v) {
+      const vertex_index now = blocks.node_now(b, v);
+      if (now == none) continue;
+      is_restless_[now] = static_cast<char>(is_restless_[now] | left.is_restless[v]);
+      is_inside_[now] = static_cast<char>(is_inside_[now] | left.is_inside[v]);
+    }
+    for (vertex_index t = 0; t < left.is_due.size(); ++t) {
+      const vertex_index now = blocks.face_now(b, t);
+      if (now == none) continue;
+      is_due_[now] = left.is_due[t];
+      shapes_[now] = left.shapes[t];
+    }
+  }
+  for (const vertex_index t : blocks.faces_at_frame()) is_due_[t] = 1;
+  due_.clear();
+  for (vertex_index t = 0; t < is_due_.size(); ++t)
+    if (is_due_[t] != 0) due_.push_back(t);
+  return done;
+}
+
+// Does the work in each block of the next cut, after `prepare` has seen the cut. Returns the sum of
+// what the work returns.
+std::size_t unit_mesher::in_blocks(const block_work& work,
+                                   const std::function<void(const mesh_blocks&)>& prepare) {
+  const std::size_t count = m_.count();
+  mesh_blocks blocks(m_, cuts_++);
+  if (prepare) prepare(blocks);
+  const std::size_t room = options_.most_nodes > count ? options_.most_nodes - count : 0;
+  std::vector<block_state> states(blocks.count());
+  parallel_for(blocks.count(), [&](std::size_t b) {
+    mesh_blocks::block taken = blocks.take_out(b);
+    unit_mesh_options options = options_;
+    options.most_nodes = taken.part.count() + room / blocks.count();
+    unit_mesher mesher(taken.part, options);
+    mesher.begin_block(*this, taken);
+    const std::size_t done = work(mesher, b);
+    states[b] = mesher.end_block(*this, taken, done);
+    blocks.put_back(b, std::move(taken));
+  });
+  blocks.join();
+  return take_up(blocks, states);
+}
+
+// Splits the edges longer than this until none is left, or none can be split. Blocks split each
+// edge once and leave the rest to the next cut: beside a frame that is not yet split, splits that
+// go on make twice as many nodes as are wanted.
+void unit_mesher::split_all_long(double longest) {
+  constexpr int most_splits = 40;
+  constexpr std::size_t few = 100;  // one node in so many
+  int times_few = 0;
+  const auto split = [longest](unit_mesher& part, std::size_t) { return part.split_long(longest); };
+  for (int i = 0; i < most_splits && !is_stopped(); ++i) {
+    if (times_few < 2 && mesh_blocks::are_worth_it(m_)) {
+      times_few = few * in_blocks(split) < m_.count() ? times_few + 1 : 0;
+      continue;
+    }
+    if (split_long(longest) == 0) break;
+  }
+  is_inside_.clear();
+}
+
+// Merges, flips and moves; at the frames of both cuts after that. Merges nothing where `shortest`
+// is 0.
+void unit_mesher::merge_and_move(double shortest, int sweeps) {
+  if (!mesh_blocks::are_worth_it(m_)) {
+    if (shortest > 0) merge_short(shortest);
+    return move_all(sweeps);
+  }
+  is_inside_.clear();
+  for (int cut = 0; cut < 2 && !is_stopped(); ++cut)
+    in_blocks([shortest](unit_mesher& part, std::size_t) {
+      const std::size_t done = part.merge_short(shortest);
+      part.move_all(1);
+      return done;
+    });
+  merge_short(shortest);
+  move_all(1);
+  is_inside_.clear();
+}
+
+// Flips and moves until nothing gets better, or sweeps are over.
+void unit_mesher::move_all(int sweeps) {
+  flip_all();
+  for (int i = 0; i < sweeps; ++i) {
+    smooth();
+    flip_all();
+  }
+}
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+//
+// Puts the first nodes of a unit mesh in, in blocks where there are many of them.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/adapt/mesh_blocks.hpp"
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+using seed_list = std::vector<point>;
+
+// Returns the seeds that are to be put in by each block.
+std::vector<seed_list> by_blocks(const mesh_blocks& blocks, const seed_list& seeds) {
+  constexpr std::size_t seeds_at_once = 4096;
+  std::vector<std::uint32_t> block_of(seeds.size());
+  parallel_chunks(seeds.size(), seeds_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                      block_of[i] = static_cast<std::uint32_t>(blocks.block_near(seeds[i]));
+                  });
+  std::vector<seed_list> lists(blocks.count());
+  for (std::size_t i = 0; i < seeds.size(); ++i) lists[block_of[i]].push_back(seeds[i]);
+  return lists;
+}
+
+seed_list joined(const std::vector<seed_list>& lists) {
+  seed_list all;
+  for (const seed_list& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+// Returns each step-th of the seeds that is not a multiple of `coarser`, which may be 0.
+seed_list level_of(const seed_list& seeds, std::size_t step, std::size_t coarser) {
+  seed_list some;
+  for (std::size_t i = 0; i < seeds.size(); i += step)
+    if (coarser == 0 || i % coarser != 0) some.push_back(seeds[i]);
+  return some;
+}
+
+}  // namespace
+
+// Puts nodes at the seeds that have room. Returns those that no walk from the ones before led to.
+std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
+  std::vector<point> left;
+  vertex_index from = 0, hint = 0;
+  for (const point& q : seeds) {
+    if (m_.nodes().size() >= options_.most_nodes) return left;
+    const vertex_index t = locate(q, from);
+    if (t == none) {
+      left.push_back(q);
+      continue;
+    }
+    from = t;
+    node there;
+    there.position = q;
+    there.metric = field_(q, hint);
+    if (is_crowded(t, there)) continue;
+    const auto made = m_.insert(t, q);
+    if (!made) continue;
+    m_.at(*made).hint = hint;
+    m_.set_metric(*made, there.metric);
+    settle_around(*made);
+    from = m_.at(*made).face;
+  }
+  return left;
+}
+
+// Puts the seeds in, in blocks of one cut. Returns those that are in no block but that of others.
+std::vector<point> unit_mesher::insert_in_blocks(const std::vector<point>& seeds) {
+  std::vector<seed_list> lists, left;
+  const auto insert = [&](unit_mesher& part, std::size_t b) {
+    left[b] = part.insert_seeds(lists[b]);
+    part.flip_all();  // also what was the frame of the cut before
+    return lists[b].size() - left[b].size();
+  };
+  in_blocks(insert, [&](const mesh_blocks& blocks) {
+    lists = by_blocks(blocks, seeds);
+    left.resize(lists.size());
+  });
+  return joined(left);
+}
+
+// Puts the seeds in. Of many each 16th before the rest, and so on: the few of the beginning make
+// the mesh that is cut into blocks for the next ones. They are in an order in which neighbours
+// follow each other, and so is each part of them.
+void unit_mesher::seed(const std::vector<point>& seeds) {
+  constexpr std::size_t few = 16384, finer = 16;
+  std::size_t step = 1;
+  while (seeds.size() / step > few) step *= finer;
+  insert_seeds(level_of(seeds, step, 0));
+  while (step > 1 && !is_stopped()) {
+    const std::size_t coarser = std::exchange(step, step / finer);
+    seed_list level = level_of(seeds, step, coarser);
+    for (int cut = 0; cut < 2 && mesh_blocks::are_worth_it(m_); ++cut)
+      level = insert_in_blocks(level);
+    insert_seeds(level);
+  }
+  is_inside_.clear();
+}
+
+}  // namespace asterism::internal::adapting

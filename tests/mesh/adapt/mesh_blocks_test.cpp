@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+//
+// Triangulations cut into blocks and put together again, and meshes that several threads make in
+// blocks: the same ones whatever their number.
+#include "asterism/mesh/adapt/mesh_blocks.hpp"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/mesher.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::internal::adapting;
+
+namespace {
+
+// A front along y = 0.3 x, six times as fine across as along it.
+metric_tensor front(const point& q, vertex_index&) {
+  const double away = (q.y - 0.3 * q.x) / 0.2;
+  const double across = 35 * std::exp(-away * away);
+  return {1 + 0.09 * across, -0.3 * across, 1 + across};
+}
+
+template <class Work>
+void with_threads(int threads, const Work& work) {
+  const tbb::global_control most(tbb::global_control::max_allowed_parallelism,
+                                 static_cast<std::size_t>(threads));
+  tbb::task_arena(threads).execute(work);
+}
+
+domain halved_square() {
+  domain d = square();
+  d.vertices.push_back({-0.5, -0.25});
+  d.vertices.push_back({0.5, 0.25});
+  d.segments.push_back({4, 5, 7, true});
+  return d;
+}
+
+working_mesh fitted(const domain& d, std::size_t count) {
+  const auto field = make_metric_field("identity", d.box());
+  mesh_options options;
+  options.angle_bound = 0;
+  auto coarse = make_mesh(d, *field.value(), options);
+  REQUIRE(coarse.ok());
+  auto built = working_mesh::build(d, coarse.value().result);
+  REQUIRE(built.ok());
+  working_mesh m = std::move(built).value();
+  unit_mesh_options making;
+  making.count = count;
+  unit_mesher(m, making).run(front, {});
+  return m;
+}
+
+// Faces by the places of their corners, from the least on, and how many subsegments they have.
+using placed_face = std::array<std::pair<double, double>, 3>;
+std::multiset<placed_face> placed_faces(const working_mesh& m) {
+  std::multiset<placed_face> all;
+  for (const face& f : m.faces()) {
+    if (!f.exists()) continue;
+    placed_face at;
+    for (std::size_t i = 0; i < 3; ++i) at[i] = {m.at(f.v[i]).position.x, m.at(f.v[i]).position.y};
+    std::rotate(at.begin(), std::min_element(at.begin(), at.end()), at.end());
+    all.insert(at);
+  }
+  return all;
+}
+
+// True if faces know each other across their edges, agree about segments, and nodes know a face.
+bool is_linked(const working_mesh& m) {
+  for (vertex_index t = 0; t < m.faces().size(); ++t) {
+    const face& f = m.faces()[t];
+    for (std::size_t i = 0; i < 3 && f.exists(); ++i) {
+      if (is_of_frame(f.segment[i])) return false;
+      const face& at = m.faces()[m.at(f.v[i]).face];
+      if (std::find(at.v.begin(), at.v.end(), f.v[i]) == at.v.end()) return false;
+      if (f.next[i] == none) continue;
+      const face& g = m.faces()[f.next[i]];
+      const std::size_t k = after(g.corner_of(f.v[after(i)]));
+      if (g.next[k] != t || g.segment[k] != f.segment[i]) return false;
+    }
+  }
+  return true;
+}
+
+bool same(const mesh& a, const mesh& b) {
+  const auto same_site = [](const site& s, const site& t) {
+    return s.position == t.position && identical(s.metric, t.metric);
+  };
+  return a.triangles == b.triangles && a.boundary.size() == b.boundary.size() &&
+         std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(), same_site);
+}
+
+mesh triangulation_of(const working_mesh& m) {
+  std::vector<vertex_index> renumbered;
+  return m.triangulation(renumbered);
+}
+
+}  // namespace
+
+TEST_CASE("a mesh cut into blocks and put together is the same one") {
+  const domain d = halved_square();
+  working_mesh m = fitted(d, 6000);
+  REQUIRE(mesh_blocks::are_worth_it(m));
+  const auto before = placed_faces(m);
+  const std::size_t pieces = triangulation_of(m).boundary.size();
+  for (const unsigned cut : {0U, 1U, 2U, 17U}) {
+    INFO("cut " << cut);
+    mesh_blocks blocks(m, cut);
+    CHECK(blocks.count() >= 4);
+    for (std::size_t b = 0; b < blocks.count(); ++b) blocks.put_back(b, blocks.take_out(b));
+    blocks.join();
+    CHECK(is_linked(m));
+    CHECK(placed_faces(m) == before);
+    CHECK(triangulation_of(m).boundary.size() == pieces);
+  }
+}
+
+TEST_CASE("in a block the frame has all its faces' other ends, and stays as it is") {
+  const domain d = halved_square();
+  working_mesh m = fitted(d, 6000);
+  const working_mesh whole = m;
+  mesh_blocks blocks(m, 3);
+  std::size_t inside = 0;
+  for (std::size_t b = 0; b < blocks.count(); ++b) {
+    mesh_blocks::block taken = blocks.take_out(b);
+    for (vertex_index v = 0; v < taken.nodes.size(); ++v) {
+      face_list here, there;
+      whole.around(taken.nodes[v], there);
+      if (taken.is_frame[v] != 0) {
+        CHECK(taken.part.at(v).kind == node_kind::given);
+        continue;
+      }
+      ++inside;
+      taken.part.around(v, here);
+      CHECK(here.size() == there.size());
+      CHECK(taken.part.at(v).kind == whole.at(taken.nodes[v]).kind);
+    }
+    blocks.put_back(b, std::move(taken));
+  }
+  blocks.join();
+  // A square of 1,000 nodes has 12 in a hundred on its border, which two blocks share.
+  CHECK(100 * inside > 80 * m.count());
+}
+
+TEST_CASE("a mesh fitted in blocks is the same on any number of threads", "[threads]") {
+  const domain d = halved_square();
+  std::vector<mesh> made;
+  for (const int threads : {1, 2, 3, 7}) {
+    with_threads(threads, [&] {
+      const working_mesh m = fitted(d, 6000);
+      CHECK(is_linked(m));
+      CHECK(std::abs(static_cast<double>(m.count()) / 6000 - 1) < 0.03);
+      made.push_back(triangulation_of(m));
+    });
+    INFO(threads << " threads");
+    CHECK(same(made.front(), made.back()));
+  }
+}
+
+TEST_CASE("a mesh delivered from several blocks is the same on any number of threads",
+          "[threads]") {
+  const domain d = square();
+  const auto field = make_metric_field("sink:6", d.box());
+  REQUIRE(field.ok());
+  mesh_options options;
+  options.vertices = 6000;
+  options.limit_size = true;
+  std::vector<mesh> made;
+  for (const int threads : {1, 2, 3, 7}) {
+    with_threads(threads, [&] {
+      auto outcome = make_mesh(d, *field.value(), options);
+      REQUIRE(outcome.ok());
+      CHECK(outcome.value().complete);
+      CHECK(outcome.value().result.sites.size() > 5000);
+      made.push_back(std::move(outcome.value().result));
+    });
+    INFO(threads << " threads");
+    CHECK(same(made.front(), made.back()));
+  }
+}
