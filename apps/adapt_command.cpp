@@ -46,6 +46,7 @@
 #include "asterism/mesh/pipeline/adaptation_words.hpp"
 #include "asterism/mesh/pipeline/curved_sides.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/metric_words.hpp"
 
 namespace asterism::apps {
 using namespace internal;

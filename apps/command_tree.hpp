@@ -32,10 +32,4 @@ struct command_entry {
 // Returns the program, then its commands in their order.
 std::vector<command_entry> command_tree(const CLI::App& program);
 
-// Returns a completion script: of "bash", "zsh" or "fish".
-std::string completion_script(const std::vector<command_entry>& tree, const std::string& shell);
-
-// Returns the manual page, in the macros of man(7), of the entry `which`.
-std::string manual_page(const std::vector<command_entry>& tree, std::size_t which);
-
 }  // namespace asterism::apps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
+#include "asterism/apps/completion_script.hpp"
 
-#include "asterism/apps/command_tree.hpp"
+#include <fmt/format.h>
 
 namespace asterism::apps {
 namespace {

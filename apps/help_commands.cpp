@@ -7,7 +7,9 @@
 #include "asterism/apps/command_tree.hpp"
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
+#include "asterism/apps/completion_script.hpp"
 #include "asterism/apps/help_text.hpp"
+#include "asterism/apps/manual_page.hpp"
 #include "asterism/apps/usage_message.hpp"
 
 namespace asterism::apps {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/io/certificate_json.hpp"
+#include "asterism/mesh/io/certificate_writer.hpp"
 namespace asterism::apps {
 namespace {
 

@@ -9,7 +9,7 @@
 #include "asterism/apps/complain.hpp"
 #include "asterism/apps/freed_memory.hpp"
 #include "asterism/apps/help_text.hpp"
-#include "asterism/apps/surface_commands.hpp"
+#include "asterism/apps/surface_command.hpp"
 #include "asterism/apps/usage_message.hpp"
 #include "asterism/core/version.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/apps/manual_page.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "asterism/apps/command_tree.hpp"
 #include "asterism/core/version.h"
 
 namespace asterism::apps {

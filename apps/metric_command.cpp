@@ -21,6 +21,7 @@
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/metric_series.hpp"
+#include "asterism/mesh/pipeline/metric_words.hpp"
 
 namespace asterism::apps {
 using namespace internal;

@@ -5,7 +5,7 @@
 
 #include "asterism/apps/held_signals.hpp"
 #include "asterism/apps/places.hpp"
-#include "asterism/mesh/io/certificate_file.hpp"
+#include "asterism/mesh/io/certificate_writer.hpp"
 #include "asterism/mesh/io/mesh_format.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/apps/surface_command.hpp"
+
 #include <tbb/global_control.h>
 
 #include <filesystem>
@@ -15,7 +17,6 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/run_limits.hpp"
-#include "asterism/apps/surface_commands.hpp"
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/surface_summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
@@ -25,7 +26,8 @@
 #include "asterism/mesh/surface/surface_mesher.hpp"
 #include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
-#include "asterism/mesh/surface_io/shell_files.hpp"
+#include "asterism/mesh/surface_io/shell_certificate.hpp"
+#include "asterism/mesh/surface_io/space_mesh_writer.hpp"
 
 namespace asterism::apps {
 using namespace internal;

@@ -16,7 +16,7 @@
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
-#include "asterism/mesh/surface_io/shell_files.hpp"
+#include "asterism/mesh/surface_io/shell_certificate.hpp"
 #include "asterism/mesh/surface_io/space_mesh_reader.hpp"
 
 namespace asterism::apps {

@@ -8,7 +8,7 @@ foreach(folder IN ITEMS support data search numerics domain metric stars fill re
 endforeach()
 get_target_property(sources asterism SOURCES)
 # Files are texts that JavaScript hands over. What reads formulas says that it cannot.
-list(FILTER sources EXCLUDE REGEX "/io/text_file|/metric/plane_expression")
+list(FILTER sources EXCLUDE REGEX "/io/text_scanner_files|/metric/plane_expression")
 # Left out: what draws, and files of VTK's XML, which zlib unpacks.
 list(FILTER sources EXCLUDE REGEX "/io/(write_mesh|vtu|vtu_[a-z]+)\\.cpp")
 list(APPEND sources ${PROJECT_SOURCE_DIR}/packages/npm/asterism-mesh/no_formulas.cpp

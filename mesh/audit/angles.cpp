@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/audit/corner_angle.hpp"
 #include "asterism/mesh/audit/sharp_corners.hpp"
 #include "asterism/mesh/audit/unit_subject.hpp"

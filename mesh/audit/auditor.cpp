@@ -5,7 +5,7 @@
 
 #include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/mesh/audit/audit_work.hpp"
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/theorem_of_mesh.hpp"
 #include "asterism/mesh/support/work_weights.hpp"

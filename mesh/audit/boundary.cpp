@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/audit/subsegment_tree.hpp"
 
 namespace asterism::internal::audit_detail {

@@ -200,20 +200,6 @@ std::vector<std::size_t> starts_of(const std::vector<Item>& sorted, std::size_t 
   return start;
 }
 
-// The checks, in the order of audit(). Each reports into the context and goes on.
-void check_values(audit_context& context);
-void check_orientations(audit_context& context);
-void check_edges(audit_context& context);
-void check_boundary_contacts(audit_context& context);
-void check_winding(audit_context& context);
-void check_fans(audit_context& context);
-void check_domain_kept(audit_context& context);
-void check_regions(audit_context& context);
-void check_angles(audit_context& context);
-void check_something_judged(audit_context& context);
-void check_stars(audit_context& context);
-void check_voronoi(audit_context& context);
-
 // Returns the index into context.edges, or the size of it.
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b);
 // Returns the boundary edge with the domain on the left of a -> b: index into subject.boundary, or

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 
 namespace asterism::internal {
 

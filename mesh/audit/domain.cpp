@@ -9,7 +9,7 @@
 #include <bit>
 #include <cmath>
 
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/audit/curves.hpp"
 #include "asterism/mesh/audit/roots.hpp"
 

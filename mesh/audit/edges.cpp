@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {

@@ -19,7 +19,7 @@
 
 #include "asterism/mesh/audit/audit_work.hpp"
 #include "asterism/mesh/audit/check_order.hpp"
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_check.hpp"
 #include "asterism/mesh/audit/star_surroundings.hpp"

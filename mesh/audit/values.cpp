@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {

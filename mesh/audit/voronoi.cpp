@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "asterism/mesh/audit/audit_work.hpp"
-#include "asterism/mesh/audit/context.hpp"
+#include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/voronoi_arc.hpp"
 #include "asterism/mesh/audit/voronoi_edge.hpp"

@@ -4,9 +4,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <vector>
-
-#include "asterism/mesh/audit/certificate.hpp"
 
 namespace asterism::internal {
 
@@ -20,12 +17,5 @@ inline constexpr double no_angle_to_judge = 180;
 
 // Names in the order of curve_kind.
 inline constexpr std::array<std::string_view, 2> curve_kind_names = {"arc", "cubic"};
-
-// Returns how sides match, an object each.
-certificate_json json_of(const std::vector<periodic_match>& matches);
-
-// Returns every field of the certificate. The reader holds what it was given against what is
-// written of it, so that no field passes unread.
-certificate_json json_of(const certificate& c);
 
 }  // namespace asterism::internal

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "asterism/mesh/io/certificate_json.hpp"
+#include "asterism/mesh/io/certificate_writer.hpp"
 #include "asterism/mesh/io/json_places.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/certificate_writer.hpp"
+
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
-#include "asterism/mesh/io/certificate_file.hpp"
 #include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/geojson.hpp"
 #include "asterism/mesh/io/gmsh.hpp"
 #include "asterism/mesh/io/listed_readers.hpp"
 #include "asterism/mesh/io/poly.hpp"
-#include "asterism/mesh/io/polygons.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/io/vtu_mesh.hpp"
+#include "asterism/mesh/io/wkt.hpp"
 
 namespace asterism::internal {
 namespace fs = std::filesystem;
@@ -37,7 +38,7 @@ constexpr kept_parts in_flow_solvers = {.names_of_markers = true};
 constexpr kept_parts in_sms = {.regions = true, .inner_segments = true};
 constexpr kept_parts in_node = {.regions = true, .inner_segments = true, .metric = true};
 
-constexpr std::array<file_kind, 20> kinds = {{
+constexpr std::array<file_kind, 20> kinds_of_files = {{
     {".mesh", "Medit's text, with the metric in a .sol", read_listed_medit, "", nullptr,
      mesh_format::medit, in_medit},
     {".meshb", "Medit's binary, with the metric in a .solb", read_listed_medit, "", nullptr,
@@ -72,19 +73,19 @@ constexpr std::array<file_kind, 20> kinds = {{
 
 }  // namespace
 
-std::span<const file_kind> file_kinds() { return kinds; }
+std::span<const file_kind> file_kinds() { return kinds_of_files; }
 
 const file_kind* kind_of_file(std::string_view name) {
-  const auto* const at = std::find_if(kinds.begin(), kinds.end(), [name](const file_kind& kind) {
-    return has_ending(name, kind.ending);
-  });
-  return at == kinds.end() ? nullptr : at;
+  const auto* const at =
+      std::find_if(kinds_of_files.begin(), kinds_of_files.end(),
+                   [name](const file_kind& kind) { return has_ending(name, kind.ending); });
+  return at == kinds_of_files.end() ? nullptr : at;
 }
 
 const kept_parts& kept_in(mesh_format format) {
-  const auto* const at = std::find_if(kinds.begin(), kinds.end(), [format](const file_kind& kind) {
-    return kind.format == format;
-  });
+  const auto* const at =
+      std::find_if(kinds_of_files.begin(), kinds_of_files.end(),
+                   [format](const file_kind& kind) { return kind.format == format; });
   return at->keeps;
 }
 
@@ -101,7 +102,7 @@ bool is_written_kind(const file_kind& kind) { return kind.format.has_value(); }
 
 std::string endings_of(bool (*is_meant)(const file_kind&), std::string_view last) {
   std::vector<std::string_view> meant;
-  for (const file_kind& kind : kinds)
+  for (const file_kind& kind : kinds_of_files)
     if (is_meant(kind)) meant.push_back(kind.ending);
   std::string text;
   for (std::size_t i = 0; i < meant.size(); ++i) {

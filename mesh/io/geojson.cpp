@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // GeoJSON, RFC 7946. nlohmann's library reports by exceptions; none leaves this file.
+#include "asterism/mesh/io/geojson.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,6 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/json_places.hpp"
 #include "asterism/mesh/io/polygon_domain.hpp"
-#include "asterism/mesh/io/polygons.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {

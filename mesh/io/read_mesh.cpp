@@ -43,7 +43,7 @@ std::optional<error> check_metric(const file_kind& kind, const listed_mesh& m,
   return no_metric(kind, m.file);
 }
 
-bool is_medit(const file_kind& kind) { return kind.read == read_listed_medit; }
+bool is_of_medit(const file_kind& kind) { return kind.read == read_listed_medit; }
 
 // Returns the kind by which the file is read: Medit's where the name says nothing.
 const file_kind& kind_to_read(const std::filesystem::path& path) {
@@ -98,7 +98,7 @@ result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                  read.failure().code};
   if (!read) return read.failure();
   listed_mesh& m = read.value();
-  const bool has_own_metric = !is_medit(kind) && !m.content.triangles.empty();
+  const bool has_own_metric = !is_of_medit(kind) && !m.content.triangles.empty();
   if (has_own_metric && !options.solution.empty())
     if (auto failed = take_metric(options.solution, m)) return *failed;
   if (has_own_metric)
@@ -115,7 +115,7 @@ result<mesh> read_mesh(const std::filesystem::path& path, const medit_read_optio
 }
 
 result<mesh_marks> read_mesh_marks(const std::filesystem::path& path) {
-  if (!is_medit(kind_to_read(path))) return mesh_marks{};
+  if (!is_of_medit(kind_to_read(path))) return mesh_marks{};
   auto read = read_mesh_file(path, {.without_solution = true});
   if (!read) return read.failure();
   return std::move(read.value().marks);
@@ -130,7 +130,7 @@ void take_back_note_of_corners(mesh_file& read) {
 physical_names names_in(const std::filesystem::path& path) {
   if (has_ending(path.string(), ".poly")) return {{}, region_names_in_poly(path)};
   const file_kind* const kind = kind_of_file(path.string());
-  if (kind == nullptr || kind->read == nullptr || is_medit(*kind)) return {};
+  if (kind == nullptr || kind->read == nullptr || is_of_medit(*kind)) return {};
   auto read = read_mesh_file(path, {.without_solution = true});
   return read ? std::move(read.value().names) : physical_names{};
 }

@@ -2,6 +2,8 @@
 //
 // Well-known text (OGC 06-103r4, section 7): POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTIONs of
 // these, one or several a file, with or without "SRID=4326;" before and Z, M or ZM after the name.
+#include "asterism/mesh/io/wkt.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -11,7 +13,6 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/polygon_domain.hpp"
-#include "asterism/mesh/io/polygons.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "asterism/mesh/io/certificate_json.hpp"
+#include "asterism/mesh/io/certificate_writer.hpp"
 #include "asterism/mesh/io/json_places.hpp"
 
 namespace asterism::internal {

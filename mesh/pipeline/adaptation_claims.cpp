@@ -17,6 +17,7 @@
 #include "asterism/mesh/pipeline/frozen_regions.hpp"
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/metric_request.hpp"
+#include "asterism/mesh/pipeline/metric_words.hpp"
 #include "asterism/mesh/pipeline/outline_chords.hpp"
 
 namespace asterism::internal {

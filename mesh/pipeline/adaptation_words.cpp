@@ -9,6 +9,7 @@
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/adaptation_claims.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/metric_words.hpp"
 
 namespace asterism::internal {
 namespace {

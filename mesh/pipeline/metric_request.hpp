@@ -4,7 +4,6 @@
 // for a run and, from its certificate, once more for verify.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,15 +53,5 @@ std::string name_of(const metric_request& request);
 
 // Reads the files and makes the metric. Sites of the background are numbered as in its file.
 result<requested_metric> answer(const metric_request& request);
-
-// Returns the request in words, by names that begin with "adapt-"; empty words are "none".
-std::map<std::string, std::string> words_of(const metric_request& request);
-// Returns the request that has these words. Fails for words that are none of a request's.
-result<metric_request> request_of(const std::map<std::string, std::string>& words);
-
-// Returns the report in words, by names that begin with "metric-": numbers read back as they were.
-std::map<std::string, std::string> words_of(const solution_metric_report& report);
-// Returns the report in a line for people.
-std::string text_of(const solution_metric_report& report);
 
 }  // namespace asterism::internal

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/metric_words.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -8,7 +10,6 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/pipeline/metric_request.hpp"
 
 namespace asterism::internal {
 namespace {

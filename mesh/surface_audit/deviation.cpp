@@ -6,8 +6,10 @@
 #include <cmath>
 #include <optional>
 
-#include "asterism/mesh/surface_audit/deviation_parts.hpp"
+#include "asterism/mesh/surface_audit/deviation_scene.hpp"
+#include "asterism/mesh/surface_audit/mesh_to_surface.hpp"
 #include "asterism/mesh/surface_audit/number_ranges.hpp"
+#include "asterism/mesh/surface_audit/surface_to_mesh.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -37,18 +39,6 @@ double size_of(const std::vector<space_box>& boxes, const surface& s) {
 }
 
 }  // namespace
-
-std::vector<space_box> boxes_of_triangles(const space_mesh& mesh) {
-  std::vector<space_box> boxes;
-  boxes.reserve(mesh.triangles.size());
-  for (const space_triangle& t : mesh.triangles) {
-    space_box box = space_box::of(mesh.points[t[0]]);
-    box.include(mesh.points[t[1]]);
-    box.include(mesh.points[t[2]]);
-    boxes.push_back(box);
-  }
-  return boxes;
-}
 
 result<deviation_report> deviation(const space_mesh& mesh, const surface& s,
                                    const deviation_options& options) {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "asterism/mesh/surface_audit/deviation_parts.hpp"
+#include "asterism/mesh/surface_audit/deviation_scene.hpp"
 #include "asterism/mesh/surface_audit/hull_bounds.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface_audit/lifted_distance.hpp"
+
 #include <algorithm>
 #include <optional>
 
-#include "asterism/mesh/surface_audit/lifted_bounds.hpp"
+#include "asterism/mesh/surface_audit/surface_to_mesh.hpp"
 
 namespace asterism::internal {
 namespace {

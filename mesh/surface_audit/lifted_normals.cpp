@@ -7,6 +7,8 @@
 //   q1 x q2 = ((p1 r2 - r1 p2) n - (p1 c2 - c1 p2) m + (r1 c2 - c1 r2) e) / (E N),
 // so that the squared tangent of the angle between q1 x q2 and n is
 //   E ((p1 c2 - c1 p2)^2 + (r1 c2 - c1 r2)^2 / N) / (p1 r2 - r1 p2)^2.
+#include "asterism/mesh/surface_audit/lifted_normals.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +16,6 @@
 #include <optional>
 #include <utility>
 
-#include "asterism/mesh/surface_audit/lifted_bounds.hpp"
 #include "asterism/mesh/surface_audit/part_directions.hpp"
 
 namespace asterism::internal {

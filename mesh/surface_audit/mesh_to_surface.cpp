@@ -2,14 +2,16 @@
 //
 // From the mesh to the surface: cells are parts of triangles, each held against the piece of the
 // surface over a triangle of parameters, whose corners are proposed by projection.
+#include "asterism/mesh/surface_audit/mesh_to_surface.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "asterism/core/floating_point_environment.hpp"
-#include "asterism/mesh/surface_audit/deviation_parts.hpp"
 #include "asterism/mesh/surface_audit/hull_bounds.hpp"
+#include "asterism/mesh/surface_audit/witness_proofs.hpp"
 
 namespace asterism::internal {
 namespace {

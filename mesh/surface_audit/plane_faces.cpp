@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface_audit/plane_faces.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <cmath>
 
 #include "asterism/mesh/audit/audit.hpp"
-#include "asterism/mesh/surface_audit/shell_findings.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -10,10 +10,13 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/floating_point_environment.hpp"
-#include "asterism/mesh/surface_audit/lifted_bounds.hpp"
+#include "asterism/mesh/surface_audit/lifted_distance.hpp"
+#include "asterism/mesh/surface_audit/lifted_normals.hpp"
+#include "asterism/mesh/surface_audit/mesh_to_surface.hpp"
 #include "asterism/mesh/surface_audit/number_ranges.hpp"
+#include "asterism/mesh/surface_audit/plane_faces.hpp"
 #include "asterism/mesh/surface_audit/shell_crossings.hpp"
-#include "asterism/mesh/surface_audit/shell_findings.hpp"
+#include "asterism/mesh/surface_audit/shell_edges.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/support/parallel_for.hpp"
-#include "asterism/mesh/surface_audit/deviation_parts.hpp"
+#include "asterism/mesh/surface_audit/deviation_scene.hpp"
 
 namespace asterism::internal {
 namespace {

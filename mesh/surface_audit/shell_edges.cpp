@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface_audit/shell_edges.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "asterism/mesh/surface_audit/shell_findings.hpp"
+#include "asterism/mesh/surface_audit/plane_faces.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -2,6 +2,8 @@
 //
 // From the surface to the mesh: cells are boxes of a piece's parameters with their control points,
 // halved by de Casteljau's algorithm.
+#include "asterism/mesh/surface_audit/surface_to_mesh.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,9 +12,9 @@
 #include <vector>
 
 #include "asterism/core/floating_point_environment.hpp"
-#include "asterism/mesh/surface_audit/deviation_parts.hpp"
 #include "asterism/mesh/surface_audit/hull_bounds.hpp"
 #include "asterism/mesh/surface_audit/net_halving.hpp"
+#include "asterism/mesh/surface_audit/witness_proofs.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -2,13 +2,14 @@
 //
 // Proves that a witness is as far as it is said to be: by hulls of control points on the far side
 // of a plane, and by triangles, each of which is farther.
+#include "asterism/mesh/surface_audit/witness_proofs.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
 
 #include "asterism/core/floating_point_environment.hpp"
-#include "asterism/mesh/surface_audit/deviation_parts.hpp"
 #include "asterism/mesh/surface_audit/hull_bounds.hpp"
 #include "asterism/mesh/surface_audit/net_halving.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // nlohmann's library reports by exceptions; none leaves this file.
+#include "asterism/mesh/surface_io/shell_certificate.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,7 +16,6 @@
 #include "asterism/mesh/io/json_places.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
-#include "asterism/mesh/surface_io/shell_files.hpp"
 #include "asterism/mesh/surface_io/surface_json.hpp"
 
 namespace asterism::internal {

@@ -2,6 +2,8 @@
 //
 // .obj, .stl and .ply. Sources: Wavefront's appendix B1; the StL interface specification of 3D
 // Systems, 1989; Turk's "The PLY polygon file format", 1994.
+#include "asterism/mesh/surface_io/space_formats.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -16,7 +18,6 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/stl_facets.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
-#include "asterism/mesh/surface_io/space_mesh_reader.hpp"
 
 namespace asterism::internal {
 namespace {

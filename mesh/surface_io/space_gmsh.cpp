@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // gmsh's .msh as a mesh in space: its triangles, by the reader of plane meshes.
+#include "asterism/mesh/surface_io/space_gmsh.hpp"
+
 #include <utility>
 
 #include "asterism/mesh/io/listed_readers.hpp"
-#include "asterism/mesh/surface_io/space_mesh_reader.hpp"
 
 namespace asterism::internal {
 

@@ -11,6 +11,8 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/io/vtu_file.hpp"
+#include "asterism/mesh/surface_io/space_formats.hpp"
+#include "asterism/mesh/surface_io/space_gmsh.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 #include "asterism/core/result.hpp"
@@ -21,13 +20,5 @@ namespace asterism::internal {
 bool is_space_mesh_file(std::string_view name);
 
 result<space_mesh> read_space_mesh(const std::filesystem::path& path);
-
-// By format; `file` is the name for messages.
-result<space_mesh> parse_obj(std::string_view text, const std::string& file);
-result<space_mesh> parse_stl(std::string_view bytes, const std::string& file);
-result<space_mesh> parse_ply(std::string_view bytes, const std::string& file);
-result<space_mesh> parse_space_medit(std::string_view text, const std::string& file);
-result<space_mesh> parse_space_gmsh(std::string_view text, const std::string& file);
-result<space_mesh> parse_space_vtu(std::string_view text, const std::string& file);
 
 }  // namespace asterism::internal

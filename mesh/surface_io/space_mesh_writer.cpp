@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "asterism/mesh/surface_io/space_mesh_writer.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
-#include "asterism/mesh/surface_io/shell_files.hpp"
 
 namespace asterism::internal {
 namespace {

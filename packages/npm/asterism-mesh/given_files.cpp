@@ -19,7 +19,7 @@ std::map<std::string, std::string>& files() {
 
 void give_file(const std::string& name, std::string text) { files()[name] = std::move(text); }
 
-// Stands in for mesh/io/text_file.cpp.
+// Stands in for mesh/io/text_scanner_files.cpp.
 result<std::string> read_text_file(const std::filesystem::path& path) {
   const auto found = files().find(path.string());
   if (found == files().end())

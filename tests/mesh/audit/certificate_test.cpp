@@ -12,6 +12,7 @@
 #include "asterism/mesh/audit/certificate_options.hpp"
 #include "asterism/mesh/audit/verify.hpp"
 #include "asterism/mesh/io/certificate_json.hpp"
+#include "asterism/mesh/io/certificate_writer.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
 #include "fixtures/audit_meshes.hpp"

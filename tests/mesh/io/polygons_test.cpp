@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/io/polygons.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,8 +6,10 @@
 #include "asterism/core/random.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/io/geojson.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/polygon_domain.hpp"
+#include "asterism/mesh/io/wkt.hpp"
 #include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 
 using namespace asterism;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads polygons as geographers write them: GeoJSON (RFC 7946) and well-known text (WKT).
+// Reads polygons of GeoJSON (RFC 7946).
 //
 // Read: Polygon and MultiPolygon, and collections of these, within each other too; of GeoJSON also
 // Feature and FeatureCollection. What they contain is as the formats have it
@@ -24,7 +24,6 @@ namespace asterism::internal {
 
 // Reads the domain as written: check_domain has yet to accept it.
 result<domain> read_geojson(const std::filesystem::path& path);
-result<domain> read_wkt(const std::filesystem::path& path);
 
 // Reads GeoJSON from a text, which messages call `name`.
 result<domain> parse_geojson(std::string_view text, const std::string& name);

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Declares the parts of a shell's audit that need no distances.
+// Audits the plane mesh of each face of a shell, and counts findings.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/surface.hpp"
 #include "asterism/mesh/data/surface_shell.hpp"
 #include "asterism/mesh/surface_audit/shell_report.hpp"
-#include "asterism/mesh/surface_audit/shell_triangles.hpp"
 
 namespace asterism::internal {
 
@@ -25,10 +23,5 @@ result<domain> rectangle_of(const surface_patch& patch, const shell_face& face);
 // Audits the plane mesh of each face against that.
 void audit_planes(const surface& s, const surface_shell& shell, const shell_question& asked,
                   shell_report& report);
-
-// Holds edges and vertices of the shell against each other and against the sides of the patches.
-void audit_edges(const surface& s, const surface_shell& shell,
-                 const std::vector<shell_triangle>& triangles, const shell_question& asked,
-                 shell_report& report);
 
 }  // namespace asterism::internal

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/file_output.hpp"
@@ -13,5 +15,12 @@ void write_certificate_text(const certificate& c, const byte_sink& put);
 
 // Returns the file that holds it, which refers to the certificate.
 output_file certificate_file(const std::filesystem::path& path, const certificate& c);
+
+// Returns how sides match, an object each.
+nlohmann::ordered_json json_of(const std::vector<periodic_match>& matches);
+
+// Returns every field of the certificate. The reader holds what it was given against what is
+// written of it, so that no field passes unread.
+nlohmann::ordered_json json_of(const certificate& c);
 
 }  // namespace asterism::internal

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes meshes in space, and the certificates of shells, and reads those.
+// Writes and reads the certificates of shells.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "asterism/core/result.hpp"
-#include "asterism/mesh/data/space_mesh.hpp"
 #include "asterism/mesh/data/surface_shell.hpp"
 #include "asterism/mesh/surface_audit/shell_audit.hpp"
 
 namespace asterism::internal {
-
-// Returns the content of a file in the format that the name's ending says: .obj, .stl and .ply as
-// text, Medit's .mesh, gmsh's .msh 2.2, .vtu. Doubles read back the same. Faces are references
-// and physical groups.
-result<std::string> space_mesh_text(const space_mesh& m, const std::string& file);
 
 // All that is claimed of a shell, with the surface and the plane meshes, so that it can be proved
 // again from this and the mesh in space.

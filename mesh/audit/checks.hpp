@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+//
+// Lists the checks of a mesh in the order of the auditor, each in a source of its own. Each reports
+// into the context and goes on.
+#pragma once
+
+#include "asterism/mesh/audit/context.hpp"
+
+namespace asterism::internal::audit_detail {
+
+void check_values(audit_context& context);
+void check_orientations(audit_context& context);
+void check_edges(audit_context& context);
+void check_boundary_contacts(audit_context& context);
+void check_winding(audit_context& context);
+void check_fans(audit_context& context);
+void check_domain_kept(audit_context& context);
+void check_regions(audit_context& context);
+void check_angles(audit_context& context);
+void check_something_judged(audit_context& context);
+void check_stars(audit_context& context);
+void check_voronoi(audit_context& context);
+
+}  // namespace asterism::internal::audit_detail
