@@ -111,7 +111,7 @@ int run_check(const check_options& options) {
   const auto bytes = bytes_of_file(options.proof);
   if (!bytes) return complain(bytes.failure(), refused);
   const auto proof = read_proof(bytes.value(), subject.value());
-  if (!proof) return refuse(proof.failure());
+  if (!proof) return refuse(proof.failure().at(options.proof.string()));
   const proof_question asked{subject.value(), shape.value() ? &*shape.value() : nullptr,
                              options.angle_bound};
   if (const auto failure = check_proof(asked, proof.value())) return refuse(*failure);

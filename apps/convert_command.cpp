@@ -28,6 +28,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/io/poly_writer.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
@@ -184,7 +185,8 @@ std::optional<error> check_output_differs(const places& where) {
 std::optional<error> check_places(const places& where, int order) {
   if (!is_mesh_file(where.in.string()))
     return error{where.in.string() + ": unknown kind of file '" + where.in.extension().string() +
-                     "'; meshes are read of " + endings_of(is_mesh_kind, "and"),
+                     "'; meshes are read of " + endings_of(is_mesh_kind, "and") +
+                     what_it_is(where.in.string()),
                  error_code::bad_option};
   const auto format = check_output(where.out);
   if (!format) return format.failure();

@@ -14,6 +14,7 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/thread_limit.hpp"
+#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/surface_audit/deviation.hpp"
 #include "asterism/mesh/surface_io/space_mesh_reader.hpp"
 
@@ -103,9 +104,19 @@ void write_json(const deviation_job& job, const deviation_report& report) {
   std::cout << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
+// Refuses the mesh in the surface's place, which nothing but a name tells.
+std::optional<error> check_order_of_names(const deviation_job& job) {
+  for (const char* const ending : {".obj", ".stl", ".ply", ".mesh", ".msh", ".vtu"})
+    if (internal::has_ending(job.of, ending) && !internal::has_ending(job.mesh, ending))
+      return error{job.of + ": is a mesh by its name, and the surface comes last: 'asterism " +
+                   "deviation MESH SURFACE'"};
+  return std::nullopt;
+}
+
 int run_deviation(const deviation_job& job) {
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  if (auto failed = check_order_of_names(job)) return complain(*failed, refused);
   const auto of = find_surface(job.of);
   if (!of) return complain(of.failure(), refused);
   const auto mesh = read_space_mesh(job.mesh);

@@ -75,13 +75,19 @@ result<report_facts> facts_of_page(const draw_options& options, const std::strin
   return facts;
 }
 
+// Finds the kind of picture by its name, and whether it can be written there.
+result<mesh_format> picture_format(const fs::path& picture) {
+  const auto format = mesh_format_of(picture);
+  if (format && (is_picture(format.value()) || format.value() == mesh_format::html))
+    return check_output(picture);
+  return error{picture.string() +
+               ": not a picture; use .svg, .png, .pdf or .html, or convert for a mesh in another "
+               "format"};
+}
+
 // Refuses what does not go together, before anything is read.
 std::optional<error> check(const draw_options& options, mesh_format format) {
   const bool is_page = format == mesh_format::html;
-  if (!is_picture(format) && !is_page)
-    return error{options.picture.string() +
-                 ": not a picture; use .svg, .png, .pdf or .html, or convert for a mesh in another "
-                 "format"};
   if (!is_page && !options.certificate.empty())
     return error{"--certificate: goes with a page, -o NAME.html"};
   if (!is_page && options.things.size() > 1)
@@ -161,7 +167,7 @@ result<report_facts> facts_of_things(const draw_options& options,
 }
 
 int run_draw(const draw_options& options) {
-  const auto format = check_output(options.picture);
+  const auto format = picture_format(options.picture);
   if (!format) return complain(format.failure(), refused);
   if (const auto failed = check(options, format.value())) return complain(*failed, refused);
   auto things = read_things(options);

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,25 @@ Examples:
   echo 'orientation 0 0  1 0  0x1p-3 1' | asterism eval
   asterism eval --kernel exact --stats records.txt)";
 
+// Refuses a file of another kind, which would be answered by an error a line to its end: none of
+// its first lines is a record. Leaves the file at its beginning.
+std::optional<error> refuse_other_kind(const std::string& file, std::ifstream& in) {
+  constexpr int lines_looked_at = 20;
+  int bad = 0;
+  std::string first;
+  for (std::string line; bad < lines_looked_at && std::getline(in, line);) {
+    const auto record = parse_record(line);
+    if (record && record.value()) break;
+    if (!record && ++bad == 1) first = record.failure().message;
+  }
+  in.clear();
+  in.seekg(0);
+  if (bad < lines_looked_at) return std::nullopt;
+  return error{file + ": none of its first " + std::to_string(bad) +
+               " lines is a record (the first: " + first +
+               "); a record is a predicate and its numbers, see 'asterism help eval'"};
+}
+
 // Answers the files. Every one is opened before anything is answered, so that a wrong name spoils
 // no output.
 int run_eval(const eval_options& options) {
@@ -57,6 +77,9 @@ int run_eval(const eval_options& options) {
       return complain({file + ": is a directory, not a file of records"}, refused);
     streams.emplace_back(file, std::ios::binary);
     if (!streams.back()) return complain({file + ": cannot be opened for reading"}, refused);
+    if (!std::filesystem::is_regular_file(file, ignored)) continue;
+    if (const auto failed = refuse_other_kind(file, streams.back()))
+      return complain(*failed, refused);
   }
 
   std::ios::sync_with_stdio(false);

@@ -16,6 +16,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
+#include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
@@ -221,6 +222,8 @@ result<file_facts> facts_of_certificate(const fs::path& path) {
 
 result<file_facts> facts_of_file(const fs::path& path) {
   const std::string name = path.string();
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return error{name + ": is a directory, not a file"};
   // A .vtu file is a mesh, a solution on one, or both.
   if (is_mesh_file(name)) {
     auto facts = facts_of_mesh(path);
@@ -234,11 +237,14 @@ result<file_facts> facts_of_file(const fs::path& path) {
   if (is_drawn || has_ending(name, ".ele") || has_ending(name, ".edge"))
     return error{name + ": files of this kind are written here, not read"};
   if (!is_domain(name))
-    return error{name + ": not a file that is known here by its name: domains (" +
-                 endings_of(is_domain_kind, "and") + "), meshes (" +
+    return error{name +
+                 (fs::exists(path, ignored) ? ": not a file that is known here by its name: "
+                                            : ": no such file; these are known here by names: ") +
+                 "domains (" + endings_of(is_domain_kind, "and") + "), meshes (" +
                  endings_of(is_mesh_kind, "and") +
                  "), solutions (.sol, .solb, .bb, .vtu), metrics (.sol, .solb, .mtr), certificates "
-                 "(.certificate.json)"};
+                 "(.certificate.json)" +
+                 what_it_is(name)};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());
   // A certificate may have any name; a domain's message is the one to tell otherwise.

@@ -10,7 +10,9 @@
 #include <charconv>
 #include <cstdlib>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace asterism::apps {
 namespace {
@@ -20,12 +22,13 @@ struct heading {
   std::string_view options;  // their long names, each between blanks
 };
 
-constexpr std::array<heading, 4> headings = {{
+constexpr std::array<heading, 5> headings = {{
     {"What is wanted",
      " metric size hmin hmax aspect vertices complexity gradation angle-bound metric-tolerance tol "
      "improve "
-     "refine voronoi solution carry hessian norm target error relative cutoff "
-     "given-hessian series floor keep "
+     "refine voronoi guarantee repair solution carry hessian norm target error relative cutoff "
+     "field intersect implied isotropic step gradation-space given-hessian series floor keep "
+     "chord normal no-crossings width at-most "
      "size-at size-in size-near size-box layers frozen sizes-of-file transfer how "},
     {"Domain",
      " domain repair-domain repair-distance regions random-points seed chord-tolerance "
@@ -33,9 +36,9 @@ constexpr std::array<heading, 4> headings = {{
      "all-edges convex-hull periodic no-split-across "},
     {"Files and words",
      " output certificate colour-by ellipses no-sites quiet json long all-findings values format "
-     "proof order "
-     "report "},
-    {"Limits", " max-sites max-seconds max-memory threads at-most pieces "},
+     "proof order solution-out carry-out report "},
+    {"Limits", " max-sites max-seconds max-memory threads "},
+    {"In pieces", " pieces piece-format resume "},
 }};
 
 // Column at which CLI11 begins descriptions.
@@ -65,6 +68,25 @@ void append_wrapped(std::string& out, std::string_view line, std::size_t columns
   out.append(line).append("\n");
 }
 
+// Tells whether a line goes on with the paragraph of the line before: neither is indented or empty.
+bool goes_on(std::string_view before, std::string_view line) {
+  const auto is_text = [](std::string_view text) { return !text.empty() && text.front() != ' '; };
+  return is_text(before) && is_text(line) && line.find("Usage:") != 0;
+}
+
+// Splits help into lines, with the lines of a paragraph, broken for some width, joined into one.
+std::vector<std::string> paragraphs_of(const std::string& help) {
+  std::vector<std::string> lines;
+  std::istringstream text(help);
+  for (std::string line; std::getline(text, line);) {
+    if (!lines.empty() && goes_on(lines.back(), line))
+      lines.back() += " " + line;
+    else
+      lines.push_back(line);
+  }
+  return lines;
+}
+
 }  // namespace
 
 void group_options(CLI::App& program) {
@@ -88,10 +110,11 @@ std::size_t help_columns() {
 }
 
 std::string wrapped(const std::string& help, std::size_t columns) {
-  std::string out;
-  std::istringstream lines(help);
-  for (std::string line, before; std::getline(lines, line); before = line) {
-    if (line.empty() && before.empty()) continue;
+  std::string out, before;
+  for (const std::string& line : paragraphs_of(help)) {
+    const bool is_second_gap = line.empty() && before.empty();
+    before = line;
+    if (is_second_gap) continue;
     if (line.size() <= columns || is_example(line))
       out += line + '\n';
     else

@@ -4,6 +4,8 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
@@ -45,7 +47,10 @@ int run(int argc, char** argv) {
   add_help_command(program, chosen);
   add_man_command(program, chosen);
   group_options(program);
-  if (const auto message = misread_help(program, {argv + 1, argv + argc})) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  auto message = misread_help(program, words);
+  if (!message) message = misused_stream(words);
+  if (message) {
     std::cerr << "asterism: " << without_controls(*message) << '\n';
     return refused;
   }
@@ -60,8 +65,7 @@ int run(int argc, char** argv) {
     return done;
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
-    std::cerr << "asterism: "
-              << without_controls(usage_message(program, {argv + 1, argv + argc}, failure)) << '\n';
+    std::cerr << "asterism: " << without_controls(usage_message(program, words, failure)) << '\n';
     return refused;
   }
   const int status = chosen();

@@ -13,11 +13,20 @@ namespace {
   throw CLI::ValidationError(name, what);
 }
 
+// "; did you mean 0.1?" for 0,1: the point of some countries is read nowhere here.
+std::string meant_number(std::string text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return "";
+  text[comma] = '.';
+  return parse_number(text) ? "; did you mean " + text + "?" : "";
+}
+
 }  // namespace
 
 double real_of(const std::string& name, const std::string& text, const real_range& range) {
   const auto value = parse_number(text);
-  if (!value) refuse(name, value.failure().message);
+  if (!value)
+    refuse(name, value.failure().message + "; it must be " + range.text + meant_number(text));
   const double x = value.value();
   const bool inside = (range.low < x || (range.low_allowed && x == range.low)) &&
                       (x < range.high || (range.high_allowed && x == range.high));
@@ -41,7 +50,8 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low
     const char* const end = text.data() + text.size();
     const auto [stop, failure] = std::from_chars(text.data(), end, value);
     if (text.empty() || failure == std::errc::invalid_argument || stop != end)
-      refuse(name, quoted_token(text) + " is not a whole number that is not negative");
+      refuse(name, quoted_token(text) + " is not a whole number; it must be from " +
+                       std::to_string(low) + " to " + std::to_string(high));
     if (failure != std::errc() || value < low || value > high)
       refuse(name, text + " is out of range: it must be from " + std::to_string(low) + " to " +
                        std::to_string(high));

@@ -3,6 +3,7 @@
 
 #include <tbb/global_control.h>
 
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/places.hpp"
 #include "asterism/apps/run_limits.hpp"
+#include "asterism/apps/summary.hpp"
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/surface_summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
@@ -67,7 +69,7 @@ std::optional<error> check_files(const surface_job& job) {
   for (const fs::path& path : job.outputs) {
     if (has_ending(path.string(), ".html")) continue;
     const auto text = space_mesh_text({}, path.string());
-    if (!text) return text.failure();
+    if (!text) return error{text.failure().message + "; .html is a page to turn it on"};
   }
   std::vector<fs::path> read;
   if (has_ending(job.of, ".json")) read.emplace_back(job.of);
@@ -97,6 +99,14 @@ result<std::string> page_of(const surface_job& job, const space_mesh& mesh,
   return space_page(mesh, facts);
 }
 
+// Says what the run is written to, in the words of the other commands.
+void tell_files(const surface_job& job, std::chrono::steady_clock::time_point start) {
+  if (job.json || job.quiet) return;
+  std::vector<fs::path> files = job.outputs;
+  if (!job.certificate.empty()) files.push_back(job.certificate);
+  write_files_written(std::cout, files, start);
+}
+
 result<std::vector<output_file>> files_of(const surface_job& job, const space_mesh& mesh,
                                           const shell_certificate& claim) {
   std::vector<output_file> files;
@@ -124,6 +134,7 @@ void tell(const surface_job& job, const shell_certificate& claim, int status) {
 }
 
 int run_surface(surface_job job) {
+  const auto start = std::chrono::steady_clock::now();
   std::optional<tbb::global_control> threads;
   if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
   for (const fs::path& path : job.outputs)
@@ -160,6 +171,7 @@ int run_surface(surface_job job) {
   if (!written) return complain(written.failure(), not_reached);
   const int status = is_certified(claim) ? done : not_reached;
   tell(job, claim, status);
+  tell_files(job, start);
   return status;
 }
 

@@ -31,8 +31,26 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return rows[a.size()][b.size()];
 }
 
-// "; did you mean --size?" where a name is at most two letters off, and less than half of it.
+// The name that begins with the word, and all others that do with it; empty where there is none.
+std::string completed(const std::string& word, const std::vector<std::string>& names) {
+  constexpr std::size_t least = 3;
+  std::string shortest;
+  const auto begins = [](const std::string& name, const std::string& with) {
+    return name.compare(0, with.size(), with) == 0;
+  };
+  for (const std::string& name : names)
+    if (begins(name, word) && (shortest.empty() || name.size() < shortest.size())) shortest = name;
+  const bool is_one = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return !begins(name, word) || begins(name, shortest);
+  });
+  return word.size() >= least && is_one ? shortest : "";
+}
+
+// "; did you mean --size?" where a name was begun, or is at most two letters off, and less than
+// half of it.
 std::string meant(const std::string& word, const std::vector<std::string>& names) {
+  const std::string whole = completed(word, names);
+  if (!whole.empty()) return "; did you mean " + whole + "?";
   const auto nearest = std::min_element(
       names.begin(), names.end(),
       [&](const auto& a, const auto& b) { return distance(word, a) < distance(word, b); });
@@ -56,7 +74,7 @@ struct foreign_option {
 };
 
 // Options of other meshers, and what they are called here.
-constexpr std::array<foreign_option, 27> foreign_options = {{
+constexpr std::array<foreign_option, 40> foreign_options = {{
     {"hmax", "--size", "the length of an edge of metric length 1"},
     {"hsiz", "--size", "the length of an edge of metric length 1"},
     {"clmax", "--size", "the length of an edge of metric length 1"},
@@ -85,6 +103,19 @@ constexpr std::array<foreign_option, 27> foreign_options = {{
     {"v", "--json", "all that is known of the run"},
     {"verbose", "--json", "all that is known of the run"},
     {"V", "--help", "`asterism --version` says which this is"},
+    {"nv", "--vertices", "how many vertices are wanted"},
+    {"target", "--vertices", "how many vertices are wanted"},
+    {"npoints", "--vertices", "how many vertices are wanted"},
+    {"how", "--transfer", "the way in which a solution goes over"},
+    {"method", "--transfer", "the way in which a solution goes over"},
+    {"size", "--hmax", "about the longest edge; a surface's own sizes follow from --chord"},
+    {"tolerance", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"tol", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"deflection", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"hausd", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"error", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"max", "--at-most", "the distance that is to be proved"},
+    {"chord", "--at-most", "the distance that is to be proved"},
 }};
 
 // Returns what an unknown option is called here, as the end of a message; empty if that is not
@@ -95,7 +126,7 @@ std::string hint_for(const std::string& word, const std::vector<std::string>& kn
     name.resize(1);
   if (std::find(known.begin(), known.end(), "--" + name) != known.end())
     return "; did you mean --" + name + "?";
-  for (const foreign_option& other : foreign_options) {
+  for (const foreign_option& other : foreign_options) {  // the first that is an option here
     const bool is_ours = std::find(known.begin(), known.end(), other.ours) != known.end();
     if (other.name == name && is_ours)
       return "; here it is " + std::string(other.ours) + " (" + std::string(other.what) + ")";
@@ -119,11 +150,28 @@ std::string unknown_option(const std::vector<std::string>& words,
   return "";
 }
 
+// "usage: asterism check MESH PROOF --angle-bound B --metric SOL": what cannot be left out.
+std::string shortest_use(const CLI::App& app) {
+  std::string arguments, options;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional())
+      arguments += " " + (option->get_required() ? option->get_name(true)
+                                                 : "[" + option->get_name(true) + "]");
+    else if (option->get_required() && !option->get_snames().empty())
+      options += " -" + option->get_snames().front() + " " + option->get_type_name();
+    else if (option->get_required())
+      options += " --" + option->get_lnames().front() + " " + option->get_type_name();
+  }
+  return "usage: asterism " + app.get_name() + arguments + options + " ...";
+}
+
 std::string no_such_option(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> known = options_of(app);
   const std::string hint = hint_for(word, known);
-  return app.get_name() + " has no option " + word + (hint.empty() ? meant(word, known) : hint) +
-         "\n'asterism " + app.get_name() + " --help' lists the options.";
+  const std::string instead = hint.empty() ? meant(word, known) : hint;
+  return app.get_name() + " has no option " + word + instead +
+         (instead.empty() ? "\n" + shortest_use(app) : "") + "\n'asterism " + app.get_name() +
+         " --help' lists the options.";
 }
 
 }  // namespace
@@ -144,7 +192,8 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   // A required argument may have been given under a wrong name.
   const bool may_be_name = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
                            dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
-  if (!may_be_name || unknown.empty()) return failure.what() + help;
+  if (!may_be_name) return failure.what() + help;
+  if (unknown.empty()) return std::string(failure.what()) + "\n" + shortest_use(*app) + help;
   return no_such_option(*app, unknown);
 }
 
@@ -195,6 +244,20 @@ std::optional<std::string> misread_help(const CLI::App& program,
       if (word.size() > 2 && word.compare(0, 2, "-h") == 0 && word != "-help")
         return no_such_option(*app, word);
   }
+  return std::nullopt;
+}
+
+std::optional<std::string> misused_stream(const std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 3> taken_by = {"eval", "challenge", "convert"};
+  constexpr std::array<std::string_view, 3> streams = {"-", "/dev/stdin", "/dev/stdout"};
+  if (words.empty() || std::find(taken_by.begin(), taken_by.end(), words[0]) != taken_by.end())
+    return std::nullopt;
+  for (const std::string& word : words)
+    if (std::find(streams.begin(), streams.end(), word) != streams.end())
+      return word + ": " + words[0] +
+             " wants the name of a file, whose ending says what it holds; standard input and "
+             "output "
+             "are read and written by 'asterism convert - OUT --format EXT' and by eval";
   return std::nullopt;
 }
 

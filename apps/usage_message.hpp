@@ -28,4 +28,8 @@ std::string no_such_command(const CLI::App& program, const std::string& word);
 std::optional<std::string> misread_help(const CLI::App& program,
                                         const std::vector<std::string>& words);
 
+// Returns the message for a dash or a device that stands for standard input or output where a file
+// is wanted; none where there is no such word, or the command takes it.
+std::optional<std::string> misused_stream(const std::vector<std::string>& words);
+
 }  // namespace asterism::apps

@@ -34,6 +34,8 @@
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/other_kind.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/pipeline/field_claims.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/measured_claims.hpp"
@@ -298,9 +300,7 @@ result<asked_domain> find_shape(const verify_options& options, judged_mesh& subj
 error with_way_out(const error& refusal, const fs::path& mesh) {
   const std::string name = mesh.string();
   std::error_code ignored;
-  if (has_ending(name, ".poly") || has_ending(name, ".wkt") || has_ending(name, ".geojson"))
-    return {refusal.message + "; " + name + " is a domain, and a mesh of it is wanted",
-            refusal.code};
+  if (!is_mesh_file(name)) return {refusal.message + what_it_is(name), refusal.code};
   const bool is_medit = has_ending(name, ".mesh") || has_ending(name, ".meshb");
   if (!is_medit || fs::exists(solution_path(mesh), ignored)) return refusal;
   return {refusal.message + "; `asterism certify " + name + "` judges a mesh without a metric",

@@ -8,6 +8,7 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/io/edges_domain.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
+#include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 
 namespace asterism {
@@ -36,7 +37,7 @@ result<domain> load_domain(std::string_view what) {
   return error{"unknown domain '" + std::string(what) +
                    "': square, airfoil, or a file whose name ends in " +
                    endings_of(is_domain_kind, "or") + ", or as those of meshes do, " +
-                   endings_of(is_mesh_kind, "or"),
+                   endings_of(is_mesh_kind, "or") + what_it_is(what),
                error_code::bad_option};
 }
 

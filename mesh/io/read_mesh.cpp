@@ -10,6 +10,7 @@
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/listed_readers.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
+#include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/io/poly.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
@@ -92,10 +93,15 @@ result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                  const medit_read_options& options) {
   const file_kind& kind = kind_to_read(path);
   auto read = kind.read(path, options);
-  if (!read && !is_mesh_file(path.string()))
+  if (!read && !is_mesh_file(path.string())) {
+    const std::string known = what_it_is(path.string());
+    std::error_code ignored;
+    if (!known.empty() || !std::filesystem::exists(path, ignored))
+      return error{read.failure().message + known, read.failure().code};
     return error{read.failure().message + "; read as Medit's .mesh, as its name ends in none of " +
                      endings_of(is_mesh_kind, "and"),
                  read.failure().code};
+  }
   if (!read) return read.failure();
   listed_mesh& m = read.value();
   const bool has_own_metric = !is_of_medit(kind) && !m.content.triangles.empty();

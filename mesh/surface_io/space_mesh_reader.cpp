@@ -91,7 +91,8 @@ class medit_space_reader {
   failure read_dimension() {
     const word w = from_.next();
     if (w.text == "3") return {};
-    return from_.failure(w.line, "dimension " + quoted_token(w.text) + ", not 3");
+    return from_.failure(
+        w.line, "dimension " + quoted_token(w.text) + ", not 3: a mesh in space is wanted");
   }
   failure read_vertices(std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the command says about itself and about files: completions and manual pages are those of its
 own options, `info` and `--json` say what the files and certificates say, hints name what helps."""
+import itertools
 import json
 import os
 import pty
@@ -38,6 +39,20 @@ class Help(command.CommandTest):
             if shutil.which(shell):
                 self.write("script", scripts[shell])
                 subprocess.run([shell, "-n", self.folder / "script"], check=True)
+
+    def test_options_are_in_groups(self):
+        for name in ("mesh", "adapt", "metric", "certify", "verify", "surface", "deviation", "draw", "convert"):
+            ungrouped = self.run_command(name, "--help").stdout.split("Options:\n")[1].split("\n\n")[0]
+            self.assertEqual(re.findall(r"^  (\S+)", ungrouped, re.M), ["-h,--help"], name)
+
+    def test_paragraphs_are_broken_where_the_line_is_full(self):
+        for name in COMMANDS:
+            for columns in (72, 100, 140):
+                text = self.run_command(name, "--help", environment={"COLUMNS": str(columns)}).stdout
+                for line, after in itertools.pairwise(text.split("\nExit status:")[0].split("\n")):
+                    is_text = line and after and " " not in (line[0], after[0]) and not after.startswith("Usage:")
+                    if is_text:
+                        self.assertGreater(len(line) + 1 + len(after.split()[0]), columns, f"{name}: {line}")
 
     def complete(self, *words):
         self.write("script", self.run_command("completion", "bash").stdout)

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/io/other_kind.hpp"
+
+#include <array>
+
+#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
+
+namespace asterism {
+using internal::has_ending;
+namespace {
+
+struct known_kind {
+  std::string_view ending, what;
+};
+
+constexpr std::string_view domain_text =
+    "is a domain; a mesh of it is wanted, and `asterism mesh` makes one";
+constexpr std::string_view space_text =
+    "is a mesh in space, which `asterism deviation` and `asterism verify` take; a mesh of the "
+    "plane, "
+    "or "
+    "a domain, is wanted";
+constexpr std::string_view other_space_text =
+    "is a mesh in space; of those .obj, .stl, .ply, .mesh, .msh and .vtu are read";
+constexpr std::string_view values_text =
+    "holds values at the vertices of a mesh; the file of the mesh itself is wanted";
+
+constexpr std::array<known_kind, 8> other_kinds = {{{".obj", space_text},
+                                                    {".ply", space_text},
+                                                    {".off", other_space_text},
+                                                    {".sol", values_text},
+                                                    {".solb", values_text},
+                                                    {".bb", values_text},
+                                                    {".mtr", values_text},
+                                                    {".certificate.json", "is a certificate"}}};
+
+}  // namespace
+
+std::string what_it_is(std::string_view name) {
+  for (const known_kind& kind : other_kinds)
+    if (has_ending(name, kind.ending)) return "; it " + std::string(kind.what);
+  const internal::file_kind* const kind = internal::kind_of_file(name);
+  const bool is_domain =
+      name == "square" || name == "airfoil" || (kind != nullptr && is_domain_kind(*kind));
+  return is_domain ? "; it " + std::string(domain_text) : "";
+}
+
+}  // namespace asterism
