@@ -19,8 +19,7 @@ constexpr std::string_view domain_text =
 constexpr std::string_view space_text =
     "is a mesh in space, which `asterism deviation` and `asterism verify` take; a mesh of the "
     "plane, "
-    "or "
-    "a domain, is wanted";
+    "or a domain, is wanted";
 constexpr std::string_view other_space_text =
     "is a mesh in space; of those .obj, .stl, .ply, .mesh, .msh and .vtu are read";
 constexpr std::string_view values_text =
