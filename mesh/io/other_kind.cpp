@@ -18,8 +18,7 @@ constexpr std::string_view domain_text =
     "is a domain; a mesh of it is wanted, and `asterism mesh` makes one";
 constexpr std::string_view space_text =
     "is a mesh in space, which `asterism deviation` and `asterism verify` take; a mesh of the "
-    "plane, "
-    "or a domain, is wanted";
+    "plane, or a domain, is wanted";
 constexpr std::string_view other_space_text =
     "is a mesh in space; of those .obj, .stl, .ply, .mesh, .msh and .vtu are read";
 constexpr std::string_view values_text =
