@@ -90,6 +90,46 @@ cout << "GOT " << Th.nv << endl;
 """
 
 
+# A hundred times the second derivatives of tanh(10 (x - y^2)), of either sign.
+INDEFINITE = """
+mesh Th = square(12, 12);
+fespace Vh(Th, P1);
+macro u() tanh(10 * (x - y^2)) //
+for (int i = 0; i < 4; ++i) {
+  Vh m11 = 20000 * u * (u^2 - 1), m12 = -2 * y * m11, m22 = 4 * y^2 * m11 - 2000 * (1 - u^2);
+  asterismadapt(Th, [m11, m12, m22], IsMetric = 1; hmax = 0.2)
+}
+cout << "GOT " << Th.nv << endl;
+mesh Tb = square(12, 12);
+fespace Wh(Tb, P1);
+for (int i = 0; i < 4; ++i) {
+  Wh m11 = 20000 * u * (u^2 - 1), m12 = -2 * y * m11, m22 = 4 * y^2 * m11 - 2000 * (1 - u^2);
+  Tb = adaptmesh(Tb, m11, m12, m22, IsMetric = 1, hmax = 0.2);
+}
+cout << "GOT " << Tb.nv << endl;
+"""
+
+# A vortex and a scalar. adaptmesh measures errors relative to values by the length of a vector, which vanishes in the
+# middle alone, where each component vanishes on a line.
+VECTORS = """
+mesh Th = square(16, 16), Tb = Th;
+fespace Vh(Th, P1);
+fespace Wh(Tb, P1);
+func a = (y - 0.5) * exp(-30 * ((x - 0.5)^2 + (y - 0.5)^2));
+func b = (0.5 - x) * exp(-30 * ((x - 0.5)^2 + (y - 0.5)^2));
+Vh u1 = a, u2 = b, p = x * y;
+Wh w1 = a, w2 = b, q = x * y;
+for (int i = 0; i < 3; ++i) {
+  asterismadapt(Th, [u1, u2, p], err = 0.08; abserror = 0; cutoff = 0.01; hmin = 0.01; vectors = "2 1")
+  Tb = adaptmesh(Tb, [w1, w2], q, err = 0.08, abserror = 0, cutoff = 0.01, hmin = 0.01);
+  u1 = a; u2 = b; p = x * y;
+  w1 = a; w2 = b; q = x * y;
+}
+cout << "GOT " << Th.nv << " " << Tb.nv << endl;
+asterismadapt(Th, [u1, u2, p], err = 0.08; abserror = 0; cutoff = 0.01; hmin = 0.01)
+cout << "GOT " << Th.nv << endl;
+"""
+
 def run(body):
     with tempfile.TemporaryDirectory(prefix="asterism-idp-") as folder:
         with open(os.path.join(folder, "script.edp"), "w", encoding="ascii") as file:
@@ -150,6 +190,31 @@ class IncludeTest(unittest.TestCase):
         status, numbers, text, _ = call("[x, y]", "IsHessian = 1")
         self.assertEqual((status, numbers), (2, []), text)
         self.assertIn("not 2 fields", text)
+
+    def test_indefinite_tensors_have_the_moduli_that_adaptmesh_takes(self):
+        status, numbers, text, _ = run(INDEFINITE)
+        self.assertEqual(status, 0, text)
+        self.assertRegex(text, r"note: \d+ of \d+ tensors are not positive definite")
+        (ours,), (theirs,) = numbers
+        self.assertLess(abs(ours / theirs - 1), 0.15, text)
+
+    def test_vectors_are_measured_as_adaptmesh_does(self):
+        status, numbers, text, _ = run(VECTORS)
+        self.assertEqual(status, 0, text)
+        ours, theirs = numbers[0]
+        self.assertLess(abs(ours / theirs - 1), 0.1, text)
+        self.assertGreater(numbers[1][0], 1.3 * ours)
+        for options, words in (('vectors = "2 2"', "more components than there are fields: 3"),
+                               ('vectors = "5"', "from 1 to 4"),
+                               ('vertices = 100; vectors = "2"', "err has no part in this call")):
+            status, numbers, text, _ = call("[x, y, x]", options)
+            self.assertEqual((status, numbers), (2, []), text)
+            self.assertIn(words, text)
+
+    def test_included_twice(self):
+        status, numbers, text, _ = run('include "asterism.idp"\nmesh Th = square(5, 5);\n'
+                                       'asterismadapt(Th, x * x + y * y, vertices = 300)\ncout << "GOT " << Th.nv << endl;\n')
+        self.assertEqual((status, len(numbers)), (0, 1), text)
 
     def test_failure_stops_the_script_with_the_message_of_the_command(self):
         status, numbers, text, _ = call("x * x", "hmin = 1; hmax = 0.1")
