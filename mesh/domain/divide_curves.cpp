@@ -42,14 +42,23 @@ constexpr double part_of_size = 1.0 / 50, part_of_size_on_mesh = 1.0 / 100;
 // around, meshes by local changes were not certified in a metric near the one wanted.
 constexpr double least_halved = 0.8;
 
+// True if the piece is shorter than what the size across has halved.
+result<bool> is_short(const curve_path& path, const metric_field& field, double t0, double t1) {
+  const point from = path.at(t0), to = path.at(t1);
+  const auto metric = field.at(path.at((t0 + t1) / 2));
+  if (!metric) return metric.failure();
+  return !(squared_length(metric.value(), minus(to, from)) > least_halved * least_halved);
+}
+
 // True if the piece is near to its chord for the size that the metric wants across it, or short.
 result<bool> suits_size_across(const curve_path& path, const metric_field& field, double t0,
                                double t1) {
+  const auto short_already = is_short(path, field, t0, t1);
+  if (!short_already || short_already.value()) return short_already;
   const point from = path.at(t0), to = path.at(t1), middle = path.at((t0 + t1) / 2);
   const auto metric = field.at(middle);
   if (!metric) return metric.failure();
-  const point chord{to.x - from.x, to.y - from.y};
-  if (!(squared_length(metric.value(), chord) > least_halved * least_halved)) return true;
+  const point chord = minus(to, from);
   const double length = elementary::hypot(chord.x, chord.y);
   const point across{-chord.y / length, chord.x / length};
   const double size = 1 / std::sqrt(squared_length(metric.value(), across));
@@ -60,6 +69,13 @@ result<bool> suits_size_across(const curve_path& path, const metric_field& field
 result<bool> is_near_enough(const curve_path& path, const curve_division& wanted, double t0,
                             double t1) {
   if (!path.is_straightforward(t0, t1)) return false;
+  // A cubic through a polygon is a guess, and its pieces turn as much as the polygon does however
+  // short they are: halved by that alone, the next mesh's are shorter, and so in each round of a
+  // loop that moves them.
+  if (wanted.field != nullptr && !wanted.is_even) {
+    const auto short_already = is_short(path, *wanted.field, t0, t1);
+    if (!short_already || short_already.value()) return short_already;
+  }
   const double height = path.height(t0, t1);
   if (wanted.chord_tolerance) return height <= *wanted.chord_tolerance;
   if (!(height <= part_of_chord * distance_between(path.at(t0), path.at(t1)))) return false;

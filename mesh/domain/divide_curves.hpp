@@ -52,7 +52,8 @@ struct curve_division {
   // outlive the call.
   const metric_field* field = nullptr;
   std::size_t most_chords = 100000;
-  // False to leave out the even pieces that the metric asks for: those there are are halved alone.
+  // False to leave out the even pieces that the metric asks for: those there are are halved alone,
+  // and only while they are longer than what it has halved for the size across.
   bool is_even = true;
 };
 

@@ -74,7 +74,9 @@ class outliner {
   const point& where(vertex_index v) const { return mesh_.sites[v].position; }
   void find_smooth(const mesh_marks& marks);
   void choose(const mesh_marks& marks);
+  double turn(vertex_index v) const;
   bool turns(vertex_index v) const;
+  bool stands_out(vertex_index v) const;
   bool is_corner(vertex_index v) const;
   void find_runs();
   run follow(vertex_index from, vertex_index edge, std::vector<char>& used) const;
@@ -106,6 +108,10 @@ void outliner::find_smooth(const mesh_marks& marks) {
   for (vertex_index v = 0; v < smooth_.size(); ++v)
     smooth_[v] = at_[v].size() == 2 && !turns(v) &&
                  mesh_.boundary[at_[v][0]].internal == mesh_.boundary[at_[v][1]].internal;
+  std::vector<vertex_index> standing_out;
+  for (vertex_index v = 0; v < smooth_.size(); ++v)
+    if (smooth_[v] != 0 && stands_out(v)) standing_out.push_back(v);
+  for (const vertex_index v : standing_out) smooth_[v] = 0;
   for (const vertex_index v : marks.corners) smooth_[v] = 0;
   for (const auto& e : marks.required_edges)
     required_.push_back({std::min(e[0], e[1]), std::max(e[0], e[1])});
@@ -127,14 +133,34 @@ bool outliner::is_corner(vertex_index v) const {
   return e.marker != f.marker || e.internal != f.internal || turns(v);
 }
 
-// True if the two edges at a vertex turn by more than the corner angle.
-bool outliner::turns(vertex_index v) const {
+// Returns by how much the two edges at a vertex turn, without a sign, in radians.
+double outliner::turn(vertex_index v) const {
   const boundary_edge &e = mesh_.boundary[at_[v][0]], &f = mesh_.boundary[at_[v][1]];
   const vertex_index p = e.a == v ? e.b : e.a, q = f.a == v ? f.b : f.a;
   const double x = where(v).x - where(p).x, y = where(v).y - where(p).y,
                u = where(q).x - where(v).x, w = where(q).y - where(v).y;
-  const double turn = elementary::atan2(std::abs(x * w - y * u), x * u + y * w);
-  return turn * 180 / std::numbers::pi > options_.corner_angle;
+  return elementary::atan2(std::abs(x * w - y * u), x * u + y * w);
+}
+
+// True if the two edges at a vertex turn by more than the corner angle.
+bool outliner::turns(vertex_index v) const {
+  return turn(v) * 180 / std::numbers::pi > options_.corner_angle;
+}
+
+// True if a smooth vertex between two smooth ones turns so much more than they do that a curve
+// meets another there. Where an arc meets a straight side the polygon turns by half of what it
+// turns along the arc, so that a factor of four leaves room for chords of unequal length. A cubic
+// that had the direction of the other would turn by all of the angle near its end, and be divided
+// there into chords much shorter than the metric wants.
+bool outliner::stands_out(vertex_index v) const {
+  constexpr double factor = 4;
+  double most = 0;
+  for (const vertex_index e : at_[v]) {
+    const vertex_index w = mesh_.boundary[e].a == v ? mesh_.boundary[e].b : mesh_.boundary[e].a;
+    if (smooth_[w] == 0) return false;
+    most = std::max(most, turn(w));
+  }
+  return turn(v) > factor * most;
 }
 
 // Follows edges from a vertex until one that is kept.

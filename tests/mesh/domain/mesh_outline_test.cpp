@@ -196,6 +196,34 @@ TEST_CASE("sides of several edges are not bent where they meet at a flat angle")
   CHECK(outline(m, {}, 31).shape.curves.empty());
 }
 
+TEST_CASE("a curve is not bent by the straight side that it meets at a flat angle") {
+  // 62 of 72 vertices of a circle, and a straight side of four edges in the place of the others.
+  // Its ends turn by 27.5 degrees, all others of the curve by five.
+  mesh m;
+  const auto on_circle = [](int k) {
+    const double t = 2 * std::numbers::pi * k / 72;
+    return point{std::cos(t), std::sin(t)};
+  };
+  for (int k = 5; k <= 67; ++k) m.sites.push_back({on_circle(k), {1e4, 0, 1e4}});
+  const point a = on_circle(67), b = on_circle(5);
+  for (int i = 1; i < 4; ++i)
+    m.sites.push_back({{a.x + i * (b.x - a.x) / 4, a.y + i * (b.y - a.y) / 4}, {1e4, 0, 1e4}});
+  const auto n = static_cast<vertex_index>(m.sites.size());
+  m.sites.push_back({{0, 0}, {1, 0, 1}});
+  for (vertex_index i = 0; i < n; ++i) {
+    m.triangles.push_back({i, (i + 1) % n, n});
+    m.boundary.push_back({i, (i + 1) % n, i, i < 62 ? 7 : 8});
+  }
+  const auto found = outline(m);
+  REQUIRE(found.shape.curves.size() == 62);
+  for (const domain_curve& c : found.shape.curves) {
+    const point &p = found.shape.vertices[c.vertices[0]], &q = found.shape.vertices[c.vertices[1]];
+    const point middle{(p.x + 3 * c.control[0].x + 3 * c.control[1].x + q.x) / 8,
+                       (p.y + 3 * c.control[0].y + 3 * c.control[1].y + q.y) / 8};
+    CHECK(std::abs(std::hypot(middle.x, middle.y) - 1) < 1e-8);  // the chord is 9.5e-4 off it
+  }
+}
+
 TEST_CASE("a cubic that has something else in its way stays straight") {
   // Makes a thin ring of two rows of vertices: its inner side is within 1e-4 of its outer side.
   const vertex_index n = 24;
