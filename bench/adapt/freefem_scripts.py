@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: MIT
+"""FreeFEM's own scripts with each call of adaptmesh rewritten as one line of asterism.idp, beside the scripts as they
+are: vertices, errors where a reference can be had, and the table of docs/results/solvers.md. The scripts are FreeFEM's
+and not shipped: FOLDER is examples of github.com/FreeFem/FreeFem-sources.
+
+  freefem_scripts.py --asterism COMMAND --scripts FOLDER [--limit SECONDS] [NAME...]
+"""
+import argparse
+import dataclasses
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import adaptmesh_calls  # noqa: E402
+
+INCLUDE = pathlib.Path(__file__).resolve().parents[2] / "apps" / "freefem"
+
+
+@dataclasses.dataclass
+class Script:
+    """One script: how the table calls it, code to be put at its end that says "measured ERROR", the power of the
+    number of vertices with which that error falls, and text that is left out as Debian's FreeFEM has no such part."""
+    name: str
+    measured: str = ""
+    kind: str = ""
+    power: float = 1
+    without: tuple[str, ...] = ()
+
+
+def energy(load, on, mass="0", weight="1", element="P1", mesh="Th", finest="1e-7"):
+    """Code for the energy norm of the error of Galerkin's method of one problem on the last mesh, beside degree 2 on
+    meshes of adaptmesh for a far smaller error. Energies of nested minimisers differ by the error's square."""
+    def problem(name, on_mesh, unknown, degree):
+        conditions = on.replace("U", unknown)
+        return f"""
+fespace {name}Space({on_mesh}, {degree});
+{name}Space {unknown}, {unknown}T;
+problem {name}({unknown}, {unknown}T, solver = sparsesolver)
+  = int2d({on_mesh}, qforder = 9)(({weight}) * (dx({unknown})*dx({unknown}T) + dy({unknown})*dy({unknown}T))
+                                  + {mass} * {unknown}*{unknown}T)
+  - int2d({on_mesh}, qforder = 9)(({load}) * {unknown}T) {conditions};
+"""
+    def value(on_mesh, unknown):
+        return f"int2d({on_mesh}, qforder = 9)(({weight}) * (dx({unknown})^2 + dy({unknown})^2))"
+    return (f"{{ mesh asFine = {mesh};\n" + problem("asCoarse", mesh, "asU", element) + "asCoarse;\n"
+            + problem("asReference", "asFine", "asW", "P2")
+            + "for (int as = 0; as < 4; ++as) {\n  asReference;\n  asFine = adaptmesh(asFine, asW, "
+              f"err = 0.01 * 3.^-as, hmin = {finest}, nbvx = 200000, iso = 1, splitpbedge = 0);\n}}\nasReference;\n"
+            + f"real asExact = {value('asFine', 'asW')};\n"
+            + f'cout << "measured " << {mesh}.nv << " " << sqrt(asExact - {value(mesh, "asU")}) << endl; }}\n')
+
+
+def in_the_mean(mesh, found, exact):
+    """Code for the error in the mean square of a function on a mesh."""
+    return (f'cout << "measured " << {mesh}.nv << " " << sqrt(int2d({mesh}, qforder = 9)(square({found} - ({exact})))) '
+            "<< endl;\n")
+
+
+DIRAC = """{ fespace asSpace(Th, P1);
+asSpace asU, asV, asB;
+matrix asD = interpolate(asSpace, xdelta, ydelta);
+asB[] = asD * cdelta;
+asB[] = -asB[];
+problem asLaplace(asU, asV, solver = sparsesolver)
+  = int2d(Th)(dx(asU)*dx(asV) + dy(asU)*dy(asV)) + asB[] + on(1, 2, 3, 4, asU = 0);
+asLaplace;
+func asLog = -(cdelta[0] * log(square(x - xdelta[0]) + square(y - ydelta[0]))
+               + cdelta[1] * log(square(x - xdelta[1]) + square(y - ydelta[1]))) / (4 * pi);
+mesh asFine = square(80, 80);
+fespace asSmooth(asFine, P2);
+asSmooth asS, asT;
+solve asRest(asS, asT, solver = sparsesolver)
+  = int2d(asFine)(dx(asS)*dx(asT) + dy(asS)*dy(asT)) + on(1, 2, 3, 4, asS = -asLog);
+""" + in_the_mean("Th", "asU", "asLog + asS") + "}\n"
+
+OBSTACLE = """cout << "measured " << Th.nv << " "
+     << sqrt(int2d(Th)((dx(uh)^2 + dy(uh)^2) / 2 - uh) - (asReference)) << endl;
+"""
+
+HILL = in_the_mean("th", "vT", "1 - tanh(30*(sqrt((x - 0.3*(cos(t) + sin(t)))^2 + (y - 0.3*(cos(t) - sin(t)))^2)"
+                   " - 0.2))")
+
+EVERYWHERE = "+ on(1, 2, 3, 4, 5, 6, U = 0)"
+SCRIPTS = [
+    Script("adapt", energy("-(x - y)", "", "1e-10"), "energy", 0.5),
+    Script("adaptindicatorP1", energy("x - y", "", "1e-10"), "energy", 0.5),
+    Script("adaptindicatorP2", energy("x - y", "", "1e-10", element="P2"), "energy", 1),
+    Script("AdaptResidualErrorIndicator", energy("x - y", "", "1e-10"), "energy", 0.5),
+    Script("a_tutorial", in_the_mean("disk", "u", "(1 - x^2 - y^2)/4"), "mean square"),
+    Script("Laplace-RHS-Dirac", DIRAC, "mean square"),
+    Script("freeboundary"),
+    Script("freeboundary-weak"),
+    Script("VI-adap", OBSTACLE, "energy", 0.5),
+    Script("uniformmesh"),
+    Script("fluidStructAdapt"),
+    Script("wafer-heating-laser-axi", energy("x * f / thC", "+ on(1, 2, 3, U = 0)", weight="x", finest="1e-3"),
+           "energy", 0.5),
+    Script("demo", energy("-1", EVERYWHERE), "energy", 0.5),
+    Script("aadaptation", energy("-1", EVERYWHERE.replace("1, 2, 3, 4, 5, 6", "aaa, bbb, ccc, ddd, eee, fff")),
+           "energy", 0.5),
+    Script("Richard"),
+    Script("cavityNewton"),
+    Script("NSP1P2"),
+    Script("sphere", without=('load "medit"', "meshS Th3= movemesh23(Th,transfo=[f1,f2,f3]);", "plot(Th3,wait=1);",
+                              'medit("sphere-a",Th3);')),
+    Script("convect-apt", HILL, "mean square"),
+    Script("aaa-adp", in_the_mean("Th", "fh", "f"), "mean square"),
+]
+
+
+def run(text, name, by, options):
+    """The script's output, its errors included, and its exit status."""
+    folder = pathlib.Path(options.work) / name / by
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for file in pathlib.Path(options.scripts).glob("*/*.edp"):
+        if f'"{file.name}"' in text:
+            shutil.copy(file, folder)
+    (folder / "script.edp").write_text(text, encoding="latin-1")
+    try:
+        done = subprocess.run([options.freefem, "-v", "0", "-nw", "script.edp"], cwd=folder, text=True,
+                              encoding="latin-1", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=options.limit, check=False,
+                              env={**os.environ, "ASTERISM": options.asterism, "FF_INCLUDEPATH": str(INCLUDE)})
+    except subprocess.TimeoutExpired:
+        return "", -1
+    (folder / "output").write_text(done.stdout, encoding="utf-8")
+    return done.stdout, done.returncode
+
+
+def text_of(script, options):
+    """The script as FreeFEM has it, but for what is left out, with the code that measures at its end."""
+    path, = pathlib.Path(options.scripts).glob(f"*/{script.name}.edp")
+    text = path.read_text(encoding="latin-1")
+    for words in script.without:
+        if words not in text:
+            raise SystemExit(f"{path}: '{words}' is not there")
+        text = text.replace(words, "")
+    return text
+
+
+def obstacle_reference(text, options):
+    """The energy of VI-adap's own solution for a sixth of its tolerance."""
+    for found, finer in (("tolmin=0.002", "tolmin=0.0003"), ("err=tol", "err=tol,nbvx=100000")):
+        if found not in text:
+            raise SystemExit(f"VI-adap: {found} is not there")
+        text = text.replace(found, finer)
+    output, _ = run(text + OBSTACLE.replace("sqrt", "-")
+                    .replace("asReference", "0"), "VI-adap", "reference", options)
+    return -float(re.findall(r"measured \d+ (\S+)", output)[-1])
+
+
+def row(script, options):
+    """The row of the table."""
+    text, code = text_of(script, options), script.measured
+    last = '\ncout << "last " << %s.nv << endl;\n'
+    calls = list(adaptmesh_calls.CALL.finditer(adaptmesh_calls.without_comments(text)))
+    last %= calls[-1].group(1)
+    if "asReference)" in code and script.name == "VI-adap":
+        code = code.replace("asReference", repr(obstacle_reference(text, options)))
+    found = []
+    for by, body in (("adaptmesh", text), ("asterism", adaptmesh_calls.rewrite(text)[0])):
+        output, status = run(body + last + code, script.name, by, options)
+        count = re.findall(r"^last (\d+)", output, re.MULTILINE)
+        error = re.findall(r"^measured (\d+) (\S+)", output, re.MULTILINE)
+        if status != 0 or not count or (code and not error):
+            found.append((f"status {status}", None, None))
+        else:
+            found.append((count[-1], *((int(error[-1][0]), float(error[-1][1])) if error else (None, None))))
+    lines = adaptmesh_calls.rewrite(text)[1]
+    words = [f"{script.name}", f"{lines}", *(str(count) for count, _, _ in found)]
+    if all(error for _, _, error in found):
+        (_, n, e), (_, k, f) = found
+        words += [f"{script.kind}: {e:.3g}, {f:.3g}", f"{f / e * (k / n) ** script.power:.3f}"]
+    else:
+        words += ["", ""]
+    return "| " + " | ".join(words) + " |"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--asterism", required=True)
+    parser.add_argument("--scripts", required=True)
+    parser.add_argument("--freefem", default="FreeFem++-nw")
+    parser.add_argument("--work", default="/tmp/bench-freefem-scripts")
+    parser.add_argument("--limit", type=float, default=900)
+    parser.add_argument("names", nargs="*")
+    options = parser.parse_args()
+    options.asterism = os.path.abspath(options.asterism)
+    print("| script | calls | vertices, adaptmesh | asterism | error: adaptmesh, asterism | at equal vertices |\n"
+          "|---|---|---|---|---|---|", flush=True)
+    for script in SCRIPTS:
+        if not options.names or script.name in options.names:
+            print(row(script, options), flush=True)
+
+
+if __name__ == "__main__":
+    main()
