@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal {
@@ -40,10 +41,6 @@ constexpr std::array<point, 8> circle = {{{1, 0},
                                           {-root_half, -root_half},
                                           {0, -1},
                                           {root_half, -root_half}}};
-
-double length(const metric_tensor& m, const point& d) {
-  return std::sqrt(std::max(m.m11 * d.x * d.x + 2 * m.m12 * d.x * d.y + m.m22 * d.y * d.y, 0.0));
-}
 
 tensor_logarithm mean(const tensor_logarithm& a, const tensor_logarithm& b) {
   return {(a.l11 + b.l11) / 2, (a.l12 + b.l12) / 2, (a.l22 + b.l22) / 2};
@@ -118,7 +115,7 @@ bool gradation_sweep::is_resolved(const gradation_grid::cell& leaf, bool by_give
   double longest = 0;
   for (const std::uint32_t n : leaf.corners) {
     const metric_tensor& m = by_given ? nodes_[n].given : nodes_[n].now;
-    longest = std::max({longest, length(m, d), length(m, other)});
+    longest = std::max({longest, plain_length(m, d), plain_length(m, other)});
   }
   return longest <= longest_diagonal;
 }
@@ -191,7 +188,7 @@ bool gradation_sweep::take(std::uint32_t n, const metric_tensor& other, const po
                            double slack) {
   node& own = nodes_[n];
   const point& q = grid_.position(n);
-  const double growth = 1 + sigma_ * length(other, {q.x - from.x, q.y - from.y});
+  const double growth = 1 + sigma_ * plain_length(other, {q.x - from.x, q.y - from.y});
   const double f = 1 / (growth * growth);
   const metric_tensor allowed{f * other.m11, f * other.m12, f * other.m22};
   if (!exceeds(allowed, own.now, slack)) return false;
