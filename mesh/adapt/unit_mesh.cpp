@@ -59,6 +59,7 @@ double unit_mesher::shape_of(vertex_index t) {
 
 double unit_mesher::energy(vertex_index t) {
   const face& f = m_.faces()[t];
+  if (unit_ <= 0) return shape_of(t);
   return shape_of(t) + size_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +40,9 @@ double size_energy(const node& a, const node& b, const node& c, double unit);
 
 using face_energies = boost::container::small_vector<double, 16>;
 
+// True if a mesh may have a face with these corners.
+using face_test = std::function<bool(const node& a, const node& b, const node& c)>;
+
 class unit_mesher {
  public:
   unit_mesher(working_mesh& m, unit_mesh_options options) : m_(m), options_(std::move(options)) {}
@@ -48,6 +52,11 @@ class unit_mesher {
   void run(metric_at field, const std::vector<point>& seeds);
   // Changes the present mesh to fit another metric.
   void refit(metric_at field);
+  // Changes the present mesh, whose nodes have the tensors of this field, for better shapes and
+  // fewer nodes, whatever lengths its edges have: merges what leaves the mean energy of shape
+  // nearly as low, flips edges and moves free nodes. Nothing is split, no node on a segment
+  // changes, and no face is made that is not allowed.
+  void improve(metric_at field, face_test allowed);
   // Splits the longest edges, or merges the shortest, until there are as many nodes as are wanted.
   void meet_count(metric_at field);
   // Splits the edges that are much too long in this metric and not short in the mesh's own, longest
@@ -108,6 +117,12 @@ class unit_mesher {
   std::vector<point> insert_seeds(std::span<const point> seeds);
   std::vector<point> insert_in_blocks(const std::vector<point>& seeds);
 
+  // Defined in unit_mesh_improvement.cpp.
+  struct worthwhile_merge;
+  std::optional<worthwhile_merge> best_merge(vertex_index v, double mean);
+  double mean_energy();
+  std::size_t merge_where_better();
+
   // Defined in unit_mesh_changes.cpp.
   std::size_t split_long(double longest, std::size_t most = no_limit);
   std::size_t merge_short(double shortest, std::size_t most = no_limit);
@@ -121,11 +136,18 @@ class unit_mesher {
   bool try_move(vertex_index v, const point& to, const face_list& at, double before);
   void note_change(vertex_index t);
   void note_changes_around(vertex_index v);
+  bool is_allowed(const node& a, const node& b, const node& c) const {
+    return !allowed_ || allowed_(a, b, c);
+  }
 
   working_mesh& m_;
   metric_at field_;
   unit_mesh_options options_;
-  double unit_ = 1;
+  face_test allowed_;  // empty: all faces are
+  // Least part of the energy around a node that a move must gain, to be worth the moves which it
+  // queues for the neighbours.
+  double least_gain_ = 1e-3;
+  double unit_ = 1;  // 0 where size does not count
   // By how much the unit has to be longer than equilateral triangles would have it, for as many
   // nodes as are wanted: learnt from round to round.
   double crowding_ = 1.05;

@@ -148,6 +148,7 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   // Infinite where the flip would turn a triangle over.
   const double one = shape_energy(c, a, d, 0);
   if (!(one + least_energy < most) || !(one + shape_energy(d, b, c, 0) < most)) return false;
+  if (!is_allowed(c, a, d) || !is_allowed(d, b, c)) return false;
   m_.flip(t, edge);
   note_change(t);
   note_change(s);
@@ -294,7 +295,7 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
     if (!(root > 0 && length > 0)) continue;
     // The quarter turn in the metric, sqrt(det m) m^-1 J, scaled to the mean of two heights: of a
     // unit triangle and of the equilateral one on this edge.
-    const double height = std::numbers::sqrt3 / 4 * (1 + unit_ / length);
+    const double height = std::numbers::sqrt3 / 4 * (unit_ > 0 ? 1 + unit_ / length : 2);
     const double tx = (-m.m22 * ey - m.m12 * ex) / root, ty = (m.m12 * ey + m.m11 * ex) / root;
     const double w = each[k];
     x += w * (a.position.x + ex / 2 + height * tx);
@@ -305,22 +306,24 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
 }
 
 bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at, double before) {
-  // Least gain that is worth the moves which it queues for the neighbours.
-  constexpr double gain = 1e-3;
   const node old = m_.at(v);
   m_.move(v, to);
   measure(v);
   double sum = 0;
   std::size_t left = at.size();
   const auto may_be_less = [&] {
-    return sum + least_energy * static_cast<double>(left) < before * (1 - gain);
+    return sum + least_energy * static_cast<double>(left) < before * (1 - least_gain_);
   };
   for (auto t = at.begin(); t != at.end() && may_be_less(); ++t) {
     const face& f = m_.faces()[*t];
     sum += shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
     --left;
   }
-  if (may_be_less()) return true;
+  const auto may_be = [this](vertex_index t) {
+    const face& f = m_.faces()[t];
+    return is_allowed(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
+  };
+  if (may_be_less() && (!allowed_ || std::all_of(at.begin(), at.end(), may_be))) return true;
   m_.at(v) = old;
   return false;
 }

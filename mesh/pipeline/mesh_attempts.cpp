@@ -11,6 +11,7 @@
 #include "asterism/mesh/pipeline/adaptation.hpp"
 #include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/attempt_rules.hpp"
+#include "asterism/mesh/pipeline/improved_mesh.hpp"
 #include "asterism/mesh/pipeline/last_resort.hpp"
 #include "asterism/mesh/pipeline/tolerated_metric.hpp"
 #include "asterism/mesh/pipeline/unit_image.hpp"
@@ -162,10 +163,12 @@ class attempts_at_mesh {
 
   // Makes one in the metric wanted: in the frame, and brings it back.
   failure keep_to_metric(const attempt_rule& by, const mesh_options& options, double share) {
-    auto made = mesh_domain(
-        {stars_on_, image_.shape(), image_.field(), options, progress_, share, confirmed_});
+    const meshing_context job{stars_on_, image_.shape(), image_.field(), options,
+                              progress_, share,          confirmed_};
+    auto made = mesh_domain(job);
     if (!made) return made.failure();
     as_wanted_ = std::move(made).value();
+    improve(job, *as_wanted_);
     image_.outward(*as_wanted_);
     note(by, &*as_wanted_);
     chosen_ = by.what;

@@ -7,37 +7,16 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/refine/coarsening_pass.hpp"
 #include "asterism/mesh/refine/coarser_mesh.hpp"
 #include "asterism/mesh/refine/refinement_loop.hpp"
 
 namespace asterism::internal {
 namespace {
 
-// Refines the proposal, and improves the mesh if that is asked for.
-result<mesh_outcome> refine_and_improve(const meshing_context& job, filled_domain proposed) {
-  auto made = refine(job, std::move(proposed));
-  if (!made) return made;
-  improve(
-      job,
-      [&job](const filled_domain& other, std::size_t most_sites) {
-        tier_counters own;  // work for one mesh is counted from zero
-        const auto own_kernel = job.kernel.fork(own);
-        mesh_options limited = job.options;
-        limited.max_sites = most_sites;
-        auto tried = refine(job.on(*own_kernel).with(limited), other);
-        job.kernel.counters() += own;
-        return tried;
-      },
-      made.value());
-  return made;
-}
-
-// Refines the proposal in the field divided by 2^halvings. A mesh made coarser than asked for is
-// not improved: it is not complete, whatever it says of itself.
+// Refines the proposal in the field divided by 2^halvings.
 result<mesh_outcome> refine_coarser(const meshing_context& job, filled_domain proposed,
                                     int halvings) {
-  if (halvings == 0) return refine_and_improve(job, std::move(proposed));
+  if (halvings == 0) return refine(job, std::move(proposed));
   const coarser_field coarser(job.field, halvings);
   auto made = refine(job.in(coarser), std::move(proposed));
   if (made) restore_lengths(halvings, made.value());
@@ -49,7 +28,6 @@ result<mesh_outcome> refine_coarser(const meshing_context& job, filled_domain pr
 result<mesh_outcome> mesh_as_given(const meshing_context& job, int halvings) {
   mesh_options options = job.options;
   options.max_sites = job.shape.vertices.size();
-  options.improve_passes = 0;  // what is given stays
   filled_domain nothing;
   nothing.divisions.resize(job.shape.segments.size());
   auto made = refine_coarser(job.with(options), std::move(nothing), halvings);

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Passes over a finished mesh: what they propose, that what they accept is certified and never
-// worse, and that they leave alone what they should.
+// Passes over a finished mesh: what local changes propose, that what passes accept is certified and
+// never worse, and that they leave alone what they should.
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 #include <set>
 
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
-#include "asterism/mesh/refine/coarsening_proposal.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/judged_mesh.hpp"
@@ -77,57 +77,66 @@ test::patch crowded_patch(std::size_t triangle_number) {
   return p;
 }
 
-improvement_goal modest_goal() {
-  improvement_goal goal;
-  goal.least_angle = 20;
-  goal.mean_quality = 0.9;
-  goal.largest_radius = 0.75;
-  return goal;
+// Improves the patch by local changes in the metric it has, with faces that `allowed` takes.
+adapting::working_mesh improved(const test::patch& p, const adapting::face_test& allowed) {
+  auto built = adapting::working_mesh::build(p.d, p.m);
+  REQUIRE(built.ok());
+  adapting::working_mesh m = std::move(built).value();
+  adapting::unit_mesher(m, {}).improve(
+      [](const point&, vertex_index&) { return test::round_metric; }, allowed);
+  return m;
 }
 
 }  // namespace
 
 TEST_CASE("improvement: a site in the middle of a good triangle goes, and nothing else") {
   const test::patch p = crowded_patch(30);
-  const std::vector<char> nobody(p.m.sites.size(), 0);
   const auto added = static_cast<vertex_index>(p.m.sites.size() - 1);
-  const improvement_proposal proposal =
-      propose_improvement(p.m, p.d.segments.size(), identity_field(), modest_goal(), nobody);
-  CHECK(proposal.removed == std::vector<vertex_index>{added});
-  CHECK(proposal.moved.empty());
-
-  std::vector<char> barred = nobody;
-  barred[added] = 1;
-  const improvement_proposal none =
-      propose_improvement(p.m, p.d.segments.size(), identity_field(), modest_goal(), barred);
-  CHECK(none.removed.empty());
+  const adapting::working_mesh m = improved(p, {});
+  CHECK(m.at(added).kind == adapting::node_kind::gone);
+  CHECK(m.count() + 1 == p.m.sites.size());
+  for (vertex_index v = 0; v < added; ++v) CHECK(m.at(v).position == p.m.sites[v].position);
 }
 
-TEST_CASE("improvement: a site that is given stays, however crowded") {
+TEST_CASE("improvement: a site that is given stays, and so does all where no other face may be") {
   test::patch p = crowded_patch(30);
+  const auto none = [](const auto&, const auto&, const auto&) { return false; };
+  CHECK(improved(p, none).count() == p.m.sites.size());
   p.m.given = static_cast<vertex_index>(p.m.sites.size());
-  const improvement_proposal proposal =
-      propose_improvement(p.m, p.d.segments.size(), identity_field(), modest_goal(),
-                          std::vector<char>(p.m.sites.size(), 0));
-  CHECK(proposal.changes_nothing());
-  CHECK(proposal.filling.interior.empty());
+  p.d.vertices.clear();
+  for (const site& s : p.m.sites) p.d.vertices.push_back(s.position);
+  const adapting::working_mesh kept = improved(p, {});
+  CHECK(kept.count() == p.m.sites.size());
+  for (vertex_index v = 0; v < p.m.sites.size(); ++v)
+    CHECK(kept.at(v).position == p.m.sites[v].position);
 }
 
-TEST_CASE("improvement: no two sites with a common edge are removed, nor any on the boundary") {
-  const mesh_outcome made = mesh_of(square(), sized(swirl_field(12), 0.15), with_passes(0, true));
-  improvement_goal goal = modest_goal();
-  goal.largest_radius = std::numeric_limits<double>::infinity();
-  const improvement_proposal proposal =
-      propose_improvement(made.result, square().segments.size(), sized(swirl_field(12), 0.15), goal,
-                          std::vector<char>(made.sites, 0));
-  CHECK(proposal.removed.size() > made.sites / 10);
-  const std::set<vertex_index> removed(proposal.removed.begin(), proposal.removed.end());
-  for (const triangle& t : made.result.triangles)
-    CHECK(removed.count(t[0]) + removed.count(t[1]) + removed.count(t[2]) <= 1);
-  std::size_t on_segments = 0;
-  for (const auto& division : proposal.filling.divisions) on_segments += division.size();
-  CHECK(on_segments + 4 == made.result.boundary.size());
-  CHECK(on_segments + 4 + proposal.filling.interior.size() + removed.size() == made.sites);
+TEST_CASE("improvement: sites on the boundary stay, and every tensor is the field's") {
+  const domain d = accepted(square());
+  const formula_field field = sized(swirl_field(12), 0.15);
+  const mesh_outcome before = mesh_of(d, field, with_passes(0, true)),
+                     after = mesh_of(d, field, with_passes(3, true));
+  REQUIRE(after.improved);
+  CHECK(after.improved->passes > 0);
+  const auto on_boundary = [](const mesh& m) {
+    std::set<std::pair<double, double>> places;
+    for (const boundary_edge& e : m.boundary)
+      for (const vertex_index v : {e.a, e.b})
+        places.insert({m.sites[v].position.x, m.sites[v].position.y});
+    return places;
+  };
+  CHECK(on_boundary(before.result) == on_boundary(after.result));
+  for (const site& s : after.result.sites) CHECK(identical(field.at(s.position).value(), s.metric));
+  CHECK_FALSE(after.delivered);
+}
+
+TEST_CASE("improvement: with a size, no triangle is too large") {
+  const domain d = accepted(square());
+  const mesh_outcome after = mesh_of(d, sized(swirl_field(12), 0.1), with_passes(8, true));
+  CHECK(after.complete);
+  for (const triangle& t : after.result.triangles)
+    CHECK(metric_circumradius({after.result.sites[t[0]], after.result.sites[t[1]],
+                               after.result.sites[t[2]]}) <= largest_circumradius);
 }
 
 TEST_CASE("improvement: with and without a size there are fewer sites, certified and no worse") {
