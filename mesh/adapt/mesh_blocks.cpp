@@ -145,7 +145,7 @@ void mesh_blocks::mark_frame() {
 }
 
 mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
-  block made{whole_.like({}), {}, {}, {}};
+  block made{whole_.like({}), {}, {}, {}, {}};
   made.faces.assign(listed_.begin() + static_cast<std::ptrdiff_t>(first_[b]),
                     listed_.begin() + static_cast<std::ptrdiff_t>(first_[b + 1]));
   working_mesh::parts parts;
@@ -172,44 +172,75 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
     for (std::size_t e = 0; e < 3; ++e)
       if (is_of_frame(f.segment[e]))
         for (const vertex_index v : {f.v[after(e)], f.v[before(e)]}) {
-          made.is_frame[v] = 1;
+          if (std::exchange(made.is_frame[v], char{1}) != 0) continue;
+          made.frame.push_back(v);
           parts.nodes[v].kind = node_kind::given;
         }
   made.part = whole_.like(std::move(parts));
   return made;
 }
 
-// Numbers what a block has: the domain's vertices as they are, the frame's nodes in the first block
-// that has them.
-void mesh_blocks::number_block(std::size_t b, std::vector<vertex_index>& frame_now,
-                               vertex_index& nodes, vertex_index& faces) {
+// Counts what a block adds to the whole but for the frame's nodes; the domain's own vertices are
+// there before.
+mesh_blocks::range mesh_blocks::count_block(std::size_t b) {
   const block& now = *blocks_[b];
   const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
-  std::vector<vertex_index>& number = node_now_[b];
-  number.assign(now.part.nodes().size(), none);
-  writes_[b].assign(now.part.nodes().size(), 0);
-  for (vertex_index v = 0; v < number.size(); ++v) {
-    if (now.part.at(v).kind == node_kind::gone) continue;
-    const bool is_old = v < now.nodes.size();
-    const vertex_index before = is_old ? now.nodes[v] : none;
-    if (is_old && now.is_frame[v] != 0 && frame_now[before] != none) {
-      number[v] = frame_now[before];
-      continue;
+  range has;
+  for (vertex_index v = 0; v < now.part.nodes().size(); ++v)
+    if (now.part.at(v).kind != node_kind::gone && !is_at_frame(b, v) &&
+        !(v < now.nodes.size() && now.nodes[v] < given))
+      ++has.nodes;
+  for (const face& f : now.part.faces())
+    if (f.exists()) ++has.faces;
+  return has;
+}
+
+// Numbers the nodes of the frame: those of each block, unless another one has them before, ahead of
+// what is inside of it. Returns where the rest of each block begins, and what there is in all.
+std::vector<mesh_blocks::range> mesh_blocks::number_frame() {
+  std::vector<range> has(count()), from(count() + 1);
+  parallel_for(count(), [&](std::size_t b) { has[b] = count_block(b); });
+  frame_now_.assign(given_.nodes.size(), none);
+  frame_owner_.assign(given_.nodes.size(), 0);
+  const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
+  range next{given, 0};
+  for (std::size_t b = 0; b < count(); ++b) {
+    for (const vertex_index v : blocks_[b]->frame) {
+      const vertex_index before = blocks_[b]->nodes[v];
+      if (frame_now_[before] != none) continue;
+      frame_now_[before] = before < given ? before : next.nodes++;
+      frame_owner_[before] = static_cast<std::uint32_t>(b);
     }
-    number[v] = before < given ? before : nodes++;
-    writes_[b][v] = 1;
-    if (is_old && now.is_frame[v] != 0) frame_now[before] = number[v];
+    from[b] = next;
+    next.nodes += has[b].nodes;
+    next.faces += has[b].faces;
+  }
+  from.back() = next;
+  return from;
+}
+
+void mesh_blocks::number_block(std::size_t b, range from) {
+  const block& now = *blocks_[b];
+  const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
+  node_now_[b].assign(now.part.nodes().size(), none);
+  for (vertex_index v = 0; v < node_now_[b].size(); ++v) {
+    if (now.part.at(v).kind == node_kind::gone) continue;
+    const vertex_index before = v < now.nodes.size() ? now.nodes[v] : none;
+    node_now_[b][v] = is_at_frame(b, v) ? frame_now_[before]
+                      : before < given  ? before
+                                        : from.nodes++;
   }
   face_now_[b].assign(now.part.faces().size(), none);
   for (vertex_index t = 0; t < face_now_[b].size(); ++t)
-    if (now.part.faces()[t].exists()) face_now_[b][t] = faces++;
+    if (now.part.faces()[t].exists()) face_now_[b][t] = from.faces++;
 }
 
 void mesh_blocks::write_block(std::size_t b, working_mesh::parts& made) {
   const block& now = *blocks_[b];
   for (vertex_index v = 0; v < now.part.nodes().size(); ++v) {
-    if (writes_[b][v] == 0) continue;
-    const bool is_frame = v < now.nodes.size() && now.is_frame[v] != 0;
+    if (node_now_[b][v] == none) continue;
+    const bool is_frame = is_at_frame(b, v);
+    if (is_frame && frame_owner_[now.nodes[v]] != b) continue;
     node& n = made.nodes[node_now_[b][v]];
     n = is_frame ? given_.nodes[now.nodes[v]] : now.part.at(v);
     n.face = face_now_[b][now.part.at(v).face];
@@ -233,14 +264,11 @@ void mesh_blocks::write_block(std::size_t b, working_mesh::parts& made) {
 void mesh_blocks::join() {
   node_now_.resize(count());
   face_now_.resize(count());
-  writes_.resize(count());
-  std::vector<vertex_index> frame_now(given_.nodes.size(), none);
-  auto nodes = static_cast<vertex_index>(whole_.shape().vertices.size());
-  vertex_index faces = 0;
-  for (std::size_t b = 0; b < count(); ++b) number_block(b, frame_now, nodes, faces);
+  const std::vector<range> from = number_frame();
+  parallel_for(count(), [&](std::size_t b) { number_block(b, from[b]); });
   working_mesh::parts made;
-  made.nodes.resize(nodes);
-  made.faces.resize(faces);
+  made.nodes.resize(from.back().nodes);
+  made.faces.resize(from.back().faces);
   parallel_for(count(), [&](std::size_t b) { write_block(b, made); });
   for (const frame_edge& edge : frame_) {
     const auto &l = edge.left, &r = edge.right;

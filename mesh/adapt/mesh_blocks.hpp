@@ -27,7 +27,8 @@ class mesh_blocks {
   struct block {
     working_mesh part;
     std::vector<vertex_index> nodes, faces;
-    std::vector<char> is_frame;  // of these nodes
+    std::vector<char> is_frame;       // of these nodes
+    std::vector<vertex_index> frame;  // the nodes that are
   };
 
   // True if the mesh has so many faces that blocks are worth their frames.
@@ -48,6 +49,11 @@ class mesh_blocks {
   // After join(): returns the number in the whole of a block's node or face; none if it is gone.
   vertex_index node_now(std::size_t b, vertex_index v) const { return node_now_[b][v]; }
   vertex_index face_now(std::size_t b, vertex_index t) const { return face_now_[b][t]; }
+  // Returns which nodes of a block, by their numbers in it, are on the frame.
+  const std::vector<vertex_index>& nodes_at_frame(std::size_t b) const { return blocks_[b]->frame; }
+  bool is_at_frame(std::size_t b, vertex_index v) const {
+    return v < blocks_[b]->is_frame.size() && blocks_[b]->is_frame[v] != 0;
+  }
   // Returns the faces beside the frame, two for each of its edges.
   std::vector<vertex_index> faces_at_frame() const;
 
@@ -66,8 +72,12 @@ class mesh_blocks {
   std::size_t block_at(std::uint64_t place) const;
   void list_blocks();
   void mark_frame();
-  void number_block(std::size_t b, std::vector<vertex_index>& frame_now, vertex_index& nodes,
-                    vertex_index& faces);
+  struct range {
+    vertex_index nodes = 0, faces = 0;
+  };
+  range count_block(std::size_t b);
+  std::vector<range> number_frame();
+  void number_block(std::size_t b, range from);
   void write_block(std::size_t b, working_mesh::parts& made);
 
   working_mesh& whole_;
@@ -81,7 +91,8 @@ class mesh_blocks {
   std::vector<frame_edge> frame_;
   std::vector<std::optional<block>> blocks_;
   std::vector<std::vector<vertex_index>> node_now_, face_now_;
-  std::vector<std::vector<char>> writes_;  // of each block's nodes: does it write it to the whole?
+  std::vector<vertex_index> frame_now_;     // numbers of the frame's nodes, by those they had
+  std::vector<std::uint32_t> frame_owner_;  // the block that writes them to the whole
 };
 
 }  // namespace asterism::internal::adapting

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -45,28 +46,42 @@ background_metric field_of(working_mesh& m) {
   return made;
 }
 
-// Goes from node to neighbour, so that each search begins an edge away.
-void look_up_anew(working_mesh& m, const background_metric& field) {
-  std::vector<char> is_reached(m.nodes().size(), 0);
+namespace {
+
+// Looks the nodes of a stretch up, going from node to neighbour, so that each search begins an edge
+// away.
+void look_up_stretch(working_mesh& m, const background_metric& field, vertex_index begin,
+                     vertex_index end) {
+  std::vector<char> is_reached(end - begin, 0);
   std::vector<vertex_index> waiting;
   face_list ring;
-  for (vertex_index first = 0; first < m.nodes().size(); ++first) {
-    if (m.at(first).kind == node_kind::gone || is_reached[first] != 0) continue;
-    m.at(first).hint = 0;
-    is_reached[first] = 1;
+  vertex_index last = 0;
+  for (vertex_index first = begin; first < end; ++first) {
+    if (m.at(first).kind == node_kind::gone || is_reached[first - begin] != 0) continue;
+    m.at(first).hint = last;
+    is_reached[first - begin] = 1;
     waiting.assign(1, first);
     for (std::size_t next = 0; next < waiting.size(); ++next) {
       const vertex_index v = waiting[next];
-      m.at(v).hint = field.triangle_near(m.at(v).position, m.at(v).hint);
+      m.at(v).hint = last = field.triangle_near(m.at(v).position, m.at(v).hint);
       m.neighbours(v, ring);
       for (const vertex_index w : ring) {
-        if (is_reached[w] != 0) continue;
-        is_reached[w] = 1;
+        if (w < begin || w >= end || is_reached[w - begin] != 0) continue;
+        is_reached[w - begin] = 1;
         m.at(w).hint = m.at(v).hint;
         waiting.push_back(w);
       }
     }
   }
+}
+
+}  // namespace
+
+void look_up_anew(working_mesh& m, const background_metric& field) {
+  constexpr std::size_t stretch = 8192;  // nodes: a block's follow each other (mesh_blocks.hpp)
+  parallel_chunks(m.nodes().size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
+    look_up_stretch(m, field, static_cast<vertex_index>(begin), static_cast<vertex_index>(end));
+  });
 }
 
 void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,

@@ -84,15 +84,50 @@ bool settling::is_in_vain() const {
 void settling::run(const cancellation& stop) {
   constexpr int most_sweeps = 3;
   bool any = true;
+  find_calm();
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
     any = false;
     for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
       const node_kind kind = m_.at(v).kind;
       if (!awake_[v] || (kind != node_kind::free && kind != node_kind::sliding)) continue;
       awake_[v] = 0;
-      if (settle(v)) any = true;
+      if (calm_[v] == 0 && settle(v)) any = true;
     }
     m_.charge_work(stop);
+  }
+}
+
+// Finds the nodes at which nothing is amiss: most of them, and what takes time. Several threads do
+// it, as nothing moves meanwhile.
+void settling::find_calm() {
+  constexpr std::size_t nodes_at_once = 1024;
+  const std::size_t count = m_.nodes().size();
+  calm_.assign(count, 0);
+  parallel_chunks(count, nodes_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
+    edges_around at(m_, tests_);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto v = static_cast<vertex_index>(i);
+      const node_kind kind = m_.at(v).kind;
+      if (kind != node_kind::free && kind != node_kind::sliding) continue;
+      at.turn_to(v);
+      const double now = trouble_of_others(at, v, infinity) + trouble_of_own(at, v);
+      calm_[v] = now > 0 ? 0 : 1;
+    }
+  });
+}
+
+// Takes the calm of the nodes whose defect depends on v: its neighbours, and those that have it
+// across.
+void settling::disturb_around(vertex_index v) {
+  calm_[v] = 0;
+  for (const vertex_index t : edges_.faces()) {
+    const face& f = m_.faces()[t];
+    const std::size_t i = f.corner_of(v);
+    const vertex_index a = f.v[after(i)];
+    calm_[a] = calm_[f.v[before(i)]] = 0;
+    if (f.next[i] == none) continue;
+    const face& g = m_.faces()[f.next[i]];
+    calm_[g.v[after(g.corner_of(a))]] = 0;
   }
 }
 
@@ -115,9 +150,9 @@ double settling::trouble_of(vertex_index t, vertex_index by) const {
 
 // Returns the defect of the faces around the node in the tensors wanted of their other nodes.
 // Returns some number no less than `most` once it reaches that, or where a face does not turn left.
-double settling::trouble_of_others(vertex_index v, double most) const {
+double settling::trouble_of_others(const edges_around& at, vertex_index v, double most) const {
   double sum = 0;
-  for (const vertex_index t : edges_.faces()) {
+  for (const vertex_index t : at.faces()) {
     const face& f = m_.faces()[t];
     const std::size_t i = f.corner_of(v);
     const vertex_index a = f.v[after(i)], b = f.v[before(i)];
@@ -130,13 +165,13 @@ double settling::trouble_of_others(vertex_index v, double most) const {
 
 // Returns the defect of the faces at the node plus that of the opposite faces towards
 // it.
-double settling::trouble_of_own(vertex_index v) {
+double settling::trouble_of_own(edges_around& at, vertex_index v) const {
   constexpr double weight_of_clearance = 2;
   double sum = 0;
-  for (const vertex_index t : edges_.faces()) sum += trouble_of(t, v);
+  for (const vertex_index t : at.faces()) sum += trouble_of(t, v);
   node there = m_.at(v);
   there.metric = wanted_[v].metric;
-  edges_.tell_centres_across([&](const face_centre& c) {
+  at.tell_centres_across([&](const face_centre& c) {
     sum += weight_of_clearance * trouble(room_looked_for - clearance(c, there));
   });
   return sum;
@@ -157,7 +192,7 @@ double settling::energy() const {
 void settling::find_better_places(vertex_index v) {
   constexpr double weight_of_energy = 4;
   better_.clear();
-  const double now = trouble_of_others(v, infinity) + trouble_of_own(v);
+  const double now = trouble_of_others(edges_, v, infinity) + trouble_of_own(edges_, v);
   if (!(now > 0)) return;
   const double energy_now = energy();
   const node here = m_.at(v);
@@ -172,11 +207,11 @@ void settling::find_better_places(vertex_index v) {
       m_.move(v, here.position);
       if (here.kind == node_kind::sliding) to = m_.on_segment(v, to);
       m_.move(v, to);
-      double then = trouble_of_others(v, now);
+      double then = trouble_of_others(edges_, v, now);
       if (!(then < now)) continue;
       vertex_index hint = here.hint;
       wanted_[v] = look_up(to, hint);
-      then += trouble_of_own(v);
+      then += trouble_of_own(edges_, v);
       if (!(then < now)) continue;
       then += weight_of_energy * (energy() - energy_now);
       if (then < now) better_.push_back({to, wanted_[v], hint, then});
@@ -231,6 +266,7 @@ bool settling::settle(vertex_index v) {
     m_.at(v).hint = there.hint;
     face_list ring;
     m_.neighbours(v, ring);
+    disturb_around(v);
     for (const vertex_index u : ring) awake_[u] = 1;
     awake_[v] = 1;
     return true;

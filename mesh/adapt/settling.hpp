@@ -48,11 +48,13 @@ class settling {
     double trouble;
   };
 
+  void find_calm();
+  void disturb_around(vertex_index v);
   wanted_tensor look_up(const point& q, vertex_index& hint) const;
   double excess_of(vertex_index t, vertex_index by) const;
   double trouble_of(vertex_index t, vertex_index by) const;
-  double trouble_of_others(vertex_index v, double most) const;
-  double trouble_of_own(vertex_index v);
+  double trouble_of_others(const edges_around& at, vertex_index v, double most) const;
+  double trouble_of_own(edges_around& at, vertex_index v) const;
   double energy() const;
   void find_better_places(vertex_index v);
   bool stretches_edge(vertex_index v, const point& here, const place& there) const;
@@ -66,6 +68,7 @@ class settling {
   wanted_at field_;
   std::vector<wanted_tensor> wanted_;  // of each node
   std::vector<char> awake_;
+  std::vector<char> calm_;     // nodes at which nothing is amiss, as the mesh is
   std::vector<place> better_;  // of the node at hand
 };
 

@@ -66,21 +66,27 @@ std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
   is_inside_.assign(m_.nodes().size(), 0);
   is_due_.assign(m_.faces().size(), 0);
   shapes_.assign(m_.faces().size(), shape_not_known);
-  for (std::size_t b = 0; b < states.size(); ++b) {
+  // Several blocks have the same nodes at the frame; these are taken up one block after the other.
+  const auto take_node = [&](std::size_t b, vertex_index v) {
+    const vertex_index now = blocks.node_now(b, v);
+    if (now == none) return;
+    is_restless_[now] = static_cast<char>(is_restless_[now] | states[b].is_restless[v]);
+    is_inside_[now] = static_cast<char>(is_inside_[now] | states[b].is_inside[v]);
+  };
+  parallel_for(states.size(), [&](std::size_t b) {
     const block_state& left = states[b];
-    done += left.done;
-    for (vertex_index v = 0; v < left.is_inside.size(); ++v) {
-      const vertex_index now = blocks.node_now(b, v);
-      if (now == none) continue;
-      is_restless_[now] = static_cast<char>(is_restless_[now] | left.is_restless[v]);
-      is_inside_[now] = static_cast<char>(is_inside_[now] | left.is_inside[v]);
-    }
+    for (vertex_index v = 0; v < left.is_inside.size(); ++v)
+      if (!blocks.is_at_frame(b, v)) take_node(b, v);
     for (vertex_index t = 0; t < left.is_due.size(); ++t) {
       const vertex_index now = blocks.face_now(b, t);
       if (now == none) continue;
       is_due_[now] = left.is_due[t];
       shapes_[now] = left.shapes[t];
     }
+  });
+  for (std::size_t b = 0; b < states.size(); ++b) {
+    done += states[b].done;
+    for (const vertex_index v : blocks.nodes_at_frame(b)) take_node(b, v);
   }
   for (const vertex_index t : blocks.faces_at_frame()) is_due_[t] = 1;
   due_.clear();
