@@ -22,7 +22,9 @@
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/surface_summary.hpp"
 #include "asterism/apps/thread_limit.hpp"
+#include "asterism/mesh/draw/picture.hpp"
 #include "asterism/mesh/draw/space_page.hpp"
+#include "asterism/mesh/draw/space_picture.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/surface/surface_mesher.hpp"
@@ -59,7 +61,16 @@ is written.
 
 Examples:
   asterism surface torus --chord 0.003 -o torus.obj
-  asterism surface hull.json --chord 1e-3 --normal 10 -o hull.mesh -o hull.stl)";
+  asterism surface hull.json --chord 1e-3 --normal 10 -o hull.mesh -o hull.stl
+  asterism surface teapot --chord 0.03 -o teapot.png)";
+
+std::optional<picture_format> picture_format_of(const fs::path& path) {
+  const std::string name = path.string();
+  if (has_ending(name, ".svg")) return picture_format::svg;
+  if (has_ending(name, ".png")) return picture_format::png;
+  if (has_ending(name, ".pdf")) return picture_format::pdf;
+  return std::nullopt;
+}
 
 std::optional<error> check_files(const surface_job& job) {
   std::vector<fs::path> used = job.outputs;
@@ -68,6 +79,10 @@ std::optional<error> check_files(const surface_job& job) {
     if (auto wrong = check_place(path)) return wrong;
   for (const fs::path& path : job.outputs) {
     if (has_ending(path.string(), ".html")) continue;
+    if (picture_format_of(path)) {
+      if (const auto missing = missing_for_pictures()) return missing->at(path.string());
+      continue;
+    }
     const auto text = space_mesh_text({}, path.string());
     if (!text) return error{text.failure().message + "; .html is a page to turn it on"};
   }
@@ -111,8 +126,10 @@ result<std::vector<output_file>> files_of(const surface_job& job, const space_me
                                           const shell_certificate& claim) {
   std::vector<output_file> files;
   for (const fs::path& path : job.outputs) {
-    auto text = has_ending(path.string(), ".html") ? page_of(job, mesh, claim)
-                                                   : space_mesh_text(mesh, path.string());
+    const auto picture = picture_format_of(path);
+    auto text = picture                              ? draw_space_picture(mesh, *picture)
+                : has_ending(path.string(), ".html") ? page_of(job, mesh, claim)
+                                                     : space_mesh_text(mesh, path.string());
     if (!text) return text.failure();
     files.push_back({path, std::move(text).value()});
   }
@@ -215,9 +232,10 @@ void add_surface_command(CLI::App& program, command& chosen) {
   add_sizes(*app, *job);
   app->add_flag("--no-crossings", job->no_crossings,
                 "Prove also that no two triangles cross, or touch but in what they have in common");
-  app->add_option("-o,--output", job->outputs,
-                  "File to write, .obj, .stl, .ply, .mesh, .msh, .vtu, or .html, a page to turn it "
-                  "on; may be given again")
+  app->add_option(
+         "-o,--output", job->outputs,
+         "File to write: .obj, .stl, .ply, .mesh, .msh, .vtu; .html, a page to turn it on; "
+         ".png, .svg, .pdf, a picture; may be given again")
       ->required()
       ->type_name("OUT");
   app->add_option("--certificate", job->certificate, "Where to write what was proved")

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/surface/few_bits.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -79,6 +80,19 @@ std::array<double, 2> densities(double stronger, double weaker, const surface_si
   return {first, density(weaker, height, sizes)};
 }
 
+// Where the two are nearly parallel, as in a chart that is much aslant, rounding could make them
+// so.
+void round_covectors(std::array<std::array<double, 2>, 2>& covector) {
+  constexpr double apart = 0x1p-10;
+  std::array<double, 2> scale{};
+  for (std::size_t k = 0; k < 2; ++k)
+    scale[k] = std::max(std::abs(covector[k][0]), std::abs(covector[k][1]));
+  const double area = covector[0][0] * covector[1][1] - covector[0][1] * covector[1][0];
+  if (!(std::abs(area) > apart * scale[0] * scale[1])) return;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (double& x : covector[k]) x = in_steps_of(x, scale[k]);
+}
+
 void add_square(metric_tensor& m, const std::array<double, 2>& covector, double factor) {
   m.m11 += factor * covector[0] * covector[0];
   m.m12 += factor * covector[0] * covector[1];
@@ -143,6 +157,8 @@ surface_chart::local_metric surface_chart::metric_at(const point& p,
   m.densities = k->first >= k->second ? densities(k->first, k->second, sizes)
                                       : densities(k->second, k->first, sizes);
   if (k->first < k->second) std::swap(m.densities[0], m.densities[1]);
+  for (double& d : m.densities) d = in_few_bits(d);
+  round_covectors(k->covector);
   const auto& [a, b] = k->covector;
   const double area = a[0] * b[1] - a[1] * b[0];
   m.directions = {point{b[1] / area, -b[0] / area}, point{-a[1] / area, a[0] / area}};

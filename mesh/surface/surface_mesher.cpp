@@ -17,6 +17,7 @@
 #include "asterism/mesh/support/parallel_for.hpp"
 #include "asterism/mesh/surface/curve_division.hpp"
 #include "asterism/mesh/surface/face_meshing.hpp"
+#include "asterism/mesh/surface/few_bits.hpp"
 #include "asterism/mesh/surface/shell_of_faces.hpp"
 #include "asterism/mesh/surface/surface_sides.hpp"
 #include "asterism/mesh/surface_audit/shell_audit.hpp"
@@ -65,6 +66,8 @@ class surface_meshing {
   std::optional<error> make_stale_faces();
   std::optional<error> agree_on_sides();
   std::optional<error> measure();
+  std::string fold_text(std::size_t triangle, const std::array<double, 2>& at) const;
+  surface_mesh of_planes() const;
   void keep_if_better();
   bool has_grown_much() const;
   bool adjust(std::size_t round);
@@ -92,6 +95,7 @@ class surface_meshing {
   std::size_t vertices_then_ = 0;              // when the coarse rounds ended
   std::optional<surface_mesh> best_;
   double best_distance_ = 0;
+  std::optional<std::string> fold_;  // where the surface itself is folded
 };
 
 void surface_meshing::prepare() {
@@ -165,16 +169,28 @@ std::optional<error> surface_meshing::measure() {
   for (std::size_t t = 0; t < keys.size(); ++t) {
     const shell_measure& m = measures.value()[t];
     if (is_new[t] != 0)
-      distances_[t] = m.is_unfolded ? m.distance : std::max(m.distance, much * options_.chord);
+      distances_[t] = in_few_bits(
+          m.is_unfolded || m.fold ? m.distance : std::max(m.distance, much * options_.chord));
+    if (m.fold && !fold_) fold_ = fold_text(t, *m.fold);
     known_.emplace(keys[t], distances_[t]);
   }
   return {};
 }
 
-// Keeps the first mesh, then one within the chord, then the one with the fewest vertices.
-void surface_meshing::keep_if_better() {
+std::string surface_meshing::fold_text(std::size_t triangle,
+                                       const std::array<double, 2>& at) const {
+  std::size_t p = 0;
+  for (; triangle >= faces_[p].plane().triangles.size(); ++p)
+    triangle -= faces_[p].plane().triangles.size();
+  return fmt::format(
+      "the surface itself turns round at u = {:.9g}, v = {:.9g} of patch {}: no mesh there is "
+      "unfolded",
+      at[0], at[1], p + 1);
+}
+
+// The mesh of the present planes, before distances are looked at.
+surface_mesh surface_meshing::of_planes() const {
   surface_mesh now;
-  const double most = *std::max_element(distances_.begin(), distances_.end());
   now.complete = sides_agree_;
   if (!sides_agree_)
     now.reason = "patches with a common side did not come to agree how to divide it";
@@ -183,6 +199,13 @@ void surface_meshing::keep_if_better() {
       now.complete = false;
       now.reason = fmt::format("the plane mesh of patch {}: {}", p + 1, reasons_[p]);
     }
+  return now;
+}
+
+// Keeps the first mesh, then one within the chord, then the one with the fewest vertices.
+void surface_meshing::keep_if_better() {
+  surface_mesh now = of_planes();
+  const double most = *std::max_element(distances_.begin(), distances_.end());
   if (now.complete && most > options_.chord) {
     now.complete = false;
     now.reason = fmt::format("a triangle is {:.6g} from its part of the surface", most);
@@ -294,6 +317,7 @@ bool surface_meshing::has_grown_much() const {
 
 surface_mesh surface_meshing::ended(std::size_t rounds) {
   best_->rounds = rounds;
+  if (fold_) best_->complete = false, best_->reason = *fold_;
   if (options_.stop.is_requested()) {
     best_->complete = false;
     best_->reason = "the run was stopped";
@@ -316,7 +340,7 @@ result<surface_mesh> surface_meshing::run() {
   return ended(std::min(round + 1, options_.most_rounds));
 }
 
-// Measures the last mesh alone: of the others only the number of vertices is wanted.
+// Measures no distance: the number of vertices is wanted, and what it comes to is proved later.
 result<surface_mesh> surface_meshing::run_to_count() {
   std::size_t round = 0;
   scale_to_count(round);
@@ -326,8 +350,8 @@ result<surface_mesh> surface_meshing::run_to_count() {
     shell_ = shell_of_faces(surface_, patches());
     ++round;
   } while (!options_.stop.is_requested() && scale_to_count(round));
-  if (auto failed = measure()) return *failed;
-  keep_if_better();
+  best_ = of_planes();
+  best_->shell = std::move(shell_);
   return ended(round);
 }
 

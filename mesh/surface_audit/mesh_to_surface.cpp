@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "asterism/core/floating_point_environment.hpp"
@@ -136,24 +137,35 @@ std::vector<mesh_cell> whole_triangles(const deviation_scene& scene) {
   return cells;
 }
 
-}  // namespace
+narrowed<mesh_cell> narrowed_mesh(const deviation_scene& scene, std::vector<mesh_cell> cells,
+                                  const narrowing_limits& limits) {
+  return narrow(std::move(cells), limits,
+                [&](const mesh_cell& cell) { return divided(scene, cell); });
+}
 
-double distance_of_triangle(const deviation_scene& scene, std::uint32_t triangle,
-                            const narrowing_limits& limits) {
-  const auto found = narrow(std::vector<mesh_cell>{whole_triangle(scene, triangle)}, limits,
-                            [&](const mesh_cell& cell) { return divided(scene, cell); });
+double root_above(const narrowed<mesh_cell>& found) {
   const floating_point_scope scope(rounding::upward);
   return rounded_root(found.above);
 }
 
+}  // namespace
+
+double distance_of_mesh(const deviation_scene& scene, const narrowing_limits& limits) {
+  return root_above(narrowed_mesh(scene, whole_triangles(scene), limits));
+}
+
+double distance_of_triangle(const deviation_scene& scene, std::uint32_t triangle,
+                            const narrowing_limits& limits) {
+  return root_above(narrowed_mesh(scene, {whole_triangle(scene, triangle)}, limits));
+}
+
 one_sided_distance from_mesh(const deviation_scene& scene, const narrowing_limits& limits) {
-  const auto found = narrow(whole_triangles(scene), limits,
-                            [&](const mesh_cell& cell) { return divided(scene, cell); });
+  const auto found = narrowed_mesh(scene, whole_triangles(scene), limits);
   one_sided_distance answer;
   answer.cells = found.cells;
   answer.narrowed = found.done;
+  answer.high = root_above(found);
   const floating_point_scope scope(rounding::upward);
-  answer.high = rounded_root(found.above);
   const plain_vector middle = found.best->middle();
   const triangle_place place = nearest_in(scene.triangle(found.best->triangle), middle).at;
   answer.witness = {true, found.best->triangle, place.s, place.t, {middle.x, middle.y, middle.z}};

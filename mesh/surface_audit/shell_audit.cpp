@@ -17,6 +17,7 @@
 #include "asterism/mesh/surface_audit/plane_faces.hpp"
 #include "asterism/mesh/surface_audit/shell_crossings.hpp"
 #include "asterism/mesh/surface_audit/shell_edges.hpp"
+#include "asterism/mesh/surface_audit/surface_folds.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -123,6 +124,11 @@ using lifted_cells = std::vector<lifted_cell>;
   at(scene, cell, net_of(scene, cell));
 }
 
+lifted_cells cells_of_triangle(const lifted_scene& scene, std::uint32_t t) {
+  const floating_point_scope scope(rounding::upward);
+  return cells_of(scene, t);
+}
+
 // The first cells of a triangle, looked at; none where a cut is not certain.
 lifted_cells first_cells(const lifted_scene& scene, std::uint32_t t, look at) {
   const floating_point_scope scope(rounding::upward);
@@ -200,6 +206,17 @@ bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
   return true;
 }
 
+// Where the surface itself turns round within the triangle's piece, if doubles find a place.
+std::optional<std::array<double, 2>> fold_over(const lifted_scene& scene, std::uint32_t t) {
+  for (const lifted_cell& cell : cells_of_triangle(scene, t)) {
+    const bezier_piece& piece = scene.space.pieces[cell.piece];
+    if (const auto at = fold_in(piece, cell.corners))
+      return std::array{piece.u_low + (*at)[0] * (piece.u_high - piece.u_low),
+                        piece.v_low + (*at)[1] * (piece.v_high - piece.v_low)};
+  }
+  return std::nullopt;
+}
+
 double root_above(double squared) {
   const floating_point_scope scope(rounding::upward);
   return rounded_root(squared);
@@ -218,10 +235,13 @@ void audit_distances(const shell_view& view, const std::vector<lifted_cells>& fi
   limits.negligible = negligible_share * view.size();
   limits.at_most = asked.chord;
   limits.most_cells = 100 * scene.triangles.size() + 1'000'000;
+  // The greater of the two counts: the other need not be known better.
+  const double of_mesh = distance_of_mesh(scene.space, limits);
+  limits.negligible = std::max(limits.negligible, of_mesh);
   const auto found = narrow(joined(first), limits, [&](const lifted_cell& cell) {
     return parts_of(scene, cell, look_at_distance);
   });
-  report.distance = std::max(root_above(found.above), from_mesh(scene.space, limits).high);
+  report.distance = std::max(root_above(found.above), of_mesh);
   if (report.distance > asked.chord)
     note_finding(
         report, asked,
@@ -345,11 +365,14 @@ result<std::vector<shell_measure>> shell_measures(const surface& s, const surfac
         narrow(first_cells(scene, static_cast<std::uint32_t>(t), look_at_distance), limits,
                [&](const lifted_cell& cell) { return parts_of(scene, cell, look_at_distance); });
     measures[t].distance = root_above(found.above);
+    limits.negligible = std::max(limits.negligible, measures[t].distance);
     if (!scene.triangles[t].collapsed)
       measures[t].distance = std::max(
           measures[t].distance, distance_of_triangle(scene.space, scene.triangles[t].kept, limits));
     measures[t].is_unfolded =
         scene.triangles[t].collapsed || is_unfolded(scene, static_cast<std::uint32_t>(t));
+    if (!measures[t].is_unfolded)
+      measures[t].fold = fold_over(scene, static_cast<std::uint32_t>(t));
   });
   return measures;
 }

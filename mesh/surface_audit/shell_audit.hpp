@@ -16,6 +16,7 @@
 // docs/math/surfaces.md has the proofs. Angles in space are reported, not certified.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,11 +36,13 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
 
 // For who makes a shell: an upper bound of the distances between a plane triangle and its piece of
 // the surface, either no more than 5 % above a point's distance or below `enough`; and whether the
-// surface is not folded over it, as far as doubles tell in a few places. Only of the plane
-// triangles that are wanted, face by face; of others nothing is said.
+// surface is not folded over it, as far as doubles tell in a few places, and where the surface
+// itself is, which no finer mesh mends: u and v of its patch. Only of the plane triangles that are
+// wanted, face by face; of others nothing is said.
 struct shell_measure {
   double distance = 0;
   bool is_unfolded = false;
+  std::optional<std::array<double, 2>> fold = {};
 };
 result<std::vector<shell_measure>> shell_measures(const surface& s, const surface_shell& shell,
                                                   double enough,

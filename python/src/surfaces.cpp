@@ -13,6 +13,7 @@
 #include "arguments.hpp"
 #include "asterism/mesh/surface/built_in_surfaces.hpp"
 #include "asterism/mesh/surface/surface_mesher.hpp"
+#include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_audit.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
 #include "asterism/mesh/surface_io/shell_certificate.hpp"
@@ -83,25 +84,35 @@ py::array_t<std::int32_t> triangles_of(const space_mesh& m) {
   return all;
 }
 
+// Takes a parameter of the patch that was meshed to that of the patch given: patches without inner
+// knots are meshed from 0 to 1.
+double given_parameter(double x, const std::vector<double>& meshed,
+                       const std::vector<double>& given) {
+  if (meshed == given) return x;
+  return x >= 1 ? given.back() : given.front() + x * (given.back() - given.front());
+}
+
 // The parameters of the corners of the triangles in space, in their order.
-py::array_t<double> parameters_of(const surface_shell& shell,
+py::array_t<double> parameters_of(const shell_certificate& claim, const surface& asked,
                                   const std::vector<shell_triangle>& triangles, std::size_t kept) {
   py::array_t<double> all({static_cast<py::ssize_t>(kept), py::ssize_t{3}, py::ssize_t{2}});
   auto to = all.mutable_unchecked<3>();
   py::ssize_t at = 0;
   for (const shell_triangle& t : triangles) {
     if (t.collapsed) continue;
-    const bool turned = shell.faces[t.face].reversed;
-    for (py::ssize_t k = 0; k < 3; ++k)
-      for (py::ssize_t n = 0; n < 2; ++n)
-        to(at, k, n) =
-            t.at[static_cast<std::size_t>(turned ? (3 - k) % 3 : k)][static_cast<std::size_t>(n)];
+    const shell_face& face = claim.shell.faces[t.face];
+    const surface_patch &meshed = claim.of.patches[face.patch], &given = asked.patches[face.patch];
+    for (py::ssize_t k = 0; k < 3; ++k) {
+      const auto& [u, v] = t.at[static_cast<std::size_t>(face.reversed ? (3 - k) % 3 : k)];
+      to(at, k, 0) = given_parameter(u, meshed.knots_u, given.knots_u);
+      to(at, k, 1) = given_parameter(v, meshed.knots_v, given.knots_v);
+    }
     ++at;
   }
   return all;
 }
 
-py::dict answer_of(const shell_certificate& claim) {
+py::dict answer_of(const shell_certificate& claim, const surface& asked) {
   const auto triangles = internal::triangles_of(claim.shell);
   const space_mesh m = mesh_of(claim.shell, triangles);
   py::array_t<std::int32_t> patches(static_cast<py::ssize_t>(m.faces.size()));
@@ -112,7 +123,7 @@ py::dict answer_of(const shell_certificate& claim) {
   d["points"] = points_of(m);
   d["triangles"] = triangles_of(m);
   d["patches"] = patches;
-  d["uv"] = parameters_of(claim.shell, triangles, m.triangles.size());
+  d["uv"] = parameters_of(claim, asked, triangles, m.triangles.size());
   d["certified"] = claim.report.certified && claim.complete;
   d["reason"] = !claim.complete                 ? claim.reason
                 : claim.report.findings.empty() ? std::string()
@@ -123,7 +134,9 @@ py::dict answer_of(const shell_certificate& claim) {
 
 py::dict mesh_surface(const std::string& text, const py::dict& more) {
   const keywords given(more);
-  surface s = checked(text);
+  const surface asked = checked(text);
+  surface s = with_unit_patches(asked);
+  warn(s.notes);
   surface_mesh_options how = options_of(given);
   watched_run watch(given);
   how.stop = watch.stop();
@@ -149,7 +162,7 @@ py::dict mesh_surface(const std::string& text, const py::dict& more) {
   watch.errors().raise();
   if (failed) throw input_error(failed->message);
   claim.of = std::move(s);
-  return answer_of(claim);
+  return answer_of(claim, asked);
 }
 
 // The content of a file by its name's ending.

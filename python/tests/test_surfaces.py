@@ -46,6 +46,16 @@ def test_a_spline_is_its_bezier_patch():
     assert np.array_equal(a.points, b.points) and np.array_equal(a.triangles, b.triangles)
 
 
+def test_units_of_parameters_change_nothing_but_uv():
+    plain = asterism.mesh_surface(Surface.bezier(bump()), chord=0.02)
+    knots = [2, 2, 2, 2, 30002, 30002, 30002, 30002]
+    with pytest.warns(UserWarning, match="u, from 2 to 30002 without knots between, is taken from 0 to 1"):
+        made = asterism.mesh_surface(Surface.bspline(bump(), knots, [0] * 4 + [1] * 4), chord=0.02)
+    assert np.array_equal(plain.points, made.points) and np.array_equal(plain.triangles, made.triangles)
+    assert np.allclose(made.uv[..., 0], 2 + 30000 * plain.uv[..., 0]) and made.uv[..., 0].max() == 30002
+    assert np.array_equal(made.uv[..., 1], plain.uv[..., 1])
+
+
 def test_files(tmp_path):
     made = asterism.mesh_surface(Surface.named("octant"), chord=0.05)
     names = made.save(tmp_path / "o.mesh")

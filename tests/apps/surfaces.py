@@ -310,6 +310,49 @@ class Surface(CommandTest):
             self.assertEqual(done.returncode, 2)
             self.assertIn("curve.json: no triangle has three corners in space", done.stderr)
 
+    def test_a_surface_that_is_folded_itself_ends_soon_and_says_where(self):
+        # No finer mesh would be unfolded: the rounds went on to four times the vertices before.
+        for name, corners in (("crossed", [[[0, 0, 0], [0, 1, 0]], [[1, 1, 0], [1, 0, 0]]]),
+                              ("askew", [[[0, 0, 0], [0, 1, 0]], [[1, .7, 0], [1, .2, 0]]])):
+            self.write(name + ".json", json.dumps({"patches": [{"degree": [1, 1], "control": corners}]}))
+            said = self.make(name + ".json", "--chord", "0.01", "-o", name + ".mesh", status=1)
+            self.assertRegex(said, r"not reached: the surface itself turns round at u = [0-9.]+, v = [0-9.]+ of patch 1")
+            self.assertRegex(said, r"triangle \d+: it is not proved that the surface is not folded over it")
+            self.assertRegex(said, r"not certified: \d\d vertices")
+            self.assertEqual(self.run_command("verify", name + ".mesh").returncode, 1)
+
+    def test_last_digits_of_a_surface_do_not_change_the_count(self):
+        self.make("torus", "--chord", "0.05", "-o", "t.mesh")
+        torus = json.loads((self.folder / "t.certificate.json").read_text())["surface"]
+        counts = set()
+        for seed in range(3):
+            draw, moved = random.Random(seed), json.loads(json.dumps(torus))
+            for point in (p for patch in moved["patches"] for row in patch["control"] for p in row):
+                point[:] = [x * (1 + draw.uniform(-1e-15, 1e-15)) for x in point]
+            self.write("moved.json", json.dumps(moved))
+            self.make("moved.json", "--chord", "0.003", "-o", "moved.obj")
+            counts.add((self.folder / "moved.obj").read_text().count("\nv "))
+        self.assertEqual(len(counts), 1, counts)
+
+    def test_a_number_of_vertices_is_met_and_proved(self):
+        said = self.make("torus", "--chord", "0.004", "--vertices", "700", "-o", "t.mesh")
+        count = int(said.split("certified: ")[1].split()[0])
+        self.assertAlmostEqual(count, 700, delta=21)
+        said = self.make("torus", "--chord", "0.0004", "--vertices", "700", "-o", "t.mesh", status=1)
+        self.assertRegex(said, r"the mesh is proved within [0-9.e-]+ of the surface, and 0.0004 is asked: see triangle")
+        self.assertEqual(self.run_command("verify", "t.mesh").returncode, 1)
+
+    def test_pictures_are_drawn_and_are_the_same_every_time(self):
+        names = ["o.png", "o.svg", "o.pdf"]
+        self.make("octant", "--chord", "0.05", *(word for name in names for word in ("-o", name)))
+        first = [(self.folder / name).read_bytes() for name in names]
+        self.assertEqual([one[:4] for one in first], [b"\x89PNG", b"<?xm", b"%PDF"])
+        triangles = self.make("octant", "--chord", "0.05", "-o", "o.svg", "-o", "o.obj").split(" triangles")[0].split()[-1]
+        # A filled outline each, on a page of paper.
+        self.assertEqual(first[1].count(b"stroke-width"), int(triangles))
+        self.make("octant", "--chord", "0.05", "--threads", "1", *(word for name in names for word in ("-o", name)))
+        self.assertEqual([(self.folder / name).read_bytes() for name in names], first)
+
     def test_a_page_holds_the_mesh_and_what_was_proved(self):
         self.make("octant", "--chord", "0.05", "-o", "o.html", "-o", "o.mesh")
         page = (self.folder / "o.html").read_text()
