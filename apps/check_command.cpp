@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "asterism/apps/commands.hpp"
 #include "asterism/apps/complain.hpp"
@@ -32,7 +33,12 @@ in the metric SOL. All of the question is in the arguments; PROOF holds witnesse
 is believed. tools/check_mesh.py does the same in Python, from the files alone.
 
 Exit status: 0 proved; 1 not proved, with the reason; 2 a question or a file of which nothing can be
-said: curves, a metric that is not given at the vertices.
+said: a metric that is not given at the vertices.
+
+Of a domain with curves it is proved that the chords of each lead along it from end to end, no point
+of a curve farther than --chord-tolerance from its chords, and none of these farther from the curve;
+the rest is of the polygon of the chords. A spline is the cubics that 'asterism mesh' makes of it,
+with control points in doubles.
 
 A domain that is no .poly file is taken as 'asterism convert' writes it as one. With
 --metric-tolerance T the tensors beside MESH, in its own .sol, are those in which the stars are
@@ -42,13 +48,15 @@ is proved at every vertex.
 Examples:
   asterism check plate.mesh plate.proof --domain plate.poly --angle-bound 20 --metric plate.sol
   asterism convert near.mesh asked.mesh --metric 'expr:(x>0)?100:1;0;1' --size 0.5
+  asterism check disc.mesh disc.proof --domain disc.poly --chord-tolerance 0.01 --angle-bound 20 \
+      --metric disc.sol
   asterism check near.mesh near.proof --angle-bound 20 --metric asked.sol --metric-tolerance 3)";
 
 struct check_options {
   fs::path mesh, proof;
   std::string domain, metric;
   double angle_bound = 0;
-  std::optional<double> metric_tolerance;
+  std::optional<double> metric_tolerance, chord_tolerance;
 };
 
 // Returns why the question cannot be asked yet.
@@ -77,8 +85,11 @@ result<std::optional<domain>> read_shape(const check_options& options) {
   auto read = has_ending(options.domain, ".poly") ? load_domain(options.domain)
                                                   : plain_domain(options.domain, {});
   if (!read) return read.failure();
-  if (!read.value().curves.empty())
-    return error{options.domain + ": curves cannot be checked yet", error_code::invalid_domain};
+  if (!read.value().curves.empty() && !options.chord_tolerance)
+    return error{options.domain +
+                     " has curves: --chord-tolerance says how far they and the mesh's boundary may "
+                     "be from each other",
+                 error_code::bad_option};
   return std::optional<domain>(std::move(read).value());
 }
 
@@ -93,6 +104,24 @@ result<mesh> read_subject(const check_options& options, const fs::path& metric) 
   how.solution = metric;
   how.all_edges = true;
   return read_medit(options.mesh, how);
+}
+
+// Returns the question, but for the domain and the metric, which are read.
+result<proof_question> question_of(const check_options& options, const mesh& subject,
+                                   const std::optional<domain>& shape) {
+  proof_question asked{subject, shape ? &*shape : nullptr, options.angle_bound,
+                       options.chord_tolerance.value_or(0)};
+  if (!shape || shape->curves.empty()) return asked;
+  auto marks = read_medit_marks(options.mesh);
+  if (!marks) return marks.failure();
+  asked.required = std::move(marks.value().required_vertices);
+  return asked;
+}
+
+std::string domain_text(const check_options& options, const std::optional<domain>& shape) {
+  if (!shape) return "as the boundary encloses it";
+  if (shape->curves.empty()) return options.domain;
+  return fmt::format("{}, its curves within {:g}", options.domain, *options.chord_tolerance);
 }
 
 std::string metric_text(const check_options& options) {
@@ -112,9 +141,9 @@ int run_check(const check_options& options) {
   if (!bytes) return complain(bytes.failure(), refused);
   const auto proof = read_proof(bytes.value(), subject.value());
   if (!proof) return refuse(proof.failure().at(options.proof.string()));
-  const proof_question asked{subject.value(), shape.value() ? &*shape.value() : nullptr,
-                             options.angle_bound};
-  if (const auto failure = check_proof(asked, proof.value())) return refuse(*failure);
+  const auto asked = question_of(options, subject.value(), shape.value());
+  if (!asked) return complain(asked.failure(), refused);
+  if (const auto failure = check_proof(asked.value(), proof.value())) return refuse(*failure);
   if (options.metric_tolerance)
     if (const auto failure =
             check_tolerance(subject.value(), wanted.value(), *options.metric_tolerance))
@@ -124,8 +153,7 @@ int run_check(const check_options& options) {
       "{}; "
       "metric {}\n",
       subject.value().sites.size(), subject.value().triangles.size(), options.angle_bound,
-      options.domain.empty() ? "as the boundary encloses it" : options.domain,
-      metric_text(options));
+      domain_text(options, shape.value()), metric_text(options));
   return done;
 }
 
@@ -154,6 +182,11 @@ void add_check_command(CLI::App& program, command& chosen) {
       "How far the metric of the mesh, in the .sol beside it, may be from that of --metric: the "
       "logarithm of the greatest ratio of lengths")
       ->type_name("T");
+  add_real(
+      *app, "--chord-tolerance", reals_from_zero,
+      [options](double x) { options->chord_tolerance = x; },
+      "Greatest distance of the domain's curves and their chords from each other")
+      ->type_name("E");
   app->footer(check_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_check(*options); }; });
 }

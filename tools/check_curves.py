@@ -5,8 +5,8 @@
                     [--metric-tolerance T]
 The question is check_mesh.py's, of the polygon that has chords in place of the curves of D; besides, that
 the chords of each curve lead along it from end to end, that no point of a curve is farther than E from
-its chords, and none of the chords farther than that from the curve. Arcs, circles and cubics; splines
-are made of roots, which are no fractions.
+its chords, and none of the chords farther than that from the curve. A spline is the cubics that the
+manual says (docs/manual/domains.md): their control points are doubles, computed here as there.
 Theorem 7 of docs/math/proof-format.md is quoted here. Places on cubics are looked for in doubles, and
 decide nothing: the theorem holds for any, and a poor one makes the distance larger.
 Exit status: 0 proved; 1 not proved, with the reason; 2 files or questions of which nothing can be said.
@@ -138,9 +138,43 @@ class Cubic:
         return max(bound, *(root_above(squared_distance(b, q0, q1)) for b in points))
 
 
-def curve_of(domain, row):
-    """Returns a curve as a line of the file has it, and the number of the segment it stands for, if any."""
+def control_after(p0, p1, p2):
+    """Returns the control point after p1 of the spline's cubic from p1 to p2 that comes from p0: doubles."""
+    d1, d2 = (math.sqrt(math.sqrt((b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1])))
+              for a, b in ((p0, p1), (p1, p2)))
+    of_p1, whole = 2 * d1 * d1 + 3 * d1 * d2 + d2 * d2, 3 * d1 * (d1 + d2)
+    return tuple((d1 * d1 * p2[k] - d2 * d2 * p0[k] + of_p1 * p1[k]) / whole for k in (0, 1))
+
+
+def cubics_of_spline(domain, row):
+    """Returns the cubics of a spline, each with the number of its segment."""
+    on = [int(word) - domain.first for word in row[2:]]
+    need_file(len(on) > 1 and 0 <= min(on) and max(on) < len(domain.segments), "a spline is of segments that are none")
+    ends = [domain.segments[s][:2] for s in on]
+    chain = [ends[0][0] if ends[0][1] in ends[1] else ends[0][1]]
+    for a, b in ends:
+        need_file(chain[-1] in (a, b) and a != b, "a segment of a spline does not begin where the one before it ends")
+        chain.append(b if chain[-1] == a else a)
+    points = [domain.points[v] for v in chain]
+    is_closed = len(on) > 2 and chain[0] == chain[-1]
+    before, after = (points[-2], points[1]) if is_closed else (
+        tuple(2 * p - q for p, q in zip(*pair)) for pair in (points[:2], points[:-3:-1]))
+    points = [before, *points, after]
+    for k, s in enumerate(on, 1):
+        p0, p1, p2, p3 = points[k - 1:k + 3]
+        control = [p1, control_after(p0, p1, p2), control_after(p3, p2, p1), p2]
+        yield Cubic((chain[k - 1], chain[k]), control, domain.segments[s][2]), s
+
+
+def curves_of(domain, row):
+    """Returns the curves that a line of the file has, each with the number of the segment it stands for, if any."""
     kind, at = row[1], int(row[2]) - domain.first
+    if kind == "spline":
+        return list(cubics_of_spline(domain, row))
+    return [curve_of(domain, row, kind, at)]
+
+
+def curve_of(domain, row, kind, at):
     numbers = [number(word) for word in row[3:] if word not in ("ccw", "cw")]
     if kind == "circle":
         need_file(0 <= at < len(domain.index) and len(numbers) in (2, 3), "a circle is not as it should be")
@@ -193,8 +227,7 @@ def check_domain(plane, domain, most):
     need_file(not rows or (rows[0][0] == "curves" and int(rows[0][1]) == len(rows) - 1), "curves are not as counted")
     straight, rest, on_curves = dict(enumerate(domain.segments)), dict(plane.markers), set()
     chains = chains_of(plane, given)
-    for row in rows[1:]:
-        curve, segment = curve_of(domain, row)
+    for row, (curve, segment) in ((row, found) for row in rows[1:] for found in curves_of(domain, row)):
         chain = next((c for c in chains if plane.key(*c[:2]) in rest and is_along(plane, c, curve, most)), None)
         need(chain, f"no chords are along curve {row[0]} and within {float(most):g} of it")
         need(segment is None or straight.pop(segment, None), "a segment has two curves")

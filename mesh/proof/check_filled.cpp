@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/proof/check_curves.hpp"
 #include "asterism/mesh/proof/number.hpp"
 #include "asterism/mesh/proof/proof_words.hpp"
 #include "asterism/mesh/support/parallel.hpp"
@@ -173,9 +174,10 @@ struct boundary_chain {
 using chain_map = std::map<std::pair<vertex_index, vertex_index>, boundary_chain>;
 
 // Follows the boundary from each vertex of the domain. Empty where it does not come to another.
-std::optional<chain_map> chains_of(const mesh& subject, std::size_t given) {
-  std::vector<std::vector<vertex_index>> around(subject.sites.size());
-  for (const boundary_edge& e : subject.boundary) {
+std::optional<chain_map> chains_of(const std::vector<boundary_edge>& edges, std::size_t sites,
+                                   std::size_t given) {
+  std::vector<std::vector<vertex_index>> around(sites);
+  for (const boundary_edge& e : edges) {
     around[e.a].push_back(e.b);
     around[e.b].push_back(e.a);
   }
@@ -193,7 +195,7 @@ std::optional<chain_map> chains_of(const mesh& subject, std::size_t given) {
       const std::pair key(v, along.back());
       if (!chains.emplace(key, boundary_chain{std::move(along), {}}).second) return std::nullopt;
     }
-  if (pieces != 2 * subject.boundary.size()) return std::nullopt;
+  if (pieces != 2 * edges.size()) return std::nullopt;
   return chains;
 }
 
@@ -257,17 +259,28 @@ std::pair<std::vector<point>, std::vector<vertex_index>> distinct_vertices(const
   return distinct;
 }
 
-std::optional<error> check_chains(const plane& all, const domain& shape) {
-  const auto [points, index] = distinct_vertices(shape);
+// Returns what of the boundary has to be segments.
+result<straight_part> straight_part_of(const plane& all, const proof_question& asked,
+                                       const std::vector<vertex_index>& index, std::size_t given) {
   const mesh& subject = all.subject;
-  if (subject.given != points.size() || points.size() > subject.sites.size())
+  if (!asked.shape->curves.empty()) return part_off_curves(all, asked, index, given);
+  if (subject.given != given) return not_shown("the first vertices are not the domain's");
+  return straight_part{subject.boundary, asked.shape->segments};
+}
+
+std::optional<error> check_chains(const plane& all, const proof_question& asked) {
+  const auto [points, index] = distinct_vertices(*asked.shape);
+  const mesh& subject = all.subject;
+  if (points.size() > subject.sites.size())
     return not_shown("the first vertices are not the domain's");
   for (std::size_t v = 0; v < points.size(); ++v)
     if (!(points[v] == subject.sites[v].position))
       return not_shown(vertex_number(v) + " is not the domain's");
-  auto chains = chains_of(subject, points.size());
+  const auto straight = straight_part_of(all, asked, index, points.size());
+  if (!straight) return straight.failure();
+  auto chains = chains_of(straight.value().edges, subject.sites.size(), points.size());
   if (!chains) return not_shown("the boundary does not lead from vertex to vertex of the domain");
-  for (const segment& s : shape.segments)
+  for (const segment& s : straight.value().segments)
     if (!mark_chains(all, *chains, index[s.a], index[s.b], s.marker))
       return not_shown("the edges from " + vertex_number(index[s.a]) + " to " +
                        vertex_number(index[s.b]) + " are no segment's");
@@ -292,7 +305,7 @@ std::optional<error> check_shape(const plane& all, const proof_question& asked,
                                  const mesh_proof& proof) {
   if (auto failed = check_faces(all, asked.shape, proof)) return failed;
   if (asked.shape == nullptr) return std::nullopt;
-  return check_chains(all, *asked.shape);
+  return check_chains(all, asked);
 }
 
 }  // namespace asterism::internal::proof_detail

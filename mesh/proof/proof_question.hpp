@@ -3,6 +3,8 @@
 // Holds what a proof is to show.
 #pragma once
 
+#include <vector>
+
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
@@ -15,6 +17,10 @@ struct proof_question {
   const mesh& subject;
   const domain* shape = nullptr;
   double angle_bound = 0;  // degrees, from 0 to below 90
+  // Where the domain has curves, undivided as its file has them: how far they and their chords may
+  // be from each other, and the vertices that the mesh's file says must stay.
+  double chord_tolerance = 0;
+  std::vector<vertex_index> required = {};
 };
 
 }  // namespace asterism::internal
