@@ -46,6 +46,7 @@ struct convert_job {
   int order = 1;
   std::string metric;  // empty: the tensors that are there
   double size = 1;
+  domain_repair repair;
   bool quiet = false, strict = false;
 };
 
@@ -56,8 +57,9 @@ sides without one are straight. '-' is standard input or output, and --format sa
 
 With --metric the tensors at the vertices are those of a metric, as 'asterism mesh' takes it, in
 place of any that IN has. Where OUT is a .poly file, IN is a domain in any form that 'asterism mesh'
-takes, and OUT says it by segments, hole points and region points alone. Both are the forms in which
-'asterism check' and tools/check_mesh.py are asked.
+takes, and OUT says it by segments, hole points and region points alone; with --repair-domain as it
+is repaired, of which the notes tell. Both are the forms in which 'asterism check' and
+tools/check_mesh.py are asked.
 
 Exit status: 0 converted; 1 OUT could not be written; 2 bad usage or input, nothing is written.
 
@@ -66,6 +68,7 @@ Examples:
   asterism convert flow.vtu flow.mesh
   cat part.msh | asterism convert - - --format msh --format vtu > part.vtu
   asterism convert lake.geojson lake.poly
+  asterism convert crossing.poly repaired.poly --repair-domain
   asterism convert lake.mesh asked.mesh --metric swirl:24 --size 0.1)";
 
 // A folder for what comes from standard input or goes to standard output, removed in the end.
@@ -208,7 +211,7 @@ std::optional<error> convert_domain(const convert_job& job, const places& where,
                  error_code::bad_option};
   if (auto refused = check_output_differs(where)) return refused;
   if (auto refused = check_place(where.out)) return refused;
-  const auto plain = plain_domain(where.in.string(), {job.quiet, job.strict});
+  const auto plain = plain_domain(where.in.string(), {job.quiet, job.strict}, job.repair);
   if (!plain) return plain.failure();
   made.files.push_back({where.out, poly_text(plain.value())});
   return std::nullopt;
@@ -277,6 +280,10 @@ int run_convert(const convert_job& job) {
   if (has_ending(where.value().out.string(), ".poly")) {
     if (const auto failed = convert_domain(job, where.value(), made)) return fail(*failed, refused);
   } else {
+    if (job.repair.is_asked)
+      return fail(
+          {"--repair-domain is of domains, and OUT is no .poly file", error_code::bad_option},
+          refused);
     if (const auto failed = check_places(where.value(), job.order)) return fail(*failed, refused);
     if (const auto failed = convert(job, where.value(), folder, made))
       return fail(*failed, refused);
@@ -313,6 +320,14 @@ void add_convert_command(CLI::App& program, command& chosen) {
       "Length of an edge in that metric that is 1 (default 1)")
       ->type_name("H")
       ->needs(metric);
+  auto* const repair = app->add_flag(
+      "--repair-domain", job->repair.is_asked,
+      "Where OUT is a .poly file: write the domain as 'asterism mesh --repair-domain' repairs it");
+  add_real(
+      *app, "--repair-distance", positive_reals, [job](double x) { job->repair.distance = x; },
+      "How near is joined (default: the least that suffices)")
+      ->type_name("D")
+      ->needs(repair);
   app->add_flag("--strict", job->strict, "Refuse what would be changed or left out, with a note");
   app->add_flag("--quiet", job->quiet, "No notes");
   app->footer(convert_values() + "\n" + convert_examples);

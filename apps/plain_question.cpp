@@ -10,11 +10,14 @@
 namespace asterism::apps {
 using namespace internal;
 
-result<domain> plain_domain(const std::string& name, const note_options& notes) {
+result<domain> plain_domain(const std::string& name, const note_options& notes,
+                            const domain_repair& repair) {
   mesh_job job;
   job.domain = name;
   job.quiet = notes.quiet;
   job.strict = notes.strict;
+  job.repair = repair.is_asked;
+  job.repair_distance = repair.distance;
   auto prepared = prepare(job);
   if (!prepared) return prepared.failure();
   if (!prepared.value().shape.curves.empty())

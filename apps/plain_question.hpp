@@ -14,10 +14,18 @@
 
 namespace asterism::apps {
 
+// Whether what is wrong with a domain is to be repaired, and how far things may be moved; as little
+// as suffices where no distance is given.
+struct domain_repair {
+  bool is_asked = false;
+  std::optional<double> distance = {};
+};
+
 // Returns the domain that `asterism mesh NAME` takes, as segments, hole points and region points
 // say it: its vertices are the first ones of every mesh of it. What had to be put in order is said.
 // Fails for curves, which are divided for each mesh anew.
-result<domain> plain_domain(const std::string& name, const note_options& notes);
+result<domain> plain_domain(const std::string& name, const note_options& notes,
+                            const domain_repair& repair = {});
 
 // Gives the vertices of a mesh the tensors of a metric, as --metric of `asterism mesh` names it,
 // divided by the square of the size. Formulas are placed in the box of the vertices.

@@ -34,6 +34,10 @@ BENT = ("5 2\n1 0 0\n2 3 0\n3 3 2\n4 0 2\n5 1.2 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 
         "curves 4\n1 bezier 1 1 -0.5 2 0.4\n2 arc 2 3 1 ccw\n3 bezier 3 2 2.6 1 1.4\n4 circle 5 1.5 1 7\n")
 # Half a disc: its arc and its diameter have the same ends.
 HALF = "2 2\n1 -1 0\n2 1 0\n2 1\n1 1 2 1\n2 2 1 2\n0\n0\ncurves 1\n1 arc 2 0 0 ccw\n"
+# An open spline, a closed one around a hole with segments turned against it, and a circle.
+SPLINES = ("9 2\n1 0 0\n2 2 -0.3\n3 3 1\n4 1.5 2\n5 0 1.5\n6 1.2 0.8\n7 2 0.4\n8 2.4 0.7\n9 2 1\n8 1\n"
+           "1 1 2 1\n2 2 3 1\n3 3 4 2\n4 4 5 1\n5 5 1 1\n6 7 8 5\n7 9 8 5\n8 9 7 6\n2\n1 1.3 0.8\n2 2.1 0.7\n0\n"
+           "curves 3\n1 spline 1 2 3\n2 spline 6 7 8\n3 circle 6 1.4 0.8 7\n")
 CURVE = "1 2\n1 1 0\n0\n0\n0\ncurves 1\n1 circle 1 0 0\n"
 
 
@@ -91,7 +95,7 @@ class Proofs(command.CommandTest):
             self.assertIn("--metric-tolerance", self.check(2, f"--metric-tolerance={tolerance}"))
         self.assertIn("only a .sol file", self.check(2, metric="swirl:3"))
         self.write("curve.poly", CURVE)
-        self.assertIn("curve", self.check(2, domain="curve.poly"))
+        self.assertIn("curves", self.check(2, domain="curve.poly"))
         self.check(2, domain="none.poly")
 
     def test_every_form_of_domain_in_its_plain_form(self):
@@ -126,6 +130,24 @@ class Proofs(command.CommandTest):
         again = self.run_command("convert", "d.poly", "again.poly")
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual((self.folder / "again.poly").read_text().splitlines(), rows)
+
+    def test_a_repaired_domain_is_checked_as_it_was_repaired(self):
+        crossed = "4 2\n1 0 0\n2 3 2\n3 3 0\n4 0 2\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n0\n"
+        self.write("crossed.poly", crossed)
+        self.make_of("crossed.poly", "--repair-domain", "--metric", "sink:3", "--size", "0.8")
+        self.assertEqual(self.run_command("convert", "crossed.poly", "no.poly").returncode, 2)
+        done = self.run_command("convert", "crossed.poly", "repaired.poly", "--repair-domain")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("asterism: note: ", done.stderr)
+        self.check(0, domain="repaired.poly")
+        self.assertIn("NOT proved", self.check(1, domain="crossed.poly"))
+        done = self.run_command("convert", "crossed.poly", "far.poly", "--repair-domain", "--repair-distance", "0.5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words, said in ((("m.mesh", "n.mesh", "--repair-domain"), "--repair-domain is of domains"),
+                            (("crossed.poly", "n.poly", "--repair-distance", "1"), "--repair-domain")):
+            done = self.run_command("convert", *words)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(said, done.stderr)
 
     def test_what_is_no_plain_form(self):
         self.write("curve.poly", CURVE)
@@ -172,11 +194,14 @@ class Proofs(command.CommandTest):
                                "--chord-tolerance", repr(tolerance), "--angle-bound", "20", "--metric", "m.sol",
                                *words], cwd=self.folder, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
-        return done.stdout + done.stderr
+        same = self.run_command("check", "m.mesh", "m.proof", "--domain", domain, f"--chord-tolerance={tolerance!r}",
+                                "--angle-bound", "20", "--metric", "m.sol", *words)
+        self.assertEqual(same.returncode, status, same.stdout + same.stderr)
+        return done.stdout + done.stderr + same.stdout + same.stderr
 
     def test_curves_are_as_near_as_the_certificate_says(self):
         """The auditor's bound, by another way: of arcs the same number, of cubics with nearly the same places."""
-        for domain, slack in ((CURVE, 1e-12), (HALF, 1e-12), (BENT, 1e-6)):
+        for domain, slack in ((CURVE, 1e-12), (HALF, 1e-12), (BENT, 1e-6), (SPLINES, 1e-6)):
             with self.subTest(domain=domain):
                 self.make(domain, "--metric", "sink:2", "--size", "0.3")
                 claim = json.loads((self.folder / "m.certificate.json").read_text())
