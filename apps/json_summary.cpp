@@ -101,9 +101,11 @@ std::string summary_json(const certified_mesh& made, int status,
   add_theorem(object, made.claim.theorem);
   add_second_order(object, made.claim.second_order);
   if (made.claim.guarantee)
-    object["guarantee"] = {{"size_factor", made.claim.guarantee->size_factor},
-                           {"sigma", number(made.claim.guarantee->sigma)},
-                           {"eps", number(made.claim.guarantee->eps)}};
+    object["guarantee"] = {
+        {"size_factor", made.claim.guarantee->size_factor},
+        {"field", made.claim.guarantee->field_variation_bound ? "bounded" : "sampled"},
+        {"sigma", number(made.claim.guarantee->sigma)},
+        {"eps", number(made.claim.guarantee->eps)}};
   object["disagreeing"] = outcome.disagreeing;
   object["too_large"] = outcome.too_large;
   object["length_factor"] = outcome.ended.length_factor;

@@ -76,8 +76,12 @@ std::string text_of(const guarantee_claim& kept, const theorem_hypotheses& measu
       "edges {:.4g} times shorter than asked for; the theorem on nets applies: angles of {} "
       "degrees are proved at eps {:.4g} and sigma {:.4g}",
       kept.size_factor, measured.proved_angle, kept.eps, kept.sigma);
+  text += kept.field_variation_bound
+              ? fmt::format("; the field varies by at most {:.4g}", *kept.field_variation_bound)
+              : std::string("; the field was sampled, and is not known between the samples");
   if (kept.times_least)
-    text += fmt::format(", and at most {:.3g} times the least sites inside", *kept.times_least);
+    text += fmt::format("; at most {:.3g} times the least sites inside{}", *kept.times_least,
+                        kept.field_variation_bound ? "" : ", if it varies no faster there");
   return text;
 }
 

@@ -21,19 +21,25 @@ struct guarantee_claim {
   // k: edges are as many times shorter than the metric asks for.
   double size_factor = 1;
   // The variation of the field as it was sampled before the first mesh (docs/math/guarantee.md): a
-  // lower bound of the field's sigma, from which the first k was chosen, and nothing else.
+  // lower bound of the field's sigma, from which the first k was chosen, and
+  // nothing else.
   double field_variation = 0;
+  // A bound of the field's sigma from above, between any two points whose segment is in a convex
+  // polygon around the domain, or in the triangles of the mesh that the field is given on. None:
+  // the field was sampled alone.
+  std::optional<double> field_variation_bound = {};
   // sigma of the sites and eps, the covering radius: `variation` and `covering_radius` of the
   // hypotheses.
   double sigma = 0, eps = 0;
   // C: there are at most C times as many sites inside as any sites take that cover the domain
-  // within eps, if the field between the sites varies by no more than sigma. None where the numbers
-  // give no bound.
+  // within eps. Without a bound of the field: if the field between the sites varies by no more than
+  // sigma. None where the numbers give no bound.
   std::optional<double> times_least = {};
 };
 
 // Returns the claim of a mesh of which these hypotheses were measured.
 ASTERISM_EXPORT guarantee_claim guarantee_of(const theorem_hypotheses& measured, double size_factor,
-                                             double field_variation);
+                                             double field_variation,
+                                             const std::optional<double>& field_variation_bound);
 
 }  // namespace asterism

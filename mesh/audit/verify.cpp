@@ -119,7 +119,8 @@ void compare_guarantee(contradictions& all, const certificate& claim,
     return all.add(
         "the certificate says that a guarantee is kept, and the theorem on nets " +
         (found ? "does not apply: " + found->reason : std::string("was not measured again")));
-  const guarantee_claim kept = guarantee_of(*found, said.size_factor, said.field_variation);
+  const guarantee_claim kept =
+      guarantee_of(*found, said.size_factor, said.field_variation, said.field_variation_bound);
   all.compare("guarantee.sigma", said.sigma, kept.sigma);
   all.compare("guarantee.eps", said.eps, kept.eps);
   all.compare("guarantee.times_least", said.times_least.value_or(0), kept.times_least.value_or(0));

@@ -225,6 +225,10 @@ guarantee_claim guarantee_of(const json& object) {
   guarantee_claim g;
   g.size_factor = read<double>(object, "size_factor");
   g.field_variation = bound_of(object, "field_variation");
+  if (!member(object, "field_variation_bound").is_null())
+    g.field_variation_bound = read<double>(object, "field_variation_bound");
+  if (read<std::string>(object, "field") != (g.field_variation_bound ? "bounded" : "sampled"))
+    throw malformed("field", "\"field\" does not go with \"field_variation_bound\"");
   g.sigma = bound_of(object, "sigma");
   g.eps = bound_of(object, "eps");
   if (!member(object, "times_least").is_null()) g.times_least = read<double>(object, "times_least");

@@ -217,7 +217,10 @@ json theorem_json(const certificate& c) {
 
 json guarantee_json(const guarantee_claim& g) {
   return {{"size_factor", g.size_factor},
+          {"field", g.field_variation_bound ? "bounded" : "sampled"},
           {"field_variation", bound_json(g.field_variation)},
+          {"field_variation_bound",
+           g.field_variation_bound ? json(*g.field_variation_bound) : json(nullptr)},
           {"sigma", bound_json(g.sigma)},
           {"eps", bound_json(g.eps)},
           {"times_least", g.times_least ? json(*g.times_least) : json(nullptr)}};

@@ -6,30 +6,57 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
-#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/metric/formula_functions.hpp"
 
 namespace asterism::internal {
 
 namespace {
 
-// The tensor in which an edge of length `across` along the unit vector `normal`, or of length
-// `along` at right angles to it, has length 1.
-struct layer_lengths {
-  point normal;
-  double across = 1, along = 1;
+// A point in the frame's coordinates, of doubles or of enclosures.
+template <class Number>
+struct local_point {
+  Number x, y;
 };
 
-metric_tensor tensor_of(const layer_lengths& h) {
+// The tensor in which an edge of length `across` along the unit vector `normal`, or of length
+// `along` at right angles to it, has length 1.
+template <class Number>
+struct layer_lengths {
+  local_point<Number> normal;
+  Number across, along;
+};
+
+metric_tensor tensor_of(const layer_lengths<double>& h) {
   const double a = 1 / (h.across * h.across), b = 1 / (h.along * h.along);
-  const point& n = h.normal;
+  const auto& n = h.normal;
   return {a * (n.x * n.x) + b * (n.y * n.y), (a - b) * (n.x * n.y),
           a * (n.y * n.y) + b * (n.x * n.x)};
 }
 
-using layer_formula = std::function<layer_lengths(const point& u)>;
+tensor_jet tensor_of(const layer_lengths<interval_jet>& h) {
+  const interval_jet a = 1 / square(h.across), b = 1 / square(h.along);
+  const auto& n = h.normal;
+  return {a * square(n.x) + b * square(n.y), (a - b) * (n.x * n.y),
+          a * square(n.y) + b * square(n.x)};
+}
+
+using plain_point = local_point<double>;
+using enclosed_point = local_point<interval_jet>;
+
+// A formula in both arithmetics.
+struct layer_formula {
+  std::function<layer_lengths<double>(const plain_point&)> at;
+  std::function<layer_lengths<interval_jet>(const enclosed_point&)> over;
+};
+
+template <class Formula>
+layer_formula in_both(const Formula& formula) {
+  return {formula, formula};
+}
 
 // A formula in the frame's coordinates. Its lengths are in units of the domain times `unit`.
 class layered_field : public sized_field {
@@ -39,7 +66,12 @@ class layered_field : public sized_field {
 
  private:
   result<metric_tensor> unsized(const point& q) const override {
-    return tensor_of(lengths_(frame_.local(q)));
+    const point u = frame_.local(q);
+    return tensor_of(lengths_.at({u.x, u.y}));
+  }
+  std::optional<tensor_jet> unsized_over(const plane_jet& at) const override {
+    const plane_jet u = frame_.local(at);
+    return tensor_of(lengths_.over({u.x, u.y}));
   }
 
   layer_formula lengths_;
@@ -48,51 +80,72 @@ class layered_field : public sized_field {
 
 // Lengths across circles about the origin; anything goes at the origin itself, where the formulas
 // that reach it are round.
-layer_lengths across_circles(const point& p, double r, double across, double along) {
-  return {r > 0 ? point{p.x / r, p.y / r} : point{1, 0}, across, along};
+layer_lengths<double> across_circles(const plain_point& p, double r, double across, double along) {
+  return {r > 0 ? plain_point{p.x / r, p.y / r} : plain_point{1, 0}, across, along};
+}
+layer_lengths<interval_jet> across_circles(const enclosed_point& p, const interval_jet& r,
+                                           const interval_jet& across, const interval_jet& along) {
+  return {{p.x / r, p.y / r}, across, along};
 }
 
 layer_formula boundary_layer(double at_wall, double far) {
-  return [=](const point& u) {
-    return layer_lengths{{0, 1}, at_wall + (far - at_wall) * u.y, far};
-  };
+  return in_both([=](const auto& u) {
+    using number = std::decay_t<decltype(u.x)>;
+    return layer_lengths<number>{{0.0, 1.0}, at_wall + (far - at_wall) * u.y, far};
+  });
 }
 
 // Across the curve y = 0.4 sin(2.5 x): 1/aspect on it, 1 away from it, over a width of about 0.1.
 layer_formula curved_shock(double aspect) {
-  return [thinnest = 1 / aspect](const point& p) {
-    const double slope = elementary::cos(2.5 * p.x), steepness = std::sqrt(1 + slope * slope);
-    const double distance = (p.y - 0.4 * elementary::sin(2.5 * p.x)) / steepness;
-    const double t = elementary::tanh(distance / 0.1);
-    return layer_lengths{
-        {-slope / steepness, 1 / steepness}, thinnest + (1 - thinnest) * (t * t), 1};
-  };
+  return in_both([thinnest = 1 / aspect](const auto& p) {
+    using number = std::decay_t<decltype(p.x)>;
+    const number slope = cosine(2.5 * p.x), steepness = square_root(1 + square(slope));
+    const number distance = (p.y - 0.4 * sine(2.5 * p.x)) / steepness;
+    const number t = hyperbolic_tangent(distance / 0.1);
+    return layer_lengths<number>{
+        {-slope / steepness, 1 / steepness}, thinnest + (1 - thinnest) * square(t), 1.0};
+  });
 }
 
 constexpr double thinnest_benchmark_layer = 0.001, benchmark_length = 0.1;
 
-double benchmark_length_at(double distance) {
+template <class Number>
+Number benchmark_length_at(const Number& distance) {
   return thinnest_benchmark_layer + 2 * (benchmark_length - thinnest_benchmark_layer) * distance;
 }
 
-layer_lengths linear(const point& u) {
-  return {{0, 1}, benchmark_length_at(std::abs(u.y - 0.5)), benchmark_length};
+layer_formula linear() {
+  return in_both([](const auto& u) {
+    using number = std::decay_t<decltype(u.x)>;
+    return layer_lengths<number>{
+        {0.0, 1.0}, benchmark_length_at(absolute(u.y - 0.5)), benchmark_length};
+  });
 }
 
-layer_lengths polar_1(const point& u) {
-  const double r = std::sqrt(u.x * u.x + u.y * u.y);
-  return across_circles(u, r, benchmark_length_at(std::abs(r - 0.5)), benchmark_length);
+layer_formula polar_1() {
+  return in_both([](const auto& u) {
+    using number = std::decay_t<decltype(u.x)>;
+    const number r = square_root(square(u.x) + square(u.y));
+    return across_circles(u, r, benchmark_length_at(absolute(r - 0.5)), benchmark_length);
+  });
 }
 
-layer_lengths polar_2(const point& u) {
-  const double r = std::sqrt(u.x * u.x + u.y * u.y), d = std::min(10 * std::abs(r - 0.5), 1.0);
-  return across_circles(u, r, benchmark_length_at(std::abs(r - 0.5)), 0.1 * d + 0.025 * (1 - d));
+layer_formula polar_2() {
+  return in_both([](const auto& u) {
+    using number = std::decay_t<decltype(u.x)>;
+    const number r = square_root(square(u.x) + square(u.y));
+    const number d = lesser(10 * absolute(r - 0.5), number(1.0));
+    return across_circles(u, r, benchmark_length_at(absolute(r - 0.5)), 0.1 * d + 0.025 * (1 - d));
+  });
 }
 
-layer_lengths circle_1(const point& u) {
-  const point p{u.x + 0.5, u.y - 0.5};
-  const double r = std::sqrt(p.x * p.x + p.y * p.y), d = 1.5 * std::abs(1 - r);
-  return across_circles(p, r, 0.0005 + d, 0.1 * r + d);
+layer_formula circle_1() {
+  return in_both([](const auto& u) {
+    using number = std::decay_t<decltype(u.x)>;
+    const local_point<number> p{u.x + 0.5, u.y - 0.5};
+    const number r = square_root(square(p.x) + square(p.y)), d = 1.5 * absolute(1 - r);
+    return across_circles(p, r, 0.0005 + d, 0.1 * r + d);
+  });
 }
 
 result<double> positive_parameter(std::string_view specification, const std::string& name,
@@ -134,12 +187,12 @@ made_field make_shock(const field_request& asked) {
 }
 
 // The benchmarks are defined on the unit square, which the box's longer side replaces.
-template <layer_lengths (*lengths)(const point& u)>
+template <layer_formula (*formula)()>
 made_field make_benchmark(const field_request& asked) {
   const auto corner = frame_at_the_corner(asked.box);
   if (!corner) return no_extent(asked);
   if (asked.parameter) return takes_no_parameter(asked);
-  return made(asked.size, lengths, *corner, 2 * corner->half_unit);
+  return made(asked.size, formula(), *corner, 2 * corner->half_unit);
 }
 
 constexpr std::array<named_field, 6> rows = {{

@@ -13,6 +13,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/metric/expression_enclosure.hpp"
 #include "asterism/mesh/metric/layered_field.hpp"
 #include "asterism/mesh/metric/plane_expression.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
@@ -28,6 +29,9 @@ class identity_field : public sized_field {
 
  private:
   result<metric_tensor> unsized(const point&) const override { return metric_tensor{1, 0, 1}; }
+  std::optional<tensor_jet> unsized_over(const plane_jet&) const override {
+    return tensor_jet{1, 0, 1};
+  }
 };
 
 // Both are I + K u u^T, round in the middle of the box, of aspect sqrt(1 + K |p|^2): `swirl`, with
@@ -46,6 +50,12 @@ class rotating_field : public sized_field {
     return metric_tensor{1 + strength_ * (u.x * u.x), strength_ * (u.x * u.y),
                          1 + strength_ * (u.y * u.y)};
   }
+  std::optional<tensor_jet> unsized_over(const plane_jet& at) const override {
+    const plane_jet p = frame_.local(at);
+    const plane_jet u = kind_ == kind::swirl ? p : plane_jet{-p.y, p.x};
+    return tensor_jet{1 + strength_ * square(u.x), strength_ * (u.x * u.y),
+                      1 + strength_ * square(u.y)};
+  }
 
   kind kind_;
   double strength_;
@@ -54,8 +64,9 @@ class rotating_field : public sized_field {
 
 class expression_field : public sized_field {
  public:
-  expression_field(double size, std::array<plane_expression, 3> entries)
-      : sized_field(size), entries_(std::move(entries)) {}
+  expression_field(double size, std::array<plane_expression, 3> entries,
+                   std::optional<std::array<expression_enclosure, 3>> enclosures)
+      : sized_field(size), entries_(std::move(entries)), enclosures_(std::move(enclosures)) {}
 
  private:
   // Evaluates the formulas. An expression holds its variables, so one thread at a time.
@@ -69,8 +80,14 @@ class expression_field : public sized_field {
     }
     return metric_tensor{m[0], m[1], m[2]};
   }
+  std::optional<tensor_jet> unsized_over(const plane_jet& at) const override {
+    if (!enclosures_) return std::nullopt;
+    const auto& [m11, m12, m22] = *enclosures_;
+    return tensor_jet{m11.over(at), m12.over(at), m22.over(at)};
+  }
 
   std::array<plane_expression, 3> entries_;
+  std::optional<std::array<expression_enclosure, 3>> enclosures_;
   mutable std::mutex mutex_;
 };
 
@@ -97,6 +114,7 @@ made_field make_rotating(const field_request& asked) {
 
 made_field make_expression(const field_request& asked) {
   std::vector<plane_expression> entries;
+  std::vector<expression_enclosure> enclosures;
   constexpr std::array<std::string_view, 3> names = {"M11", "M12", "M22"};
   const std::string_view text = asked.parameter.value_or("");
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -104,20 +122,27 @@ made_field make_expression(const field_request& asked) {
     if (entries.size() == 3)
       return bad_metric(asked.specification,
                         "three expressions are wanted, M11;M12;M22; there are more");
-    auto entry = plane_expression::parse(std::string(text.substr(begin, end - begin)));
+    const std::string formula(text.substr(begin, end - begin));
+    auto entry = plane_expression::parse(formula);
     if (!entry.ok())
       return bad_metric(asked.specification,
                         std::string(names[entries.size()]) + ": " + entry.failure().message);
     entries.push_back(std::move(entry).value());
+    if (auto enclosure = expression_enclosure::parse(formula))
+      enclosures.push_back(std::move(*enclosure));
     begin = end + 1;
   }
   if (entries.size() < 3)
     return bad_metric(asked.specification,
                       "three expressions are wanted, M11;M12;M22; there are only " +
                           std::to_string(entries.size()));
+  std::optional<std::array<expression_enclosure, 3>> enclosed;
+  if (enclosures.size() == 3) enclosed = {enclosures[0], enclosures[1], enclosures[2]};
   return made_field(std::make_unique<expression_field>(
-      asked.size, std::array<plane_expression, 3>{std::move(entries[0]), std::move(entries[1]),
-                                                  std::move(entries[2])}));
+      asked.size,
+      std::array<plane_expression, 3>{std::move(entries[0]), std::move(entries[1]),
+                                      std::move(entries[2])},
+      std::move(enclosed)));
 }
 
 constexpr std::array<named_field, 4> tensor_fields = {{

@@ -49,6 +49,14 @@ result<metric_tensor> sized_field::at(const point& q) const {
   return checked_tensor(q, {m.m11 / size_squared_, m.m12 / size_squared_, m.m22 / size_squared_});
 }
 
+std::optional<tensor_jet> sized_field::over(const plane_jet& at) const {
+  const auto raw = unsized_over(at);
+  if (!raw) return std::nullopt;
+  return tensor_jet{raw->m11 / size_squared_, raw->m12 / size_squared_, raw->m22 / size_squared_};
+}
+
+std::optional<tensor_jet> sized_field::unsized_over(const plane_jet&) const { return std::nullopt; }
+
 error bad_metric(std::string_view specification, const std::string& what) {
   return {"metric '" + std::string(specification) + "': " + what, error_code::invalid_metric};
 }

@@ -10,20 +10,24 @@
 
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/metric/enclosed_field.hpp"
 
 namespace asterism::internal {
 
 // A field that divides by size^2 and refuses every tensor that is no metric.
-class sized_field : public metric_field {
+class sized_field : public metric_field, public enclosed_field {
  public:
   explicit sized_field(double size) : size_squared_(size * size) {}
   result<metric_tensor> at(const point& q) const final;
+  std::optional<tensor_jet> over(const plane_jet& at) const final;
 
  protected:
   double size_squared() const { return size_squared_; }
 
  private:
   virtual result<metric_tensor> unsized(const point& q) const = 0;
+  // Returns the same over a box; nothing where no bounds are known.
+  virtual std::optional<tensor_jet> unsized_over(const plane_jet& at) const;
 
   double size_squared_;
 };
@@ -44,6 +48,10 @@ struct field_frame {
   double half_unit = 0;
 
   point local(const point& q) const {
+    return {(q.x / 2 - origin.x / 2) / half_unit, (q.y / 2 - origin.y / 2) / half_unit};
+  }
+  // Returns the same over a box.
+  plane_jet local(const plane_jet& q) const {
     return {(q.x / 2 - origin.x / 2) / half_unit, (q.y / 2 - origin.y / 2) / half_unit};
   }
 };

@@ -15,6 +15,7 @@
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/local_sizes.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/metric/variation_bound.hpp"
 #include "asterism/mesh/pipeline/adaptation_claims.hpp"
 #include "asterism/mesh/pipeline/delivered_metric.hpp"
 #include "asterism/mesh/pipeline/metric_complexity.hpp"
@@ -105,6 +106,18 @@ bool is_of_numbers(const certificate& claim) { return claim.metric.starts_with("
 bool is_shaped_piece(const certificate& claim) {
   return claim.options.count("metric-box") != 0 &&
          (option_of(claim, "gradation") != "none" || option_of(claim, "sizes") != "none");
+}
+
+// Bounds the metric again, where a guarantee says how fast it varies at most.
+void check_variation(const certificate& claim, const metric_field& wanted, field_check& check) {
+  if (!claim.guarantee || !claim.guarantee->field_variation_bound || !claim.original) return;
+  const variation_bounds found = bound_variation(*claim.original, wanted);
+  const double said = *claim.guarantee->field_variation_bound;
+  // Both are the same number where the formula and the domain are.
+  if (found.above && std::abs(*found.above - said) <= 0x1p-30 * said) return;
+  check.contradictions.push_back(
+      "\"guarantee.field_variation_bound\" is " + number_text(said) + ", and the metric is " +
+      (found.above ? "bounded by " + number_text(*found.above) : "not bounded: " + found.obstacle));
 }
 
 // Checks the report on the distance to the metric asked for, where another one is delivered.
@@ -199,6 +212,7 @@ field_check check_field(const mesh& subject, const certificate& claim) {
     return check;
   }
   check.made = true;
+  check_variation(claim, *field.value(), check);
   if (claim.delivered)
     check_delivered(subject, claim, *field.value(), check);
   else if (const auto said = difference_from(*field.value(), subject))

@@ -9,6 +9,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/metric/variation_bound.hpp"
 #include "asterism/mesh/pipeline/field_variation.hpp"
 
 namespace asterism::internal {
@@ -87,7 +88,7 @@ std::optional<error> refused_corner(const domain& d, const metric_field& field) 
 }  // namespace
 
 std::optional<error> refused_guarantee(const domain& d, const metric_field& field,
-                                       const mesh_options& options, double& variation) {
+                                       const mesh_options& options, field_steepness& steepness) {
   if (!(options.angle_bound <= greatest_guaranteed_bound))
     return error{"a guarantee is given for angle bounds of at most " +
                      format_number(greatest_guaranteed_bound) + " degrees, not for " +
@@ -96,7 +97,8 @@ std::optional<error> refused_guarantee(const domain& d, const metric_field& fiel
   if (auto refused = refused_corner(d, field)) return refused;
   const auto samples = sample_variation(d, field);
   if (!samples) return samples.failure();
-  variation = samples.value().variation;
+  const variation_bounds bounds = bound_variation(d, field);
+  steepness = {samples.value().variation, bounds.above};
   if (!samples.value().jump) return std::nullopt;
   const field_jump& jump = *samples.value().jump;
   return error{"no guarantee: between " + coordinates(jump.from) + " and " + coordinates(jump.to) +

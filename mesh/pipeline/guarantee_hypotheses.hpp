@@ -20,9 +20,15 @@ inline constexpr double least_guaranteed_corner = 55;
 // of the covering radius to the spacing; 20 up to a variation of 0.04.
 inline constexpr double greatest_guaranteed_bound = 20;
 
+// How fast a field varies: at least, as sampled, and at most, where that is known.
+struct field_steepness {
+  double sampled = 0;
+  std::optional<double> bound = {};
+};
+
 // Returns the hypothesis that fails, by name, with vertex and angle or with the place; the options
-// first. Sets `variation` to what was sampled of the field. Fails where the field does.
+// first. Sets `steepness` to what was found of the field. Fails where the field does.
 std::optional<error> refused_guarantee(const domain& d, const metric_field& field,
-                                       const mesh_options& options, double& variation);
+                                       const mesh_options& options, field_steepness& steepness);
 
 }  // namespace asterism::internal

@@ -39,10 +39,11 @@ double greatest_variation(double angle_bound) {
   return greatest;
 }
 
-// Returns the last step of the ladder that is no finer than the variation demands. One step less
-// may do, as sites see less of a field than its steepest place.
-int first_step(double variation, double angle_bound) {
-  return ladder_step_below(variation * largest_circumradius / greatest_variation(angle_bound));
+// Returns the last step of the ladder that is no finer than the samples of the field demand. One
+// step less may do, as sites see less of a field than its steepest place. The bound of the field
+// from above would skip it, and, where it is not tight, many that do.
+int first_step(const field_steepness& field, double angle_bound) {
+  return ladder_step_below(field.sampled * largest_circumradius / greatest_variation(angle_bound));
 }
 
 // Returns the points that divide the segments by metric length, ends left out; nothing where there
@@ -118,11 +119,11 @@ certified_mesh without_guarantee(certified_mesh judged, int step, const std::str
 class size_ladder {
  public:
   size_ladder(const domain& d, const metric_field& field, const mesh_options& options,
-              const progress_listener& progress, double variation)
-      : domain_(d), field_(field), options_(options), progress_(progress), variation_(variation) {}
+              const progress_listener& progress, const field_steepness& steepness)
+      : domain_(d), field_(field), options_(options), progress_(progress), steepness_(steepness) {}
 
   result<certified_mesh> run() {
-    for (int step = first_step(variation_, options_.angle_bound);; ++step) {
+    for (int step = first_step(steepness_, options_.angle_bound);; ++step) {
       auto made = mesh_of_step(domain_, field_, options_, step, progress_);
       if (!made) return made.failure();
       step_taken now{std::move(made).value(), step, {}};
@@ -162,7 +163,8 @@ class size_ladder {
   }
 
   certified_mesh guaranteed(certified_mesh judged, int step) const {
-    judged.claim.guarantee = guarantee_of(*judged.claim.theorem, ladder_factor(step), variation_);
+    judged.claim.guarantee = guarantee_of(*judged.claim.theorem, ladder_factor(step),
+                                          steepness_.sampled, steepness_.bound);
     return judged;
   }
 
@@ -180,7 +182,7 @@ class size_ladder {
   const metric_field& field_;
   const mesh_options& options_;
   const progress_listener& progress_;
-  const double variation_;
+  const field_steepness steepness_;
   std::optional<step_taken> last_;  // the last complete one, if there is one
 };
 
@@ -190,9 +192,9 @@ result<certified_mesh> make_guaranteed_mesh(const domain& d, const metric_field&
                                             const mesh_options& options,
                                             const progress_listener& progress) {
   if (auto refused = check_options(d, options)) return *refused;
-  double variation = 0;
-  if (auto refused = refused_guarantee(d, field, options, variation)) return *refused;
-  return size_ladder(d, field, options, progress, variation).run();
+  field_steepness steepness;
+  if (auto refused = refused_guarantee(d, field, options, steepness)) return *refused;
+  return size_ladder(d, field, options, progress, steepness).run();
 }
 
 }  // namespace asterism

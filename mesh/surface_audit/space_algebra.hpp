@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Defines vectors of three numbers, and what rounded intervals lack: quotients by positive numbers.
+// Defines vectors of three numbers, of intervals too.
 // Intervals stand in a floating_point_scope(rounding::upward).
 #pragma once
 
@@ -9,6 +9,7 @@
 
 #include "asterism/core/dyadic.hpp"
 #include "asterism/core/rounded_interval.hpp"
+#include "asterism/core/rounded_quotient.hpp"
 #include "asterism/mesh/data/surface.hpp"
 
 namespace asterism::internal {
@@ -53,14 +54,6 @@ inline plain_vector middle_of(const interval_vector& a) {
   return {middle_of(a.x), middle_of(a.y), middle_of(a.z)};
 }
 
-// Returns an enclosure of a / b. Requires b.inf() > 0. Each end is the quotient of that end of a by
-// the end of b that moves it outward.
-inline rounded_interval quotient(const rounded_interval& a, const rounded_interval& b) {
-  const double low = a.inf(), high = a.sup();
-  return {-rounded_quotient(-low, low >= 0 ? b.sup() : b.inf()),
-          rounded_quotient(high, high >= 0 ? b.inf() : b.sup())};
-}
-
 // Returns what factor * a is, in fewer operations. Requires factor.inf() >= 0: each end of the
 // product is that end of a times the end of the factor that moves it outward.
 inline rounded_interval scaled(const rounded_interval& factor, const rounded_interval& a) {
@@ -70,10 +63,6 @@ inline rounded_interval scaled(const rounded_interval& factor, const rounded_int
 }
 inline interval_vector scaled(const rounded_interval& factor, const interval_vector& a) {
   return {scaled(factor, a.x), scaled(factor, a.y), scaled(factor, a.z)};
-}
-
-inline rounded_interval hull(const rounded_interval& a, const rounded_interval& b) {
-  return {std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup())};
 }
 
 inline interval_vector quotient(const interval_vector& a, const rounded_interval& b) {

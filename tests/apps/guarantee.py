@@ -65,6 +65,29 @@ class Guarantee(command.CommandTest):
         self.write("g.certificate.json", json.dumps(without))
         self.assertEqual(self.run_command("verify", "g.mesh").returncode, 1)
 
+    def test_a_field_is_bounded_or_said_to_be_sampled(self):
+        self.write("plate.poly", PLATE)
+        done = self.mesh("plate.poly", "--metric", "sink:1", "--size", "0.4")
+        self.assertIn("; the field varies by at most ", done.stdout)
+        good = self.claim()
+        kept = good["guarantee"]
+        self.assertEqual(kept["field"], "bounded")
+        self.assertLessEqual(kept["field_variation"], kept["field_variation_bound"])
+        self.assertLessEqual(kept["sigma"], kept["field_variation_bound"] * 1.000001)
+        for bound in (kept["field_variation_bound"] * 0.99, kept["field_variation_bound"] * 1.01, 0, 1e9):
+            claim = {**good, "guarantee": {**kept, "field_variation_bound": bound}}
+            self.write("g.certificate.json", json.dumps(claim))
+            done = self.run_command("verify", "g.mesh")
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertIn('"guarantee.field_variation_bound" is ', done.stdout + done.stderr)
+        claim = {**good, "guarantee": {**kept, "field": "sampled"}}
+        self.write("g.certificate.json", json.dumps(claim))
+        self.assertNotEqual(self.run_command("verify", "g.mesh").returncode, 0)
+        done = self.mesh("plate.poly", "--metric", "expr:2+rint(0.1*x);0;2", "--size", "0.6")
+        self.assertIn("; the field was sampled, and is not known between the samples", done.stdout)
+        kept = self.claim()["guarantee"]
+        self.assertEqual((kept["field"], kept["field_variation_bound"]), ("sampled", None))
+
     def test_what_fails_is_named_beforehand(self):
         self.write("sharp.poly", SHARP)
         for options, words in ((("sharp.poly", "--size", "0.3"), "sharp.poly: no guarantee: the corner at vertex 1"),

@@ -92,6 +92,9 @@ TEST_CASE("a metric that varies too fast at the size asked for gets shorter edge
   REQUIRE(made.value().claim.guarantee);
   CHECK(made.value().claim.guarantee->size_factor > 1);
   CHECK(made.value().claim.guarantee->field_variation > 0.1);
+  REQUIRE(made.value().claim.guarantee->field_variation_bound);
+  CHECK(*made.value().claim.guarantee->field_variation_bound >=
+        made.value().claim.guarantee->field_variation);
 }
 
 TEST_CASE("what a guarantee cannot be given for is refused by name") {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// Bounds how fast a metric varies over a small part of the plane, from enclosures of its tensors.
+// Source: docs/math/guarantee.md, "The field's sigma".
+#pragma once
+
+#include "asterism/core/site.hpp"
+#include "asterism/mesh/metric/interval_jet.hpp"
+
+namespace asterism::internal {
+
+// Vertices of the polygon around the unit circle by which the greatest variation of all directions
+// is bounded, half of them, as one of two opposite ones will do; and their distance from the
+// centre: at least 1 / cos(pi / 32) = 1.004838...
+inline constexpr int variation_directions = 16;
+inline constexpr double direction_slack = 1.00485;
+
+// A part of the plane: a point of it, and how far others are from it along x and y.
+struct small_part {
+  point middle;
+  double reach_x = 0, reach_y = 0;
+};
+
+// Bounds of a part: the greatest variation in it from above, and about that in its middle.
+struct variation_of_part {
+  double above = 0, in_middle = 0;
+};
+
+// Returns bounds from the tensors over a part and in its middle; `above` is infinite where the part
+// is too large for them. In a floating_point_scope(rounding::upward).
+variation_of_part bound_variation_of(const small_part& part, const tensor_jet& over,
+                                     const tensor_jet& in_middle);
+
+}  // namespace asterism::internal

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/metric/variation_bound.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "asterism/core/floating_point_environment.hpp"
+#include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/metric/enclosed_field.hpp"
+#include "asterism/mesh/metric/logarithm_triangle.hpp"
+#include "asterism/mesh/metric/tensor_variation.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t most_parts = 200'000;
+constexpr double close_enough = 1.02;
+
+// Knows a convex polygon around the vertices of a domain, by the farthest of them in each of
+// sixteen directions.
+class outline {
+ public:
+  explicit outline(const domain& d) {
+    farthest_.fill(-infinity);
+    for (const point& v : d.vertices)
+      for (std::size_t k = 0; k < directions.size(); ++k)
+        farthest_[k] = std::max(farthest_[k], directions[k].x * v.x + directions[k].y * v.y);
+  }
+
+  // True only if no point of the box is in the polygon.
+  bool misses(const point& low, const point& high) const {
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      const point& n = directions[k];
+      const double x = n.x * (n.x > 0 ? low.x : high.x), y = n.y * (n.y > 0 ? low.y : high.y);
+      // Of both sums and four products, each rounded once.
+      const double slack = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(farthest_[k]));
+      if (x + y > farthest_[k] + slack + 0x1p-1000) return true;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr std::array<point, 16> directions = {{{1, 0},
+                                                        {2, 1},
+                                                        {1, 1},
+                                                        {1, 2},
+                                                        {0, 1},
+                                                        {-1, 2},
+                                                        {-1, 1},
+                                                        {-2, 1},
+                                                        {-1, 0},
+                                                        {-2, -1},
+                                                        {-1, -1},
+                                                        {-1, -2},
+                                                        {0, -1},
+                                                        {1, -2},
+                                                        {1, -1},
+                                                        {2, -1}}};
+  std::array<double, 16> farthest_{};
+};
+
+// A part of the region with its bounds; `order` makes equals come in one order.
+template <class Part>
+struct bounded_part {
+  Part part;
+  variation_of_part bounds;
+  std::size_t order = 0;
+
+  friend bool operator<(const bounded_part& a, const bounded_part& b) {
+    if (a.bounds.above != b.bounds.above) return a.bounds.above < b.bounds.above;
+    return a.order > b.order;
+  }
+};
+
+// Halves the part with the greatest bound, again and again. `Region` has parts, and their bounds.
+template <class Region>
+class halving {
+ public:
+  explicit halving(const Region& region) : region_(region) {}
+
+  variation_bounds run() {
+    for (auto& part : region_.first_parts()) add(std::move(part));
+    while (!parts_.empty() && looked_at_ < most_parts && !obstacle_) {
+      const double greatest = parts_.top().bounds.above;
+      if (greatest <= close_enough * seen_) break;
+      const auto part = parts_.top().part;
+      parts_.pop();
+      const auto halves = region_.halves(part);
+      if (!halves)
+        return {std::nullopt, seen_, "it may jump, or be no metric, near " + region_.place(part)};
+      for (const auto& half : *halves) add(half);
+    }
+    if (obstacle_) return {std::nullopt, seen_, *obstacle_};
+    if (parts_.empty()) return {0, seen_, {}};
+    const auto& worst = parts_.top();
+    if (worst.bounds.above < infinity) return {worst.bounds.above, seen_, {}};
+    return {std::nullopt, seen_, "none was found near " + region_.place(worst.part)};
+  }
+
+ private:
+  template <class Part>
+  void add(Part part) {
+    if (region_.is_outside(part) || obstacle_) return;
+    ++looked_at_;
+    const auto bounds = region_.bounds_of(part);
+    if (!bounds) {
+      obstacle_ = bounds.failure().message;
+      return;
+    }
+    seen_ = std::max(seen_, bounds.value().in_middle);
+    parts_.push({part, bounds.value(), looked_at_});
+  }
+
+  const Region& region_;
+  std::priority_queue<bounded_part<typename Region::part>> parts_;
+  std::size_t looked_at_ = 0;
+  double seen_ = 0;
+  std::optional<std::string> obstacle_;
+};
+
+// A formula over boxes.
+class formula_region {
+ public:
+  struct part {
+    point low, high;
+  };
+
+  formula_region(const domain& d, const metric_field& field, const enclosed_field& formula)
+      : outline_(d), box_(d.box()), field_(field), formula_(formula) {}
+
+  std::vector<part> first_parts() const { return {{box_.low, box_.high}}; }
+  bool is_outside(const part& p) const { return outline_.misses(p.low, p.high); }
+  static std::string place(const part& p) { return coordinates(middle_of(p)); }
+
+  result<variation_of_part> bounds_of(const part& p) const {
+    const small_part shape{middle_of(p), half_of(p.high.x, p.low.x), half_of(p.high.y, p.low.y)};
+    const auto found = enclosed(p, shape);
+    if (!found) return error{"its formula has a part of which no bounds are known"};
+    const auto value = field_.at(shape.middle);
+    if (!value || !agrees(value.value(), found->second))
+      return error{"its values are not those of its formula at " + coordinates(shape.middle)};
+    return found->first;
+  }
+
+  // Returns both halves, across the side along which the tensor changes more, or the longer one;
+  // nothing where the box has no middle that is another point.
+  std::optional<std::array<part, 2>> halves(const part& p) const {
+    const point m = middle_of(p);
+    const bool across_x = is_wider(p);
+    if (across_x ? !(p.low.x < m.x && m.x < p.high.x) : !(p.low.y < m.y && m.y < p.high.y))
+      return std::nullopt;
+    if (across_x) return both({p.low, {m.x, p.high.y}}, {{m.x, p.low.y}, p.high});
+    return both({p.low, {p.high.x, m.y}}, {{p.low.x, m.y}, p.high});
+  }
+
+ private:
+  static std::array<part, 2> both(const part& first, const part& second) { return {first, second}; }
+  static point middle_of(const part& p) {
+    return {p.low.x / 2 + p.high.x / 2, p.low.y / 2 + p.high.y / 2};
+  }
+  // Returns how far an end can be from the middle, rounded upward.
+  static double half_of(double high, double low) {
+    return (high - low) * (0.5 * (1 + 0x1p-50)) + 0x1p-1060;
+  }
+
+  using enclosure = std::pair<variation_of_part, tensor_jet>;
+  [[gnu::noinline]] std::optional<enclosure> enclosed(const part& p,
+                                                      const small_part& shape) const {
+    const floating_point_scope scope(rounding::upward);
+    const auto over = formula_.over(coordinates_over({p.low.x, p.high.x}, {p.low.y, p.high.y}));
+    const auto in_middle = formula_.over(coordinates_over(shape.middle.x, shape.middle.y));
+    if (!over || !in_middle) return std::nullopt;
+    return enclosure{bound_variation_of(shape, *over, *in_middle), *in_middle};
+  }
+
+  // True if a value in doubles is that of the enclosure, but for roundings: another way to the same
+  // number, by which neither is believed alone.
+  static bool agrees(const metric_tensor& m, const tensor_jet& enclosed) {
+    const double size = std::max(m.m11, m.m22);
+    const auto is_near = [&](double x, const interval_jet& j) {
+      return x >= j.value.inf() - 0x1p-20 * size && x <= j.value.sup() + 0x1p-20 * size;
+    };
+    return is_near(m.m11, enclosed.m11) && is_near(m.m12, enclosed.m12) &&
+           is_near(m.m22, enclosed.m22);
+  }
+
+  // True if the box is longer along x, as its enclosure tells lengths; else by the sides.
+  [[gnu::noinline]] bool is_wider(const part& p) const {
+    const double width = p.high.x - p.low.x, height = p.high.y - p.low.y;
+    const floating_point_scope scope(rounding::upward);
+    const auto over = formula_.over(coordinates_over({p.low.x, p.high.x}, {p.low.y, p.high.y}));
+    const auto change = [](const rounded_interval& a) { return std::max(-a.inf(), a.sup()); };
+    if (!over) return width >= height;
+    const double by_x =
+        width * std::max({change(over->m11.x), change(over->m12.x), change(over->m22.x)});
+    const double by_y =
+        height * std::max({change(over->m11.y), change(over->m12.y), change(over->m22.y)});
+    const bool tells = by_x < infinity && by_y < infinity && (by_x > 0 || by_y > 0);
+    if (!tells) return width >= height;
+    return by_x >= by_y;
+  }
+
+  outline outline_;
+  bounding_box box_;
+  const metric_field& field_;
+  const enclosed_field& formula_;
+};
+
+// Logarithms that are linear in each triangle of a mesh.
+class background_region {
+ public:
+  using part = logarithm_triangle;
+
+  background_region(const domain& d, const mesh& background) : outline_(d) {
+    for (const triangle& t : background.triangles)
+      if (auto made = logarithm_triangle::make(background.sites[t[0]], background.sites[t[1]],
+                                               background.sites[t[2]]))
+        parts_.push_back(*made);
+  }
+
+  const std::vector<part>& first_parts() const { return parts_; }
+  bool is_outside(const part& p) const {
+    const auto [low_x, high_x] = std::minmax({p.corners[0].x, p.corners[1].x, p.corners[2].x});
+    const auto [low_y, high_y] = std::minmax({p.corners[0].y, p.corners[1].y, p.corners[2].y});
+    return outline_.misses({low_x, low_y}, {high_x, high_y});
+  }
+  static std::string place(const part& p) { return coordinates(p.corners[0]); }
+  [[gnu::noinline]] static result<variation_of_part> bounds_of(const part& p) {
+    const floating_point_scope scope(rounding::upward);
+    return p.bounds();
+  }
+  static std::optional<std::array<part, 2>> halves(const part& p) { return p.halves(); }
+
+ private:
+  outline outline_;
+  std::vector<part> parts_;
+};
+
+}  // namespace
+
+variation_bounds bound_variation(const domain& d, const metric_field& field) {
+  if (const mesh* const background = field.background()) {
+    const background_region region(d, *background);
+    return halving(region).run();
+  }
+  const auto* const formula = dynamic_cast<const enclosed_field*>(&field);
+  if (formula == nullptr)
+    return {std::nullopt, 0, "it is no formula and not given on a mesh, or was changed since"};
+  const formula_region region(d, field, *formula);
+  return halving(region).run();
+}
+
+}  // namespace asterism::internal
