@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
@@ -340,8 +339,7 @@ adapt_facts facts_of(const adapted& made) {
 
 int run_adapt(adapt_job job) {
   const auto start = std::chrono::steady_clock::now();
-  std::optional<tbb::global_control> threads;
-  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  const thread_limit threads(job.threads);
   const run_files files = files_written_by(job);
   set_defaults(job.request);
   if (const auto failed = check_request(job.request)) return complain(*failed, refused);
@@ -436,15 +434,8 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       "most; "
       "where a metric alone wants them, no more than ten times those of MESH)")
       ->type_name("N");
-  add_real(
-      app, "--max-seconds", positive_reals, [&job](double x) { job.max_seconds = x; },
-      "Refinement ends after this time")
-      ->type_name("S");
-  add_count(
-      app, "--threads", 1, most_threads,
-      [&job](std::uint64_t n) { job.threads = static_cast<std::size_t>(n); },
-      "Threads to use (default: one a processor); everything is the same for any number")
-      ->type_name("N");
+  add_seconds_option(app, job.max_seconds, "Refinement ends after this time");
+  add_threads_option(app, job.threads, "everything is");
 }
 
 }  // namespace
@@ -483,9 +474,7 @@ void add_adapt_command(CLI::App& program, command& chosen) {
   add_order_option(*app, job->order);
   add_proof_option(*app, job->proof);
   app->get_option("--frozen")->excludes(app->get_option("--proof"));
-  auto* const quiet = app->add_flag("--quiet", job->quiet, "No progress, no summary");
-  app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
-      ->excludes(quiet);
+  add_summary_flags(*app, job->quiet, job->json, "No progress, no summary");
   app->add_flag("--strict", job->strict,
                 "Refuse a mesh of which something would be changed or passed over, with a note");
   app->footer(adapt_examples);

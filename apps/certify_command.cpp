@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -324,9 +323,7 @@ result<measured_mesh> read_measured(certify_options& options) {
 }
 
 int run_certify(certify_options options) {
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  const thread_limit threads(options.threads);
   const bool is_medit = has_ending(options.mesh.string(), ".mesh");
   if (const fs::path beside = solution_path(options.mesh);
       options.solution.empty() && is_medit && internal::holds_tensors(beside))
@@ -408,14 +405,10 @@ void add_certify_command(CLI::App& program, command& chosen) {
       [options](std::uint64_t n) { options->max_sites = static_cast<std::size_t>(n); },
       "Repair ends at this many (default: ten times as many as there are, at least 100000)")
       ->type_name("N");
-  add_real(
-      *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
-      "Ends after this time: NOT certified, unless it was done; a repair writes what there is")
-      ->type_name("S");
-  add_count(
-      *app, "--threads", 1, most_threads, [options](std::uint64_t n) { options->threads = n; },
-      "Threads that work; the answer does not depend on it (default: one a processor)")
-      ->type_name("N");
+  add_seconds_option(
+      *app, options->max_seconds,
+      "Ends after this time: NOT certified, unless it was done; a repair writes what there is");
+  add_threads_option(*app, options->threads, "the answer is");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->add_flag("--strict", options->strict, "Refuse a file that is read with a note");
   app->footer(certify_examples);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <iostream>
 #include <memory>
@@ -114,8 +113,7 @@ std::optional<error> check_order_of_names(const deviation_job& job) {
 }
 
 int run_deviation(const deviation_job& job) {
-  std::optional<tbb::global_control> threads;
-  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  const thread_limit threads(job.threads);
   if (auto failed = check_order_of_names(job)) return complain(*failed, refused);
   const auto of = find_surface(job.of);
   if (!of) return complain(of.failure(), refused);
@@ -155,11 +153,7 @@ void add_deviation_command(CLI::App& program, command& chosen) {
       *app, "--width", {1e-6, 1, true, true, "from 1e-6 to 1"}, [job](double x) { job->width = x; },
       "How wide the enclosures may be, as a share (default 0.01)")
       ->type_name("W");
-  add_count(
-      *app, "--threads", 1, most_threads,
-      [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
-      "Threads to use (default: one a processor); the answer is the same for any number")
-      ->type_name("N");
+  add_threads_option(*app, job->threads, "the answer is");
   app->add_flag("--json", job->json, "The answer as a JSON object, in place of lines");
   app->footer(deviation_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_deviation(*job); }; });

@@ -156,19 +156,12 @@ void add_run_options(CLI::App& app, mesh_job& job) {
       [&options](std::uint64_t n) { options.improve_passes = static_cast<std::size_t>(n); },
       "Passes over the finished mesh, for fewer sites and better shapes (default 0)")
       ->type_name("N");
-  add_real(
-      app, "--max-seconds", positive_reals, [&job](double x) { job.max_seconds = x; },
-      "Refinement ends after this time")
-      ->type_name("S");
+  add_seconds_option(app, job.max_seconds, "Refinement ends after this time");
   add_real(
       app, "--max-memory", positive_reals, [&job](double x) { job.max_megabytes = x; },
       "Refinement ends when this much is in use, in megabytes")
       ->type_name("MB");
-  add_count(
-      app, "--threads", 1, most_threads,
-      [&job](std::uint64_t n) { job.threads = static_cast<std::size_t>(n); },
-      "Threads to use (default: one a processor); the mesh is the same for any number")
-      ->type_name("N");
+  add_threads_option(app, job.threads, "the mesh is");
   add_count(
       app, "--seed", 0, UINT64_MAX, [&options](std::uint64_t n) { options.seed = n; },
       "Of the random points and of the darts (default 1)")
@@ -229,9 +222,7 @@ void add_output_options(CLI::App& app, mesh_job& job) {
   app.add_flag("--ellipses", job.ellipses, "Draw the metric in pictures");
   app.add_flag("--strict", job.strict,
                "Refuse a domain of which something would be changed or passed over, with a note");
-  auto* const quiet = app.add_flag("--quiet", job.quiet, "No progress, no summary");
-  app.add_flag("--json", job.json, "The summary as a JSON object, in place of lines")
-      ->excludes(quiet);
+  add_summary_flags(app, job.quiet, job.json, "No progress, no summary");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <iostream>
 #include <memory>
@@ -126,8 +125,7 @@ void summarize(const metric_job& job, const metric_series& made) {
 }
 
 int run_metric(metric_job job) {
-  std::optional<tbb::global_control> threads;
-  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  const thread_limit threads(job.threads);
   if (const auto failed = take_series(job)) return complain(*failed, refused);
   set_defaults(job.request);
   if (const auto failed = check_request(job.request)) return complain(*failed, refused);
@@ -166,14 +164,8 @@ void add_metric_command(CLI::App& program, command& chosen) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   app->add_option("-o,--output", job->output, "File to write")->required()->type_name("OUT");
-  add_count(
-      *app, "--threads", 1, most_threads,
-      [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
-      "Threads to use (default: one a processor); the metric is the same for any number")
-      ->type_name("N");
-  auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
-  app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
-      ->excludes(quiet);
+  add_threads_option(*app, job->threads, "the metric is");
+  add_summary_flags(*app, job->quiet, job->json, "No summary");
   app->footer(metric_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_metric(*job); }; });
 }

@@ -60,6 +60,19 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low
   return app.add_option_function<std::string>(name, read, description);
 }
 
+void add_seconds_option(CLI::App& app, std::optional<double>& seconds,
+                        const std::string& description) {
+  add_real(
+      app, "--max-seconds", positive_reals, [&seconds](double x) { seconds = x; }, description)
+      ->type_name("S");
+}
+
+void add_summary_flags(CLI::App& app, bool& quiet, bool& json, const std::string& without) {
+  auto* const no_summary = app.add_flag("--quiet", quiet, without);
+  app.add_flag("--json", json, "The summary as a JSON object, in place of lines")
+      ->excludes(no_summary);
+}
+
 void add_judging_flags(CLI::App& app, bool& all_findings, bool& all_edges) {
   app.add_flag("--all-findings", all_findings,
                "List every finding, not the first ten of each kind");

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace asterism::apps {
@@ -43,6 +44,13 @@ CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& 
 CLI::Option* add_count(CLI::App& app, const std::string& name, std::uint64_t low,
                        std::uint64_t high, const std::function<void(std::uint64_t)>& assign,
                        const std::string& description);
+
+// Adds --max-seconds.
+void add_seconds_option(CLI::App& app, std::optional<double>& seconds,
+                        const std::string& description);
+
+// Adds --quiet and --json of a command that ends with a summary.
+void add_summary_flags(CLI::App& app, bool& quiet, bool& json, const std::string& without);
 
 // Adds the flags of every command that judges a mesh.
 void add_judging_flags(CLI::App& app, bool& all_findings, bool& all_edges);

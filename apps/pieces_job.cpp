@@ -2,7 +2,6 @@
 #include "asterism/apps/pieces_job.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +26,7 @@
 #include "asterism/apps/progress_line.hpp"
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/core/version.h"
 #include "asterism/mesh/io/file_output.hpp"
@@ -411,9 +411,8 @@ int run_pieces_job(const mesh_job& asked, piece_team* given_team) {
     return team.is_first() ? complain(failure, refused) : static_cast<int>(refused);
   };
   if (const auto failure = check_job(job)) return complain_once(*failure);
-  std::optional<tbb::global_control> threads;
   if (job.threads == 0 && team.size() > 1) job.threads = 1;  // a rank is a processor's
-  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  const thread_limit threads(job.threads);
   run_limits limits(job.max_seconds, std::nullopt);
   const bool has_part = has_metric_in_parts(job) && !team.is_first();
   auto input = prepare(has_part ? without_metric(job) : job);

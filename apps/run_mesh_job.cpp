@@ -2,7 +2,6 @@
 #include "asterism/apps/run_mesh_job.hpp"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <chrono>
 #include <iostream>
@@ -27,6 +26,7 @@
 #include "asterism/apps/run_limits.hpp"
 #include "asterism/apps/second_order.hpp"
 #include "asterism/apps/summary.hpp"
+#include "asterism/apps/thread_limit.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
@@ -229,8 +229,7 @@ result<certified_mesh> make(const mesh_job& job, prepared_input& input, run_limi
 int run_within_limits(const mesh_job& asked) {
   const auto start = std::chrono::steady_clock::now();
   mesh_job job = asked;
-  std::optional<tbb::global_control> threads;
-  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  const thread_limit threads(job.threads);
   const run_files files{
       job.outputs,
       {},

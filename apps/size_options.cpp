@@ -70,6 +70,20 @@ std::string with_number(const worded_size& worded, const std::string& domain) {
 
 }  // namespace
 
+void add_size_bounds(CLI::App& app, double& least, double& greatest, double& aspect,
+                     const std::string& on_least) {
+  add_real(
+      app, "--hmin", sizes, [&least](double x) { least = x; }, on_least)
+      ->type_name("H");
+  add_real(
+      app, "--hmax", sizes, [&greatest](double x) { greatest = x; }, "Greatest length of an edge")
+      ->type_name("H");
+  add_real(
+      app, "--aspect", aspects, [&aspect](double x) { aspect = x; },
+      "How many times as long as wide a triangle may be (default 1e6)")
+      ->type_name("A");
+}
+
 void add_size_options(CLI::App& app, mesh_job& job, std::vector<worded_size>& worded) {
   for (const described_size& one : described) {
     const auto keep = [&worded, one](const std::vector<std::string>& texts) {
@@ -81,19 +95,8 @@ void add_size_options(CLI::App& app, mesh_job& job, std::vector<worded_size>& wo
   }
   app.add_flag("--sizes-of-file", job.sizes_of_file,
                "The areas that DOMAIN wants of the triangles in its regions are sizes there");
-  size_wishes& bounds = job.sizes;
-  add_real(
-      app, "--hmin", sizes, [&bounds](double x) { bounds.least = x; },
-      "Least length of an edge, whatever else asks for less")
-      ->type_name("H");
-  add_real(
-      app, "--hmax", sizes, [&bounds](double x) { bounds.greatest = x; },
-      "Greatest length of an edge")
-      ->type_name("H");
-  add_real(
-      app, "--aspect", aspects, [&bounds](double x) { bounds.aspect = x; },
-      "How many times as long as wide a triangle may be (default 1e6)")
-      ->type_name("A");
+  add_size_bounds(app, job.sizes.least, job.sizes.greatest, job.sizes.aspect,
+                  "Least length of an edge, whatever else asks for less");
 }
 
 void take_sizes(mesh_job& job, const std::vector<worded_size>& worded) {

@@ -17,6 +17,10 @@ struct worded_size {
   std::string option, kind, text;
 };
 
+// Adds --hmin, --hmax and --aspect.
+void add_size_bounds(CLI::App& app, double& least, double& greatest, double& aspect,
+                     const std::string& on_least);
+
 // Adds the options. The list is filled while the command line is parsed.
 void add_size_options(CLI::App& app, mesh_job& job, std::vector<worded_size>& worded);
 

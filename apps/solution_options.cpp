@@ -7,6 +7,7 @@
 
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/other_names.hpp"
+#include "asterism/apps/size_options.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 
@@ -20,7 +21,6 @@ const std::map<std::string, hessian_method> hessian_methods = {
     {"lsq", hessian_method::least_squares}};
 
 constexpr real_range norms = {1, 1e6, true, true, "from 1 to 1e6, or inf"};
-constexpr real_range aspects = {1, 1e6, true, true, "from 1 to 1e6"};
 constexpr real_range factors = {1, 1e100, false, true, "above 1, at most 1e100"};
 constexpr real_range cutoffs = {0, 1, false, true, "above 0, at most 1"};
 constexpr real_range targets = {0, 1e9, false, true, "positive, at most 1e9"};
@@ -113,18 +113,8 @@ void take_gradation(const std::string& text, metric_request& request) {
 
 void add_bound_options(CLI::App& app, metric_request& request) {
   solution_metric_options& wishes = request.wishes;
-  add_real(
-      app, "--hmin", sizes, [&wishes](double x) { wishes.least_size = x; },
-      "Least length of an edge")
-      ->type_name("H");
-  add_real(
-      app, "--hmax", sizes, [&wishes](double x) { wishes.greatest_size = x; },
-      "Greatest length of an edge")
-      ->type_name("H");
-  add_real(
-      app, "--aspect", aspects, [&wishes](double x) { wishes.aspect = x; },
-      "How many times as long as wide a triangle may be (default 1e6)")
-      ->type_name("A");
+  add_size_bounds(app, wishes.least_size, wishes.greatest_size, wishes.aspect,
+                  "Least length of an edge");
   app.add_option_function<std::string>(
          "--gradation", [&request](const std::string& text) { take_gradation(text, request); },
          "Greatest factor between the sizes of neighbours, about, or none (default: 6 for a "

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/surface_command.hpp"
 
-#include <tbb/global_control.h>
-
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -152,8 +150,7 @@ void tell(const surface_job& job, const shell_certificate& claim, int status) {
 
 int run_surface(surface_job job) {
   const auto start = std::chrono::steady_clock::now();
-  std::optional<tbb::global_control> threads;
-  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  const thread_limit threads(job.threads);
   for (const fs::path& path : job.outputs)
     if (job.certificate.empty() && has_ending(path.string(), ".mesh"))
       job.certificate = fs::path(path).replace_extension(".certificate.json");
@@ -240,18 +237,10 @@ void add_surface_command(CLI::App& program, command& chosen) {
       ->type_name("OUT");
   app->add_option("--certificate", job->certificate, "Where to write what was proved")
       ->type_name("FILE");
-  add_real(
-      *app, "--max-seconds", positive_reals, [job](double x) { job->max_seconds = x; },
-      "Making meshes ends after this time; what there is is judged and written")
-      ->type_name("S");
-  add_count(
-      *app, "--threads", 1, most_threads,
-      [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
-      "Threads to use (default: one a processor); the mesh is the same for any number")
-      ->type_name("N");
-  auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
-  app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
-      ->excludes(quiet);
+  add_seconds_option(*app, job->max_seconds,
+                     "Making meshes ends after this time; what there is is judged and written");
+  add_threads_option(*app, job->threads, "the mesh is");
+  add_summary_flags(*app, job->quiet, job->json, "No summary");
   app->footer(examples);
   app->callback([job, &chosen] { chosen = [job] { return run_surface(*job); }; });
 }

@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: MIT
 //
-// Says how many threads --threads takes: one in a program that was built without oneTBB.
+// Says how many threads work.
 #pragma once
 
-#include <cstdint>
+#include <tbb/global_control.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace asterism::apps {
 
-#ifdef ASTERISM_ONE_THREAD
-inline constexpr std::uint64_t most_threads = 1;
-#else
-inline constexpr std::uint64_t most_threads = 1024;
-#endif
+// Adds --threads, one alone in a program that was built without oneTBB. `what` is the same for any
+// number: "the mesh is".
+void add_threads_option(CLI::App& app, std::size_t& threads, const std::string& what);
+
+// Lets no more threads work while it lives; 0: one a processor.
+class thread_limit {
+ public:
+  explicit thread_limit(std::size_t threads) {
+    if (threads > 0) limit_.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  }
+
+ private:
+  std::optional<tbb::global_control> limit_;
+};
 
 }  // namespace asterism::apps

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <tbb/global_control.h>
 
 #include <iostream>
 #include <map>
@@ -77,8 +76,7 @@ solution with_rows(const solution& s, const std::vector<vertex_index>& left_out)
 }
 
 int run_transfer(const transfer_job& job) {
-  std::optional<tbb::global_control> threads;
-  if (job.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, job.threads);
+  const thread_limit threads(job.threads);
   if (const auto failed = check_files(job)) return complain(*failed, refused);
   const auto from = read_plain_mesh_file(job.from);
   if (!from) return complain(from.failure(), refused);
@@ -115,14 +113,8 @@ void add_transfer_command(CLI::App& program, command& chosen) {
   app->add_option("-o,--output", job->output, "File to write, .sol or .bb")
       ->required()
       ->type_name("OUT");
-  add_count(
-      *app, "--threads", 1, most_threads,
-      [job](std::uint64_t n) { job->threads = static_cast<std::size_t>(n); },
-      "Threads to use (default: one a processor); the values are the same for any number")
-      ->type_name("N");
-  auto* const quiet = app->add_flag("--quiet", job->quiet, "No summary");
-  app->add_flag("--json", job->json, "The summary as a JSON object, in place of lines")
-      ->excludes(quiet);
+  add_threads_option(*app, job->threads, "the values are");
+  add_summary_flags(*app, job->quiet, job->json, "No summary");
   app->add_flag("--strict", job->strict, "Refuse a file that is read with a note");
   app->footer(transfer_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_transfer(*job); }; });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -386,24 +385,18 @@ void add_verify_command(CLI::App& program, command& chosen, piece_team* team) {
   app->add_option("--certificate", options->certificate, "What is claimed of it")
       ->type_name("FILE");
   add_question(*app, *options);
-  add_real(
-      *app, "--max-seconds", positive_reals, [options](double x) { options->max_seconds = x; },
-      "Checking ends after this time, with status 1 if it was not done")
-      ->type_name("S");
+  add_seconds_option(*app, options->max_seconds,
+                     "Checking ends after this time, with status 1 if it was not done");
   app->add_flag("--long", options->tells_theorem,
                 "Say, too, whether the theorem on nets applies to the mesh, and why not");
   app->add_flag("--json", options->json, "The verdict as a JSON object, in place of lines");
   const auto threads = std::make_shared<std::size_t>(0);
-  add_count(
-      *app, "--threads", 1, most_threads, [threads](std::uint64_t n) { *threads = n; },
-      "Threads that work; the answer does not depend on it (default: one a processor)")
-      ->type_name("N");
+  add_threads_option(*app, *threads, "the answer is");
   add_judging_flags(*app, options->all_findings, options->all_edges);
   app->footer(verify_examples);
   app->callback([options, team, threads, &chosen] {
     chosen = [options, team, threads] {
-      std::optional<tbb::global_control> limit;
-      if (*threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, *threads);
+      const thread_limit limit(*threads);
       return team != nullptr || is_of_pieces(*options) ? run_verify_pieces(*options, team)
                                                        : run_verify(*options);
     };
