@@ -16,7 +16,7 @@
 namespace asterism::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 struct interval_tensor {
   rounded_interval m11, m12, m22;
@@ -58,7 +58,7 @@ double norm_above(const interval_tensor& m) {
   const mean_and_radius s = spectrum(m);
   const double mean = std::max(-s.mean.inf(), s.mean.sup());
   const double norm = rounded_sum(mean, s.radius.sup());
-  return norm >= 0 ? norm : infinity;  // a NaN promises nothing
+  return norm >= 0 ? norm : no_bound;  // a NaN promises nothing
 }
 
 const std::array<point, variation_directions>& directions() {
@@ -99,7 +99,7 @@ std::optional<unit_displacements> frame_of(const tensor_jet& middle) {
 double quotient_above(double norm, const interval_tensor& near_identity) {
   const mean_and_radius s = spectrum(near_identity);
   const rounded_interval least = s.mean - s.radius;
-  if (!(least.inf() > 0)) return infinity;
+  if (!(least.inf() > 0)) return no_bound;
   const rounded_interval low = least.inf();
   return divided(rounded_interval(norm), rounded_interval(2) * low * root_of(low)).sup();
 }
@@ -109,7 +109,7 @@ double quotient_above(double norm, const interval_tensor& near_identity) {
 variation_of_part bound_variation_of(const small_part& part, const tensor_jet& over,
                                      const tensor_jet& in_middle) {
   const auto frame = frame_of(in_middle);
-  if (!frame) return {infinity, 0};
+  if (!frame) return {no_bound, 0};
   const auto derivative = [&](const tensor_jet& t, const point& u) {
     return in_frame(rounded_interval(u.x) * along_x(t) + rounded_interval(u.y) * along_y(t),
                     *frame);
@@ -125,8 +125,8 @@ variation_of_part bound_variation_of(const small_part& part, const tensor_jet& o
       greatest_norm(derivative(in_middle, frame->first), derivative(in_middle, frame->second));
   variation_of_part found{quotient_above(norm, anywhere),
                           quotient_above(here, middle) / direction_slack};
-  if (!(found.above >= 0)) found.above = infinity;
-  if (!(found.in_middle < infinity)) found.in_middle = 0;
+  if (!(found.above >= 0)) found.above = no_bound;
+  if (!(found.in_middle < no_bound)) found.in_middle = 0;
   return found;
 }
 
