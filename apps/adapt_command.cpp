@@ -179,7 +179,9 @@ std::optional<error> make_next(const marked_mesh& from, const adapt_job& job,
 }
 
 result<adapted> adapt(const adapt_job& job, run_limits& limits) {
-  auto wanted = answer(job.request);
+  metric_request request = job.request;
+  request.periodic = job.options.periodic;
+  auto wanted = answer(request);
   if (!wanted) return wanted.failure();
   if (auto refused = say_notes(wanted.value().background.notes, {job.quiet, job.strict}))
     return *refused;

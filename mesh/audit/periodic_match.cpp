@@ -12,6 +12,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/number.hpp"
+#include "asterism/mesh/audit/periodic_partners.hpp"
 #include "asterism/mesh/audit/roots.hpp"
 
 namespace asterism {
@@ -215,7 +216,8 @@ result<periodic_match> matched(const mesh& m, const line_pair& lines) {
                " are no partners: one side is not the other shifted or turned"};
 }
 
-result<periodic_match> match_lines(const mesh& m, const periodic_pair& sides) {
+// Returns both sides, the second from its end.
+result<line_pair> lines_of(const mesh& m, const periodic_pair& sides) {
   if (sides.first == sides.second) return error{"a side is no partner of itself"};
   auto first = line_of(m, sides.first), second = line_of(m, sides.second);
   if (!first) return first.failure();
@@ -225,19 +227,34 @@ result<periodic_match> match_lines(const mesh& m, const periodic_pair& sides) {
     return error{"they have " + std::to_string(lines.first.size()) + " and " +
                  std::to_string(lines.second.size()) + " vertices"};
   std::reverse(lines.second.begin(), lines.second.end());
-  return matched(m, lines);
+  return lines;
+}
+
+error no_match(const periodic_pair& sides, const error& why) {
+  return error{"the sides with markers " + std::to_string(sides.first) + " and " +
+                   std::to_string(sides.second) + " do not match: " + why.message,
+               error_code::invalid_mesh};
 }
 
 }  // namespace
 
 result<periodic_match> match_periodic(const mesh& subject, const periodic_pair& sides) {
-  auto match = match_lines(subject, sides);
-  if (!match)
-    return error{"the sides with markers " + std::to_string(sides.first) + " and " +
-                     std::to_string(sides.second) + " do not match: " + match.failure().message,
-                 error_code::invalid_mesh};
+  const auto lines = lines_of(subject, sides);
+  if (!lines) return no_match(sides, lines.failure());
+  auto match = matched(subject, lines.value());
+  if (!match) return no_match(sides, match.failure());
   match.value().sides = sides;
   return match;
+}
+
+result<std::vector<std::array<vertex_index, 2>>> internal::periodic_partners(
+    const mesh& subject, const periodic_pair& sides) {
+  const auto lines = lines_of(subject, sides);
+  if (!lines) return no_match(sides, lines.failure());
+  std::vector<std::array<vertex_index, 2>> found;
+  for (std::size_t i = 0; i < lines.value().first.size(); ++i)
+    found.push_back({lines.value().first[i], lines.value().second[i]});
+  return found;
 }
 
 std::string text_of(const periodic_match& match) {

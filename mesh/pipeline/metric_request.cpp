@@ -8,6 +8,7 @@
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/pipeline/given_hessians.hpp"
+#include "asterism/mesh/pipeline/periodic_continuation.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 
@@ -53,7 +54,11 @@ result<solution_metric> metric_of_solution(const metric_request& request,
                                            const requested_metric& made) {
   const auto fields = select_values(made.values, request.fields);
   if (!fields) return fields.failure().at(request.solution);
-  auto metric = make_solution_metric(made.background, fields.value(), request.wishes, intersected);
+  const auto glued = continued_across(made.background, request.periodic);
+  auto metric =
+      glued
+          ? make_glued_metric(made.background, *glued, fields.value(), request.wishes, intersected)
+          : make_solution_metric(made.background, fields.value(), request.wishes, intersected);
   if (!metric && metric.failure().code != error_code::bad_option)
     return metric.failure().at(request.solution);
   return metric;

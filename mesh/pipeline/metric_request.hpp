@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asterism/core/result.hpp"
+#include "asterism/mesh/audit/periodic_match.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
 
@@ -23,6 +24,8 @@ struct metric_request {
   std::vector<std::string> intersected;  // files of metrics on the same mesh
   bool implied = false;                  // the mesh's own metric in place of a solution
   std::string carried = {};  // file of fields that come along and have no part in the metric
+  // Sides that are one for the solution: second derivatives are recovered across them.
+  std::vector<periodic_pair> periodic = {};
   solution_metric_options wishes;
   bool names_gradation = false;  // else the default of the source holds
   bool names_hessian = false, names_norm = false;

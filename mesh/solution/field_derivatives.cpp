@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
@@ -30,23 +31,68 @@ std::vector<const Field*> by_name(const std::vector<Field>& fields) {
   return sorted;
 }
 
+// Second derivatives of one field, as recovered and as moduli.
+struct one_field {
+  recovered_hessian recovered;
+  std::vector<metric_tensor> moduli;
+};
+
+result<one_field> derivatives_of(const mesh& m, const mesh_links& links,
+                                 const std::vector<double>& values, hessian_method method) {
+  auto hessian = recover_hessian(m, values, method);
+  if (!hessian) return hessian.failure();
+  one_field made{std::move(hessian).value(), {}};
+  made.moduli = method == hessian_method::green ? mean_moduli(m, links, made.recovered.at)
+                                                : made.recovered.at;
+  return made;
+}
+
+// Leaves what is of the mesh's own vertices, partners with the same.
+void take_own(const glued_mesh& glued, std::size_t own, one_field& found) {
+  for (auto* tensors : {&found.recovered.at, &found.moduli}) {
+    tensors->resize(own);
+    for (const auto& [first, second] : glued.partners) (*tensors)[second] = (*tensors)[first];
+  }
+  const auto& at = found.recovered.at;
+  found.recovered.noise =
+      static_cast<std::size_t>(std::count_if(at.begin(), at.end(), [](const metric_tensor& h) {
+        return identical(h, {0, 0, 0});
+      }));
+  auto& means = found.recovered.means;
+  std::erase_if(means, [own](vertex_index v) { return v >= own; });
+  found.recovered.at_boundary = means.size();
+}
+
+result<one_field> glued_derivatives_of(const glued_mesh& glued, const mesh_links& links,
+                                       const std::vector<double>& values, hessian_method method) {
+  std::vector<double> continued;
+  continued.reserve(glued.origin.size());
+  for (const vertex_index v : glued.origin) continued.push_back(values[v]);
+  auto found = derivatives_of(glued.continued, links, continued, method);
+  if (found) take_own(glued, values.size(), found.value());
+  return found;
+}
+
 }  // namespace
 
 result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links& links,
                                                 const std::vector<nodal_values>& fields,
-                                                const solution_metric_options& options) {
+                                                const solution_metric_options& options,
+                                                const glued_mesh* glued) {
   const hessian_method method = options.hessian;
+  const std::optional<mesh_links> beyond =
+      glued != nullptr ? std::optional<mesh_links>(std::in_place, glued->continued) : std::nullopt;
   field_derivatives found;
   for (const nodal_values* f : by_name(fields)) {
-    auto hessian = recover_hessian(m, f->values, method);
-    if (!hessian) return hessian.failure().at("field " + f->name);
+    const bool is_glued = beyond && f->values.size() == m.sites.size();
+    auto one = is_glued ? glued_derivatives_of(*glued, *beyond, f->values, method)
+                        : derivatives_of(m, links, f->values, method);
+    if (!one) return one.failure().at("field " + f->name);
     found.names.push_back(f->name);
-    found.noise += hessian.value().noise;
-    found.at_boundary += hessian.value().at_boundary;
-    found.moduli.push_back(method == hessian_method::green
-                               ? mean_moduli(m, links, hessian.value().at)
-                               : hessian.value().at);
-    found.recovered.push_back(std::move(hessian.value().at));
+    found.noise += one.value().recovered.noise;
+    found.at_boundary += one.value().recovered.at_boundary;
+    found.moduli.push_back(std::move(one.value().moduli));
+    found.recovered.push_back(std::move(one.value().recovered.at));
     if (options.relative) found.scales.push_back(scales_of_error(f->values, options.cutoff));
   }
   return found;

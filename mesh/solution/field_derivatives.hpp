@@ -11,6 +11,7 @@
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
+#include "asterism/mesh/solution/glued_mesh.hpp"
 #include "asterism/mesh/solution/hessian.hpp"
 #include "asterism/mesh/solution/solution_metric_options.hpp"
 
@@ -25,10 +26,12 @@ struct field_derivatives {
   std::size_t noise = 0, at_boundary = 0;
 };
 
-// Recovers them from values at the vertices, as the options say.
+// Recovers them from values at the vertices, as the options say; on the continued mesh where there
+// is one.
 result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links& links,
                                                 const std::vector<nodal_values>& fields,
-                                                const solution_metric_options& options);
+                                                const solution_metric_options& options,
+                                                const glued_mesh* glued = nullptr);
 
 // Takes them as they are given. The optimum needs no more of them than their moduli. Fails for a
 // field of another number of vertices, and for numbers of which products are not finite.

@@ -85,6 +85,7 @@ class recovery {
     for (vertex_index v = 0; v < known_.size(); ++v)
       if (known_[v] == 0) waiting.push_back(v);
     made_.at_boundary = waiting.size();
+    made_.means = waiting;
     while (!waiting.empty()) {
       std::vector<vertex_index> later, done;
       for (const vertex_index v : waiting) (take_mean(v) ? done : later).push_back(v);

@@ -47,8 +47,9 @@ enum class hessian_method { l2_projection, green, least_squares };
 // Second derivatives at the vertices of a mesh, as m11 = xx, m12 = xy, m22 = yy, of either sign.
 struct recovered_hessian {
   std::vector<metric_tensor> at;
-  std::size_t at_boundary = 0;  // vertices whose tensor is the mean of neighbours
-  std::size_t noise = 0;        // vertices with nothing but rounding: their tensor is zero
+  std::size_t at_boundary = 0;      // vertices whose tensor is the mean of neighbours
+  std::vector<vertex_index> means;  // these vertices
+  std::size_t noise = 0;            // vertices with nothing but rounding: their tensor is zero
 };
 
 // Returns the Hessian of the field. Requires a triangulation. Fails where the numbers are not as

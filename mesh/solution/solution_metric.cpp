@@ -17,6 +17,7 @@
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/field_derivatives.hpp"
+#include "asterism/mesh/solution/glued_mesh.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "asterism/mesh/solution/metric_steps.hpp"
@@ -427,22 +428,36 @@ failure check_mesh(const mesh& m) {
   return {};
 }
 
-}  // namespace
-
-result<solution_metric> make_solution_metric(const mesh& m, const std::vector<nodal_values>& fields,
-                                             const solution_metric_options& options,
-                                             const std::vector<tensors>& intersected) {
+result<solution_metric> metric_of_values(const mesh& m, const glued_mesh* glued,
+                                         const std::vector<nodal_values>& fields,
+                                         const solution_metric_options& options,
+                                         const std::vector<tensors>& intersected) {
   if (auto failed = check(options)) return *failed;
   if (auto failed = check_mesh(m)) return *failed;
   if (fields.empty()) return error{"there is no field to make a metric of"};
   solution_metric_options wishes = options;
   if (wishes.relative) wishes.norm.reset();
   metric_maker maker(m, wishes, intersected);
-  const auto found = recovered_derivatives(m, maker.links(), fields, wishes);
+  const auto found = recovered_derivatives(m, maker.links(), fields, wishes, glued);
   if (!found) return found.failure();
   maker.set_recovered(found.value().recovered, false);
   return wishes.relative ? relative_metric_of(found.value(), maker, wishes)
                          : metric_of(found.value(), maker, wishes);
+}
+
+}  // namespace
+
+result<solution_metric> make_solution_metric(const mesh& m, const std::vector<nodal_values>& fields,
+                                             const solution_metric_options& options,
+                                             const std::vector<tensors>& intersected) {
+  return metric_of_values(m, nullptr, fields, options, intersected);
+}
+
+result<solution_metric> internal::make_glued_metric(const mesh& m, const glued_mesh& glued,
+                                                    const std::vector<nodal_values>& fields,
+                                                    const solution_metric_options& options,
+                                                    const std::vector<tensors>& intersected) {
+  return metric_of_values(m, &glued, fields, options, intersected);
 }
 
 result<solution_metric> make_hessian_metric(const mesh& m, const std::vector<nodal_hessian>& fields,

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/pipeline/periodic_continuation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "asterism/mesh/audit/periodic_partners.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using partner_list = std::vector<std::array<vertex_index, 2>>;
+
+// Rings of triangles that are copied: the metric at a seam is a mean of what its neighbours have,
+// which a fit takes from four rings around each at most.
+constexpr int rings = 5;
+
+class continuation {
+ public:
+  explicit continuation(const mesh& m) : which_(m.sites.size(), 0) {
+    made_.continued.sites = m.sites;
+    made_.continued.triangles = m.triangles;
+    made_.origin.resize(m.sites.size());
+    std::iota(made_.origin.begin(), made_.origin.end(), vertex_index{0});
+  }
+
+  // Goes on across both sides of a pair, of which the second is the first shifted.
+  void across(const partner_list& partners, const point& shift) {
+    std::map<vertex_index, vertex_index> to_second, to_first;
+    for (const auto& [a, b] : partners) {
+      to_second[a] = b;
+      to_first[b] = a;
+      made_.partners.push_back({a, b});
+    }
+    const auto at_first = near(to_second), at_second = near(to_first);
+    for (std::uint64_t& which : which_) which *= 3;
+    places_.clear();
+    for (std::size_t v = 0; v < which_.size(); ++v)
+      places_[{made_.origin[v], which_[v]}] = static_cast<vertex_index>(v);
+    copy(at_first, to_second, shift, 1);
+    copy(at_second, to_first, {-shift.x, -shift.y}, 2);
+  }
+
+  glued_mesh take() && { return std::move(made_); }
+
+ private:
+  // Returns the triangles within some rings of the vertices that are, or are copies of, a side's.
+  std::vector<triangle> near(const std::map<vertex_index, vertex_index>& side) const {
+    std::vector<char> reached(which_.size(), 0);
+    for (std::size_t v = 0; v < reached.size(); ++v)
+      reached[v] = side.contains(made_.origin[v]) ? 1 : 0;
+    std::vector<triangle> found;
+    for (int ring = 0; ring < rings; ++ring) {
+      found.clear();
+      for (const triangle& t : made_.continued.triangles)
+        if (reached[t[0]] != 0 || reached[t[1]] != 0 || reached[t[2]] != 0) found.push_back(t);
+      for (const triangle& t : found)
+        for (const vertex_index v : t) reached[v] = 1;
+    }
+    return found;
+  }
+
+  void copy(const std::vector<triangle>& strip, const std::map<vertex_index, vertex_index>& partner,
+            const point& by, std::uint64_t digit) {
+    for (const triangle& t : strip)
+      made_.continued.triangles.push_back({image(t[0], partner, by, digit),
+                                           image(t[1], partner, by, digit),
+                                           image(t[2], partner, by, digit)});
+  }
+
+  // Returns the vertex that the copy of one is: its partner, where that is there, or a new one.
+  vertex_index image(vertex_index v, const std::map<vertex_index, vertex_index>& partner,
+                     const point& by, std::uint64_t digit) {
+    const vertex_index own = made_.origin[v];
+    if (const auto other = partner.find(own); other != partner.end())
+      if (const auto there = places_.find({other->second, which_[v]}); there != places_.end())
+        return there->second;
+    const auto next = static_cast<vertex_index>(which_.size());
+    const auto [place, is_new] = places_.try_emplace({own, which_[v] + digit}, next);
+    if (!is_new) return place->second;
+    site moved = made_.continued.sites[v];
+    moved.position = {moved.position.x + by.x, moved.position.y + by.y};
+    made_.continued.sites.push_back(moved);
+    made_.origin.push_back(own);
+    which_.push_back(which_[v] + digit);
+    return next;
+  }
+
+  glued_mesh made_;
+  // Which copy of its origin a vertex is: a digit to the base of three for each pair that was
+  // passed, 1 and 2 for copies beyond its second and its first side.
+  std::vector<std::uint64_t> which_;
+  std::map<std::pair<vertex_index, std::uint64_t>, vertex_index> places_;
+};
+
+}  // namespace
+
+std::optional<glued_mesh> continued_across(const mesh& m, const std::vector<periodic_pair>& pairs) {
+  continuation made(m);
+  bool any = false;
+  for (const periodic_pair& sides : pairs) {
+    const auto match = match_periodic(m, sides);
+    const auto partners = periodic_partners(m, sides);
+    if (!match || !partners || match.value().turn != 0) continue;
+    made.across(partners.value(), match.value().shift);
+    any = true;
+  }
+  if (!any) return std::nullopt;
+  return std::move(made).take();
+}
+
+}  // namespace asterism::internal

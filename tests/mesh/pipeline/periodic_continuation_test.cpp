@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+//
+// Second derivatives are recovered across periodic sides as inside.
+#include "asterism/mesh/pipeline/periodic_continuation.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/search/mesh_links.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+
+namespace {
+
+constexpr vertex_index n = 16;
+const std::vector<periodic_pair> torus = {{4, 2}, {1, 3}};
+
+// n x n cells of the unit square, markers 1 to 4 from below to the left; vertex (i, j) is (n + 1) j
+// + i.
+mesh grid() {
+  mesh m;
+  for (vertex_index j = 0; j <= n; ++j)
+    for (vertex_index i = 0; i <= n; ++i)
+      m.sites.push_back({{static_cast<double>(i) / n, static_cast<double>(j) / n}, {1, 0, 1}});
+  const auto at = [](vertex_index i, vertex_index j) { return (n + 1) * j + i; };
+  for (vertex_index j = 0; j < n; ++j)
+    for (vertex_index i = 0; i < n; ++i) {
+      m.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      m.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  for (vertex_index k = 0; k < n; ++k) {
+    m.boundary.push_back({at(k, 0), at(k + 1, 0), 0, 1});
+    m.boundary.push_back({at(n, k), at(n, k + 1), 1, 2});
+    m.boundary.push_back({at(n - k, n), at(n - k - 1, n), 2, 3});
+    m.boundary.push_back({at(0, n - k), at(0, n - k - 1), 3, 4});
+  }
+  return m;
+}
+
+// A periodic field with steep fronts, shifted along both axes.
+nodal_values front(const mesh& m, double shift) {
+  nodal_values u{"u", {}};
+  for (const site& s : m.sites) {
+    const double x = s.position.x - shift, y = s.position.y - shift;
+    const double turn = 6.283185307179586;
+    u.values.push_back(std::tanh(2 * std::sin(turn * (x + y)) + std::cos(turn * x)));
+  }
+  return u;
+}
+
+std::vector<metric_tensor> metric_of(const mesh& m, const nodal_values& u, hessian_method how) {
+  const auto glued = continued_across(m, torus);
+  REQUIRE(glued);
+  solution_metric_options wishes;
+  wishes.vertices = 500;
+  wishes.hessian = how;
+  auto made = make_glued_metric(m, *glued, {u}, wishes);
+  REQUIRE(made.ok());
+  return std::move(made).value().tensors;
+}
+
+double apart(const metric_tensor& a, const metric_tensor& b) {
+  return (std::abs(a.m11 - b.m11) + std::abs(a.m12 - b.m12) + std::abs(a.m22 - b.m22)) /
+         (a.m11 + a.m22);
+}
+
+}  // namespace
+
+TEST_CASE("the metric of a periodic solution does not know where the seam is") {
+  const mesh m = grid();
+  for (const hessian_method how :
+       {hessian_method::green, hessian_method::least_squares, hessian_method::l2_projection}) {
+    const auto whole = metric_of(m, front(m, 0), how), moved = metric_of(m, front(m, 0.5), how);
+    const auto alone = [&] {
+      solution_metric_options wishes;
+      wishes.vertices = 500;
+      wishes.hessian = how;
+      return make_solution_metric(m, {front(m, 0)}, wishes).value().tensors;
+    }();
+    double most = 0, most_alone = 0;
+    for (vertex_index j = 0; j <= n; ++j)
+      for (vertex_index i = 0; i <= n; ++i) {
+        const vertex_index v = (n + 1) * j + i;
+        const vertex_index w = (n + 1) * ((j + n / 2) % n) + (i + n / 2) % n;
+        most = std::max(most, apart(whole[v], moved[w]));
+        most_alone = std::max(most_alone, apart(alone[v], moved[w]));
+      }
+    CHECK(most < 1e-9);
+    CHECK(most_alone > 0.1);
+  }
+}
+
+TEST_CASE("partners have one tensor, the four corners of a torus too") {
+  const mesh m = grid();
+  const auto t = metric_of(m, front(m, 0.1), hessian_method::green);
+  for (vertex_index k = 0; k <= n; ++k) {
+    CHECK(identical(t[(n + 1) * k], t[(n + 1) * k + n]));
+    CHECK(identical(t[k], t[(n + 1) * n + k]));
+  }
+}
+
+TEST_CASE(
+    "a mesh that is continued is a triangulation, and its copies lie where they are shifted") {
+  const mesh m = grid();
+  const auto made = continued_across(m, torus);
+  REQUIRE(made);
+  const mesh& all = made->continued;
+  REQUIRE(made->origin.size() == all.sites.size());
+  const mesh_links links(all);
+  for (vertex_index v = 0; v < m.sites.size(); ++v) CHECK_FALSE(links.on_boundary(v));
+  for (std::size_t v = 0; v < all.sites.size(); ++v) {
+    const point &p = all.sites[v].position, &q = m.sites[made->origin[v]].position;
+    CHECK((p.x - q.x == std::round(p.x - q.x) && p.y - q.y == std::round(p.y - q.y)));
+  }
+  for (const triangle& t : all.triangles) {
+    const point &a = all.sites[t[0]].position, &b = all.sites[t[1]].position,
+                &c = all.sites[t[2]].position;
+    CHECK((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) == 1.0 / (n * n));
+  }
+}
+
+TEST_CASE("sides that do not match, or are turned, stay boundary") {
+  mesh m = grid();
+  CHECK_FALSE(continued_across(m, {}));
+  CHECK_FALSE(continued_across(m, {{1, 2}}));
+  CHECK_FALSE(continued_across(m, {{1, 9}}));
+  m.sites[3].position.x += 0.01;
+  CHECK_FALSE(continued_across(m, {{1, 3}}));
+  CHECK(continued_across(m, {{1, 3}, {4, 2}}));
+}
