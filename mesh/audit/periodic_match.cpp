@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -39,45 +38,10 @@ struct line_pair {
   line first, second;
 };
 
-std::string marker_text(int marker) { return "marker " + std::to_string(marker); }
-
 std::string point_text(const point& q) {
   std::string text = number_text(q.x);
   text.append(", ").append(number_text(q.y)).append(")").insert(text.begin(), '(');
   return text;
-}
-
-// Returns the vertices of the side from its start to its end.
-result<line> line_of(const mesh& m, int marker) {
-  std::map<vertex_index, vertex_index> next;
-  std::map<vertex_index, std::size_t> arriving;
-  for (std::size_t e = 0; e < m.boundary.size(); ++e) {
-    const boundary_edge& edge = m.boundary[e];
-    if (edge.marker != marker) continue;
-    if (edge.a >= m.sites.size() || edge.b >= m.sites.size())
-      return error{"boundary edge " + std::to_string(e + 1) + " names a vertex that is not there"};
-    for (const vertex_index v : {edge.a, edge.b})
-      if (!std::isfinite(m.sites[v].position.x) || !std::isfinite(m.sites[v].position.y))
-        return error{"vertex " + std::to_string(v + 1) + " is at no finite place"};
-    if (edge.internal)
-      return error{"boundary edge " + std::to_string(e + 1) + " with " + marker_text(marker) +
-                   " has the domain on both sides"};
-    if (!next.emplace(edge.a, edge.b).second || ++arriving[edge.b] > 1)
-      return error{"the edges with " + marker_text(marker) + " branch"};
-  }
-  if (next.empty()) return error{"no boundary edge has " + marker_text(marker)};
-  line found;
-  for (const auto& [start, end] : next)
-    if (!arriving.contains(start)) found.push_back(start);
-  if (found.empty())
-    return error{"the edges with " + marker_text(marker) + " are a closed line, without ends"};
-  if (found.size() > 1)
-    return error{"the edges with " + marker_text(marker) + " are more than one line"};
-  for (auto step = next.find(found.front()); step != next.end(); step = next.find(found.back()))
-    found.push_back(step->second);
-  if (found.size() != next.size() + 1)
-    return error{"the edges with " + marker_text(marker) + " are more than one line"};
-  return found;
 }
 
 point turned(const rigid_map& map, const point& q) {
@@ -216,20 +180,6 @@ result<periodic_match> matched(const mesh& m, const line_pair& lines) {
                " are no partners: one side is not the other shifted or turned"};
 }
 
-// Returns both sides, the second from its end.
-result<line_pair> lines_of(const mesh& m, const periodic_pair& sides) {
-  if (sides.first == sides.second) return error{"a side is no partner of itself"};
-  auto first = line_of(m, sides.first), second = line_of(m, sides.second);
-  if (!first) return first.failure();
-  if (!second) return second.failure();
-  line_pair lines{std::move(first).value(), std::move(second).value()};
-  if (lines.first.size() != lines.second.size())
-    return error{"they have " + std::to_string(lines.first.size()) + " and " +
-                 std::to_string(lines.second.size()) + " vertices"};
-  std::reverse(lines.second.begin(), lines.second.end());
-  return lines;
-}
-
 error no_match(const periodic_pair& sides, const error& why) {
   return error{"the sides with markers " + std::to_string(sides.first) + " and " +
                    std::to_string(sides.second) + " do not match: " + why.message,
@@ -239,22 +189,17 @@ error no_match(const periodic_pair& sides, const error& why) {
 }  // namespace
 
 result<periodic_match> match_periodic(const mesh& subject, const periodic_pair& sides) {
-  const auto lines = lines_of(subject, sides);
-  if (!lines) return no_match(sides, lines.failure());
-  auto match = matched(subject, lines.value());
+  const auto partners = periodic_partners(subject, sides.first, sides.second);
+  if (!partners) return no_match(sides, partners.failure());
+  line_pair lines;
+  for (const auto& [a, b] : partners.value()) {
+    lines.first.push_back(a);
+    lines.second.push_back(b);
+  }
+  auto match = matched(subject, lines);
   if (!match) return no_match(sides, match.failure());
   match.value().sides = sides;
   return match;
-}
-
-result<std::vector<std::array<vertex_index, 2>>> internal::periodic_partners(
-    const mesh& subject, const periodic_pair& sides) {
-  const auto lines = lines_of(subject, sides);
-  if (!lines) return no_match(sides, lines.failure());
-  std::vector<std::array<vertex_index, 2>> found;
-  for (std::size_t i = 0; i < lines.value().first.size(); ++i)
-    found.push_back({lines.value().first[i], lines.value().second[i]});
-  return found;
 }
 
 std::string text_of(const periodic_match& match) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists the vertices of two sides that go together.
+// Lists the vertices of two sides of a boundary that go together, by their order alone.
 #pragma once
 
 #include <array>
@@ -8,15 +8,14 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
-#include "asterism/mesh/audit/periodic_match.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism::internal {
 
-// Returns each vertex of the first side, from its start, with its partner. Fails as match_periodic
-// does where the sides have no ends or another number of vertices; whether they are at the same
-// places is for that to say.
-result<std::vector<std::array<vertex_index, 2>>> periodic_partners(const mesh& subject,
-                                                                   const periodic_pair& sides);
+// Returns each vertex of the side with the first marker, from its start, with the one of the second
+// side that goes with it, from its end. Fails where they are no lines with two ends or have another
+// number of vertices. Where these are is not asked.
+result<std::vector<std::array<vertex_index, 2>>> periodic_partners(const mesh& m, int first,
+                                                                   int second);
 
 }  // namespace asterism::internal

@@ -105,7 +105,7 @@ std::optional<glued_mesh> continued_across(const mesh& m, const std::vector<peri
   bool any = false;
   for (const periodic_pair& sides : pairs) {
     const auto match = match_periodic(m, sides);
-    const auto partners = periodic_partners(m, sides);
+    const auto partners = periodic_partners(m, sides.first, sides.second);
     if (!match || !partners || match.value().turn != 0) continue;
     made.across(partners.value(), match.value().shift);
     any = true;

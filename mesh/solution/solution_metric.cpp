@@ -17,7 +17,6 @@
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/field_derivatives.hpp"
-#include "asterism/mesh/solution/glued_mesh.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "asterism/mesh/solution/metric_steps.hpp"
@@ -453,10 +452,10 @@ result<solution_metric> make_solution_metric(const mesh& m, const std::vector<no
   return metric_of_values(m, nullptr, fields, options, intersected);
 }
 
-result<solution_metric> internal::make_glued_metric(const mesh& m, const glued_mesh& glued,
-                                                    const std::vector<nodal_values>& fields,
-                                                    const solution_metric_options& options,
-                                                    const std::vector<tensors>& intersected) {
+result<solution_metric> make_glued_metric(const mesh& m, const glued_mesh& glued,
+                                          const std::vector<nodal_values>& fields,
+                                          const solution_metric_options& options,
+                                          const std::vector<tensors>& intersected) {
   return metric_of_values(m, &glued, fields, options, intersected);
 }
 

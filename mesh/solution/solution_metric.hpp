@@ -26,6 +26,7 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/solution/glued_mesh.hpp"
 #include "asterism/mesh/solution/hessian.hpp"
 #include "asterism/mesh/solution/solution_metric_options.hpp"
 
@@ -66,6 +67,13 @@ struct solution_metric {
 // Time and memory are linear; parallel, the same for any number of threads.
 ASTERISM_EXPORT result<solution_metric> make_solution_metric(
     const mesh& m, const std::vector<nodal_values>& fields, const solution_metric_options& options,
+    const std::vector<std::vector<metric_tensor>>& intersected = {});
+
+// Makes it of second derivatives that are recovered on the continued mesh. Partners have the same,
+// bit for bit; gradation and the step, which know nothing of the copies, may part their tensors.
+ASTERISM_EXPORT result<solution_metric> make_glued_metric(
+    const mesh& m, const glued_mesh& glued, const std::vector<nodal_values>& fields,
+    const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
 // Makes it of second derivatives that are given, in place of step 1: of a solution of higher order,

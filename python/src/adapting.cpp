@@ -9,7 +9,6 @@
 #include "asterism/mesh/pipeline/adaptation_words.hpp"
 #include "asterism/mesh/pipeline/periodic_continuation.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
-#include "asterism/mesh/solution/glued_mesh.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "bindings.hpp"
 #include "periodic_arguments.hpp"
@@ -88,7 +87,7 @@ result<solution_metric> metric_of(const mesh& m, const adapt_request& asked) {
     const auto fields = select_values(asked.fields, {});
     if (!fields) return fields.failure();
     if (const auto glued = internal::continued_across(m, asked.options.periodic))
-      return internal::make_glued_metric(m, *glued, fields.value(), asked.wishes, asked.besides);
+      return make_glued_metric(m, *glued, fields.value(), asked.wishes, asked.besides);
     return make_solution_metric(m, fields.value(), asked.wishes, asked.besides);
   }
   if (!asked.implied) return shape_metric(m, asked.given, asked.wishes, asked.besides);

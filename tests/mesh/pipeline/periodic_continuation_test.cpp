@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/data/solution.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
+#include "asterism/mesh/solution/solution_metric.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
