@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
 
@@ -103,6 +104,33 @@ TEST_CASE("partners have one tensor, the four corners of a torus too") {
     CHECK(identical(t[(n + 1) * k], t[(n + 1) * k + n]));
     CHECK(identical(t[k], t[(n + 1) * n + k]));
   }
+}
+
+// Returns how far lengths of partners are apart in the mesh made, the greatest of both pairs.
+double partners_apart(mesh m, const std::vector<metric_tensor>& tensors) {
+  for (std::size_t v = 0; v < m.sites.size(); ++v) m.sites[v].metric = tensors[v];
+  mesh_adaptation_options options;
+  options.refinement.vertices = 500;
+  options.periodic = torus;
+  const auto next = adapt_to_metric({std::move(m), {}}, options);
+  REQUIRE(next.ok());
+  REQUIRE(next.value().made.certified());
+  REQUIRE(next.value().made.claim.periodic.size() == torus.size());
+  double most = 0;
+  for (const periodic_match& match : next.value().made.claim.periodic)
+    most = std::max(most, match.metrics_apart);
+  return most;
+}
+
+TEST_CASE("in the next mesh partners are nearer to each other than where sides are boundary") {
+  const mesh m = grid();
+  const nodal_values u = front(m, 0.1);
+  const double glued = partners_apart(m, metric_of(m, u, hessian_method::green));
+  solution_metric_options wishes;
+  wishes.vertices = 500;
+  const double alone = partners_apart(m, make_solution_metric(m, {u}, wishes).value().tensors);
+  CAPTURE(glued, alone);
+  CHECK(glued < alone / 4);
 }
 
 TEST_CASE(
