@@ -22,8 +22,8 @@ result<surface> find_surface(const std::string& name) {
   if (auto known = built_in_surface(name)) return std::move(*known);
   if (is_of_cad_program(name))
     return error{"surface " + name +
-                     ": files of CAD programs are not read; their untrimmed faces can be given as "
-                     "B-spline patches in a .json file, and trimmed ones not at all",
+                     ": files of CAD programs are not read here; their faces can be given as "
+                     "B-spline patches with loops in a .json file",
                  error_code::bad_option};
   if (!has_ending(name, ".json")) {
     std::string names;

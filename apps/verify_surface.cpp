@@ -27,7 +27,7 @@ namespace {
 bool same_patch(const surface_patch& a, const surface_patch& b) {
   return a.degree_u == b.degree_u && a.degree_v == b.degree_v && a.count_u == b.count_u &&
          a.count_v == b.count_v && a.knots_u == b.knots_u && a.knots_v == b.knots_v &&
-         a.control == b.control;
+         a.control == b.control && a.loops == b.loops;
 }
 
 bool same_surface(const surface& a, const surface& b) {
@@ -71,6 +71,10 @@ std::vector<std::string> contradictions(const shell_report& now, const shell_cer
   hold("distance of vertices", now.vertex_distance, said.vertex_distance);
   hold("tangent of the normals' deviation", now.normal_tangent, said.normal_tangent);
   hold("least angle", now.least_angle, said.least_angle);
+  hold("trimming curves", now.trims, said.trims);
+  hold("distance of their chords", now.trim_distance, said.trim_distance);
+  hold("edges of two trimmed faces", now.trim_edges, said.trim_edges);
+  hold("gap along edges", now.trim_gap, said.trim_gap);
   return all;
 }
 

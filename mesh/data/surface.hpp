@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "asterism/mesh/data/trim_curve.hpp"
+
 namespace asterism::internal {
 
 struct space_point {
@@ -25,13 +27,15 @@ struct control_point {
 };
 
 // A tensor patch. `control` holds rows of constant i, each of `count_v` points. The knots are
-// ascending, the first and last of each direction repeated degree + 1 times.
+// ascending, the first and last of each direction repeated degree + 1 times. With loops it is the
+// part on the left of them; curves are numbered through all loops in order.
 struct surface_patch {
   std::string name;
   int degree_u = 0, degree_v = 0;
   std::size_t count_u = 0, count_v = 0;
   std::vector<double> knots_u, knots_v;
   std::vector<control_point> control;
+  std::vector<trim_loop> loops = {};
 
   const control_point& at(std::size_t i, std::size_t j) const { return control[i * count_v + j]; }
 };

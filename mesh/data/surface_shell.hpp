@@ -13,15 +13,24 @@
 
 namespace asterism::internal {
 
+// Where a given site of a trimmed patch is on its border: the curve, and the share of the curve's
+// parameters, from 0 to below 1.
+struct border_place {
+  std::uint32_t curve = 0;
+  double place = 0;
+};
+
 // The plane mesh of a patch, in the chart (u 2^scale_u, v 2^scale_v). Its first four sites are the
 // corners of the patch, counter-clockwise from the least u and v; the rest of those given lie on
-// its sides.
+// its sides. Of a trimmed patch the first sites are the starts of its curves, and the rest of those
+// given stand for points inside the curves; segments join those that follow each other.
 struct shell_face {
   std::uint32_t patch = 0;
   int scale_u = 0, scale_v = 0;
   bool reversed = false;  // its triangles stand in the shell the other way round
   mesh plane;
-  std::vector<std::uint32_t> vertex;  // of the shell, for each site
+  std::vector<std::uint32_t> vertex;      // of the shell, for each site
+  std::vector<border_place> border = {};  // of the given sites of a trimmed patch
 };
 
 // The triangles of the shell are those of its faces in order, without those that have a vertex

@@ -13,10 +13,56 @@
 #include "asterism/mesh/numerics/scaled_tensor.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/surface/border_field.hpp"
 
 namespace asterism::internal {
-face_meshing::face_meshing(const surface_chart& chart, const surface_sizes& sizes, int cells)
-    : chart_(&chart), sizes_(sizes), cells_(cells) {
+namespace {
+
+// The loops with a region inside, each less all holes. Twice the area of each loop tells, in
+// doubles: what is no region is found by the auditor.
+std::vector<domain_polygon> polygons_of_loops(const domain& d, const face_border& border) {
+  std::vector<domain_polygon> outer;
+  std::vector<std::vector<std::uint32_t>> holes;
+  std::vector<std::vector<std::uint32_t>> of_side(border.sides());
+  for (std::uint32_t k = 0; k < d.segments.size(); ++k)
+    of_side[static_cast<std::size_t>(d.segments[k].marker) - 1].push_back(k);
+  std::vector<bool> seen(border.sides());
+  for (std::size_t first = 0; first < border.sides(); ++first) {
+    std::vector<std::uint32_t> ring;
+    double area = 0;
+    const point origin = d.vertices[first];
+    for (std::size_t side = first; !seen[side]; side = border.next(side)) {
+      seen[side] = true;
+      for (const std::uint32_t k : of_side[side]) {
+        const point &a = d.vertices[d.segments[k].a], &b = d.vertices[d.segments[k].b];
+        area += (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
+        ring.push_back(k);
+      }
+    }
+    if (ring.empty()) continue;
+    if (area > 0)
+      outer.push_back({std::nullopt, {std::move(ring)}});
+    else
+      holes.push_back(std::move(ring));
+  }
+  for (domain_polygon& p : outer) p.rings.insert(p.rings.end(), holes.begin(), holes.end());
+  if (outer.empty()) outer.emplace_back();
+  return outer;
+}
+
+bool has_same_segments(const domain& a, const domain& b) {
+  bool same = a.segments.size() == b.segments.size();
+  for (std::size_t k = 0; same && k < a.segments.size(); ++k)
+    same = a.segments[k].a == b.segments[k].a && a.segments[k].b == b.segments[k].b &&
+           !a.segments[k].internal;
+  return same;
+}
+
+}  // namespace
+
+face_meshing::face_meshing(const surface_chart& chart, const face_border& border,
+                           const surface_sizes& sizes, int cells)
+    : chart_(&chart), border_(&border), sizes_(sizes), cells_(cells) {
   find_base();
   log_factor_.assign(base_.size(), 0);
   wanted_.assign(base_.size(), 0);
@@ -206,18 +252,12 @@ void face_meshing::free_around(const std::vector<unsigned char>& marked) {
 
 std::vector<face_meshing::placed> face_meshing::vertices_on_sides(const side_places& places,
                                                                   bool keep) const {
-  const point low = chart_->low(), high = chart_->high();
   std::vector<placed> all;
-  for (int side = 0; side < 4; ++side)
-    for (const double place : places.at[static_cast<std::size_t>(side)]) {
-      const double x = low.x + place * (high.x - low.x), y = low.y + place * (high.y - low.y);
-      const point p = side == 0   ? point{x, low.y}
-                      : side == 1 ? point{high.x, y}
-                      : side == 2 ? point{x, high.y}
-                                  : point{low.x, y};
-      all.push_back({p, on_side{side, place}});
-    }
-  for (vertex_index v = 4; keep && v < plane_.sites.size(); ++v) {
+  for (std::size_t side = 0; side < border_->sides(); ++side)
+    for (const double place : places.at[side])
+      all.push_back({border_->at(side, place), on_side{static_cast<int>(side), place}});
+  const auto corners = static_cast<vertex_index>(border_->sides());
+  for (vertex_index v = corners; keep && v < plane_.sites.size(); ++v) {
     const auto on = side_of(v);
     if (on && !places.is_common[static_cast<std::size_t>(on->side)] && is_freed_[v] == 0)
       all.push_back({plane_.sites[v].position, on});
@@ -231,7 +271,8 @@ std::vector<face_meshing::placed> face_meshing::vertices_on_sides(const side_pla
 
 std::vector<face_meshing::placed> face_meshing::vertices_inside() const {
   std::vector<placed> all;
-  for (vertex_index v = 4; v < plane_.sites.size(); ++v)
+  const auto corners = static_cast<vertex_index>(border_->sides());
+  for (vertex_index v = corners; v < plane_.sites.size(); ++v)
     if (is_freed_[v] == 0 && !side_of(v)) all.push_back({plane_.sites[v].position, std::nullopt});
   return all;
 }
@@ -246,55 +287,112 @@ result<std::string> face_meshing::make(const side_places& places,
   return made;
 }
 
-result<std::string> face_meshing::make_once(const side_places& places, bool keep,
-                                            const surface_mesh_options& options) {
-  const point low = chart_->low(), high = chart_->high();
+// The corners, the vertices on sides in their order, and segments around. Markers count sides from
+// 1.
+domain face_meshing::polygons(const std::vector<placed>& on_sides) const {
   domain d;
-  d.vertices = {low, {high.x, low.y}, high, {low.x, high.y}};
-  const std::vector<placed> on_sides = vertices_on_sides(places, keep);
-  std::array<std::vector<vertex_index>, 4> along;
-  std::vector<on_side> given_on;
+  const std::size_t sides = border_->sides();
+  for (std::size_t k = 0; k < sides; ++k) d.vertices.push_back(border_->corner(k));
+  std::vector<std::vector<vertex_index>> along(sides);
   for (const placed& one : on_sides) {
     along[static_cast<std::size_t>(one.on->side)].push_back(
         static_cast<vertex_index>(d.vertices.size()));
     d.vertices.push_back(one.at);
-    given_on.push_back(*one.on);
   }
-  for (std::size_t side = 0; side < 4; ++side) {
-    if (side >= 2) std::reverse(along[side].begin(), along[side].end());
+  for (std::size_t side = 0; side < sides; ++side) {
+    if (!border_->runs_around(side)) std::reverse(along[side].begin(), along[side].end());
     const int marker = static_cast<int>(side) + 1;
     auto from = static_cast<vertex_index>(side);
     for (const vertex_index v : along[side]) {
       d.segments.push_back({from, v, marker});
       from = v;
     }
-    d.segments.push_back({from, static_cast<vertex_index>((side + 1) % 4), marker});
+    d.segments.push_back({from, static_cast<vertex_index>(border_->next(side)), marker});
   }
+  if (border_->is_trimmed()) d.polygons = polygons_of_loops(d, *border_);
+  return d;
+}
+
+bool face_meshing::is_simple(const side_places& places) const {
+  if (!border_->is_trimmed()) return true;
+  const domain d = polygons(vertices_on_sides(places, false));
+  const auto shape = check_domain(d);
+  return shape && has_same_segments(shape.value(), d);
+}
+
+result<std::string> face_meshing::make_once(const side_places& places, bool keep,
+                                            const surface_mesh_options& options) {
+  const std::vector<placed> on_sides = vertices_on_sides(places, keep);
+  domain d = polygons(on_sides);
+  const std::size_t given = d.vertices.size();
   if (keep)
     for (const placed& one : vertices_inside()) d.vertices.push_back(one.at);
   auto shape = check_domain(d);
+  if (border_->is_trimmed() && (!shape || !has_same_segments(shape.value(), d)))
+    return error{
+        "its loops do not enclose a region on their left: an outer loop must run "
+        "counter-clockwise in (u, v), the loop of a hole clockwise, and none may meet "
+        "itself or another" +
+            (shape ? std::string() : " (" + shape.failure().message + ")"),
+        error_code::invalid_input};
   if (!shape) return shape.failure();
-  const mesh given = background();
-  const auto field = make_sampled_field(given);
+  const mesh wanted = background();
+  const auto field = make_sampled_field(wanted);
   mesh_options how;
   how.angle_bound = options.angle_bound;
   how.limit_size = true;
   how.max_sites = options.most_sites;
   how.stop = options.stop;
-  auto made = make_mesh(shape.value(), *field, how);
+  const border_field graded(*field, d);
+  const metric_field& asked =
+      border_->is_trimmed() ? static_cast<const metric_field&>(graded) : *field;
+  auto made = make_mesh(shape.value(), asked, how);
   if (!made) return made.failure();
   plane_ = std::move(made.value().result);
   // Vertices kept are sites like others: nobody asked for them.
-  plane_.given = static_cast<vertex_index>(4 + given_on.size());
-  given_on_ = std::move(given_on);
+  plane_.given = static_cast<vertex_index>(given);
+  given_on_.clear();
+  for (const placed& one : on_sides) given_on_.push_back(*one.on);
+  find_splits(shape.value());
   is_freed_.assign(plane_.sites.size(), 0);
   if (made.value().complete) return std::string();
   return ending_text(made.value());
 }
 
+void face_meshing::find_splits(const domain& shape) {
+  split_on_.clear();
+  if (!border_->is_trimmed()) return;
+  const auto corners = static_cast<vertex_index>(border_->sides());
+  for (const boundary_edge& e : plane_.boundary) {
+    if (e.a < plane_.given || e.segment >= shape.segments.size()) continue;
+    const segment& whole = shape.segments[e.segment];
+    const point &a = shape.vertices[whole.a], &b = shape.vertices[whole.b],
+                p = plane_.sites[e.a].position;
+    const double x = b.x - a.x, y = b.y - a.y;
+    const double share = ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y);
+    const double from = whole.a < corners ? 0 : given_on_[whole.a - corners].place,
+                 to = whole.b < corners ? 1 : given_on_[whole.b - corners].place;
+    split_on_[e.a] = on_side{whole.marker - 1, from + share * (to - from)};
+  }
+}
+
+std::vector<border_place> face_meshing::border_places() const {
+  std::vector<border_place> all;
+  if (!border_->is_trimmed()) return all;
+  for (std::uint32_t k = 0; k < border_->sides(); ++k) all.push_back({k, 0});
+  for (const on_side& on : given_on_)
+    all.push_back({static_cast<std::uint32_t>(on.side), on.place});
+  return all;
+}
+
 std::optional<on_side> face_meshing::side_of(vertex_index site) const {
-  if (site < 4) return std::nullopt;
-  if (site < 4 + given_on_.size()) return given_on_[site - 4];
+  const std::size_t corners = border_->sides();
+  if (site < corners) return std::nullopt;
+  if (site < corners + given_on_.size()) return given_on_[site - corners];
+  if (border_->is_trimmed()) {
+    const auto found = split_on_.find(site);
+    return found == split_on_.end() ? std::nullopt : std::optional(found->second);
+  }
   const point low = chart_->low(), high = chart_->high(), p = plane_.sites[site].position;
   const double x = (p.x - low.x) / (high.x - low.x), y = (p.y - low.y) / (high.y - low.y);
   if (p.y == low.y) return on_side{0, x};

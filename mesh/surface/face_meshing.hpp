@@ -4,22 +4,25 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/surface_shell.hpp"
+#include "asterism/mesh/surface/face_border.hpp"
 #include "asterism/mesh/surface/surface_chart.hpp"
 #include "asterism/mesh/surface/surface_mesh_options.hpp"
 
 namespace asterism::internal {
 
 // Places on the sides of a patch, from 0 to 1 along each side's parameter, ascending.
-// A side that two patches have is divided at these places alone.
+// A side that two patches have, or that trims, is divided at these places alone.
 struct side_places {
-  std::array<std::vector<double>, 4> at;
-  std::array<bool, 4> is_common{};
+  std::vector<std::vector<double>> at;
+  std::vector<bool> is_common;
 };
 
 // A side, and the place on it.
@@ -31,7 +34,8 @@ struct on_side {
 class face_meshing {
  public:
   // `cells` of the background in each direction.
-  face_meshing(const surface_chart& chart, const surface_sizes& sizes, int cells);
+  face_meshing(const surface_chart& chart, const face_border& border, const surface_sizes& sizes,
+               int cells);
 
   const surface_chart& chart() const { return *chart_; }
   // The metric wanted at a point, with the factor found so far.
@@ -45,6 +49,9 @@ class face_meshing {
   // Number of vertices of a mesh of unit edges.
   double expected_vertices() const;
 
+  // True if the polygons through these places on the loops of a trimmed patch are ones that have
+  // the same inside as the loops, as far as that is to be seen: none meets another.
+  bool is_simple(const side_places& places) const;
   // Makes the mesh with these places on its sides. Empty: done; else why it is not complete. Where
   // vertices are to be kept, those of the mesh before that were not freed are in it, unless it is
   // not complete with them.
@@ -56,6 +63,8 @@ class face_meshing {
   void free_around(const std::vector<unsigned char>& marked);
   // The side that a site is on, and where; none inside and at corners.
   std::optional<on_side> side_of(vertex_index site) const;
+  // Where the given sites of a trimmed patch are; else none.
+  std::vector<border_place> border_places() const;
 
  private:
   point node(int i, int k) const;
@@ -74,10 +83,14 @@ class face_meshing {
   };
   std::vector<placed> vertices_on_sides(const side_places& places, bool keep) const;
   std::vector<placed> vertices_inside() const;
+  domain polygons(const std::vector<placed>& on_sides) const;
+  // Finds where sites that the mesh has put on chords are.
+  void find_splits(const domain& shape);
   result<std::string> make_once(const side_places& places, bool keep,
                                 const surface_mesh_options& options);
 
   const surface_chart* chart_;
+  const face_border* border_;
   surface_sizes sizes_;
   int cells_;
   std::vector<metric_tensor> local_;  // what the curvature at each node asks for
@@ -85,6 +98,7 @@ class face_meshing {
   std::vector<double> log_factor_, wanted_;
   std::vector<unsigned char> is_wanted_;
   std::vector<on_side> given_on_;  // the sides of the sites that are given, after the corners
+  std::map<vertex_index, on_side> split_on_;  // of a trimmed patch
   mesh plane_;
   bool keeps_ = false;
   std::vector<unsigned char> is_freed_;  // sites of the mesh

@@ -37,8 +37,10 @@ class shell_maker {
 std::uint32_t shell_maker::vertex_of(std::size_t p, vertex_index site) {
   const surface_patch& patch = surface_.patches[p];
   const auto& corner_of = of_.graph.corner_of[p];
-  if (site < 4) {
+  if (site < corner_of.size()) {
     std::uint32_t& known = corner_[corner_of[site]];
+    if (known == none && !patch.loops.empty())
+      known = add(of_.charts[p].lift(of_.borders[p].corner(site)));
     const std::size_t i = site == 1 || site == 2 ? patch.count_u - 1 : 0,
                       j = site >= 2 ? patch.count_v - 1 : 0;
     if (known == none) known = add(patch.at(i, j).at);
@@ -49,11 +51,11 @@ std::uint32_t shell_maker::vertex_of(std::size_t p, vertex_index site) {
     const std::size_t c = of_.graph.curve_of[p][static_cast<std::size_t>(on->side)];
     const side_curve& curve = of_.graph.curves[c];
     if (curve.is_point) return corner_[corner_of[static_cast<std::size_t>(on->side)]];
-    if (curve.sides.size() == 2) {
+    if (curve.sides.size() == 2 || curve.is_trim) {
       const double place = own_place(side_of_patch(curve, p, on->side), on->place);
       const auto [known, is_new] = on_curve_.emplace(std::pair{c, place}, 0);
       const surface_chart& chart = of_.charts[curve.sides[0].patch];
-      if (is_new) known->second = add(chart.lift(chart_point(chart, curve.sides[0], place)));
+      if (is_new) known->second = add(chart.lift(chart_point(of_, curve.sides[0], place)));
       return known->second;
     }
   }
@@ -67,6 +69,7 @@ void shell_maker::add_face(std::size_t p) {
   face.reversed = of_.graph.reversed[p];
   face.plane = of_.faces[p].plane();
   for (vertex_index v = 0; v < face.plane.sites.size(); ++v) face.vertex.push_back(vertex_of(p, v));
+  face.border = of_.faces[p].border_places();
   made_.faces.push_back(std::move(face));
 }
 

@@ -101,7 +101,8 @@ void add_square(metric_tensor& m, const std::array<double, 2>& covector, double 
 
 }  // namespace
 
-surface_chart::surface_chart(const std::vector<bezier_piece>& pieces, const patch_spans& spans)
+surface_chart::surface_chart(const surface_patch& patch, const std::vector<bezier_piece>& pieces,
+                             const patch_spans& spans)
     : pieces_(&pieces), spans_(&spans) {
   double by_u = 0, by_v = 0;
   const double u0 = spans.u.front(), v0 = spans.v.front(), width = spans.u.back() - u0,
@@ -118,6 +119,30 @@ surface_chart::surface_chart(const std::vector<bezier_piece>& pieces, const patc
   scale_v_ = by_v > 0 ? std::ilogb(by_v / (samples * samples)) : 0;
   low_ = {std::ldexp(low_.x, scale_u_), std::ldexp(low_.y, scale_v_)};
   high_ = {std::ldexp(high_.x, scale_u_), std::ldexp(high_.y, scale_v_)};
+  if (!patch.loops.empty()) keep_to_loops(patch);
+}
+
+// Control points go around their curves.
+void surface_chart::keep_to_loops(const surface_patch& patch) {
+  const trim_point& first = patch.loops[0][0].control[0];
+  double u0 = first.u, u1 = first.u, v0 = first.v, v1 = first.v;
+  for (const trim_loop& loop : patch.loops)
+    for (const trim_curve& c : loop)
+      for (const trim_point& p : c.control) {
+        u0 = std::min(u0, p.u), u1 = std::max(u1, p.u);
+        v0 = std::min(v0, p.v), v1 = std::max(v1, p.v);
+      }
+  const point low = in_patch({std::ldexp(u0, scale_u_), std::ldexp(v0, scale_v_)}),
+              high = in_patch({std::ldexp(u1, scale_u_), std::ldexp(v1, scale_v_)});
+  if (low.x < high.x && low.y < high.y) low_ = low, high_ = high;
+}
+
+point surface_chart::in_patch(const point& p) const {
+  const double u0 = std::ldexp(spans_->u.front(), scale_u_),
+               u1 = std::ldexp(spans_->u.back(), scale_u_),
+               v0 = std::ldexp(spans_->v.front(), scale_v_),
+               v1 = std::ldexp(spans_->v.back(), scale_v_);
+  return {std::clamp(p.x, u0, u1), std::clamp(p.y, v0, v1)};
 }
 
 surface_chart::local_place surface_chart::place_of(const point& p) const {

@@ -27,13 +27,17 @@ struct surface_sizes {
 // the same chart, bit for bit.
 class surface_chart {
  public:
-  surface_chart(const std::vector<bezier_piece>& pieces, const patch_spans& spans);
+  // The chart is of all of the patch, or of the box around the loops that trim it.
+  surface_chart(const surface_patch& patch, const std::vector<bezier_piece>& pieces,
+                const patch_spans& spans);
 
   int scale_u() const { return scale_u_; }
   int scale_v() const { return scale_v_; }
   point low() const { return low_; }
   point high() const { return high_; }
 
+  // The nearest point of the patch's rectangle.
+  point in_patch(const point& p) const;
   // The point of the surface at a point of the chart, on the side itself at its sides.
   space_point lift(const point& p) const;
   // The metric that the curvature at the point alone asks for. At a side that is one point it is
@@ -53,6 +57,7 @@ class surface_chart {
     double s, t;
   };
   local_place place_of(const point& p) const;
+  void keep_to_loops(const surface_patch& patch);
   plain_second_jet jet_at(const point& p) const;
 
   const std::vector<bezier_piece>* pieces_;

@@ -20,6 +20,7 @@
 #include "asterism/mesh/surface/few_bits.hpp"
 #include "asterism/mesh/surface/shell_of_faces.hpp"
 #include "asterism/mesh/surface/surface_sides.hpp"
+#include "asterism/mesh/surface/trim_gaps.hpp"
 #include "asterism/mesh/surface_audit/shell_audit.hpp"
 
 namespace asterism::internal {
@@ -43,16 +44,34 @@ double finer_by(double distance, double chord) {
   return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
 }
 
+// The planes of the patches. Charts and borders refer to what is before them.
+struct patch_planes {
+  patch_planes(const surface& s, std::vector<bezier_piece> of)
+      : pieces(std::move(of)), spans(spans_of(pieces, s.patches.size())) {
+    charts.reserve(s.patches.size());
+    for (std::size_t p = 0; p < s.patches.size(); ++p) {
+      charts.emplace_back(s.patches[p], pieces, spans[p]);
+      borders.emplace_back(s.patches[p], charts[p]);
+    }
+  }
+  patch_planes(const patch_planes&) = delete;
+  patch_planes& operator=(const patch_planes&) = delete;
+
+  std::vector<bezier_piece> pieces;
+  std::vector<patch_spans> spans;
+  std::vector<surface_chart> charts;
+  std::vector<face_border> borders;
+};
+
 class surface_meshing {
  public:
   surface_meshing(const surface& s, const surface_mesh_options& options, side_graph graph,
-                  std::vector<bezier_piece> pieces)
+                  const patch_planes& planes)
       : surface_(s),
         options_(options),
         graph_(std::move(graph)),
-        pieces_(std::move(pieces)),
-        spans_(spans_of(pieces_, s.patches.size())),
-        curves_(graph_.curves.size()) {
+        planes_(planes),
+        curves_(graph_.curves.size(), options.chord) {
     prepare();
   }
 
@@ -62,7 +81,8 @@ class surface_meshing {
  private:
   surface_mesh ended(std::size_t rounds);
   void prepare();
-  patch_faces patches() { return {graph_, charts_, faces_}; }
+  patch_faces patches() { return {graph_, planes_.charts, planes_.borders, faces_}; }
+  void make_borders_simple();
   std::optional<error> make_stale_faces();
   std::optional<error> agree_on_sides();
   std::optional<error> measure();
@@ -80,9 +100,7 @@ class surface_meshing {
   const surface& surface_;
   const surface_mesh_options& options_;
   side_graph graph_;
-  std::vector<bezier_piece> pieces_;
-  std::vector<patch_spans> spans_;
-  std::vector<surface_chart> charts_;
+  const patch_planes& planes_;
   std::vector<face_meshing> faces_;
   curve_division curves_;
   std::vector<unsigned char> is_stale_;
@@ -106,12 +124,9 @@ void surface_meshing::prepare() {
   sizes.aspect = options_.aspect;
   const std::size_t patches = surface_.patches.size();
   const int cells = patches == 1 ? 80 : patches <= 8 ? 48 : 24;
-  charts_.reserve(patches);
   faces_.reserve(patches);
-  for (std::size_t p = 0; p < patches; ++p) {
-    charts_.emplace_back(pieces_, spans_[p]);
-    faces_.emplace_back(charts_[p], sizes, cells);
-  }
+  for (std::size_t p = 0; p < patches; ++p)
+    faces_.emplace_back(planes_.charts[p], planes_.borders[p], sizes, cells);
   is_stale_.assign(patches, 1);
   reasons_.resize(patches);
 }
@@ -133,9 +148,27 @@ std::optional<error> surface_meshing::make_stale_faces() {
   return {};
 }
 
+// Divides the curves of patches whose polygons meet more finely, a few times: where it does not
+// help, the plane mesh is refused.
+void surface_meshing::make_borders_simple() {
+  constexpr int most_divisions = 6;
+  for (int k = 0; k < most_divisions; ++k) {
+    const patch_faces of = patches();
+    std::vector<unsigned char> meets(faces_.size(), 0);
+    parallel_for(faces_.size(), [&](std::size_t p) {
+      meets[p] = is_stale_[p] != 0 && !faces_[p].is_simple(curves_.on_sides_of(of, p)) ? 1 : 0;
+    });
+    bool any = false;
+    for (std::size_t p = 0; p < meets.size(); ++p)
+      if (meets[p] != 0) curves_.divide_border(of, p, is_stale_), any = true;
+    if (!any) return;
+  }
+}
+
 std::optional<error> surface_meshing::agree_on_sides() {
   constexpr int most_exchanges = 12;
   for (int k = 0; k < most_exchanges; ++k) {
+    make_borders_simple();
     if (auto failed = make_stale_faces()) return failed;
     sides_agree_ = !curves_.take_splits(patches(), is_stale_);
     if (sides_agree_) return {};
@@ -360,9 +393,13 @@ result<surface_mesh> surface_meshing::run_to_count() {
 result<surface_mesh> make_surface_mesh(const surface& s, const surface_mesh_options& options) {
   auto pieces = bezier_pieces(s);
   if (!pieces) return pieces.failure();
-  auto graph = graph_of_sides(s);
+  const patch_planes planes(s, std::move(pieces).value());
+  auto graph = graph_of_sides(s, planes.borders);
   if (!graph) return graph.failure();
-  surface_meshing meshing(s, options, std::move(graph).value(), std::move(pieces).value());
+  if (auto wrong =
+          fault_of_gaps(graph.value(), planes.borders, planes.pieces, planes.spans, options.chord))
+    return *wrong;
+  surface_meshing meshing(s, options, std::move(graph).value(), planes);
   return options.vertices ? meshing.run_to_count() : meshing.run();
 }
 

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <utility>
+
+#include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -57,6 +61,8 @@ std::vector<std::size_t> order_by_content(const surface& s) {
       key.insert(key.end(), {c.at.x, c.at.y, c.at.z, c.weight});
     key.insert(key.end(), p.knots_u.begin(), p.knots_u.end());
     key.insert(key.end(), p.knots_v.begin(), p.knots_v.end());
+    for (const trim_link& trim : trims_of(p))
+      for (const trim_point& c : trim.curve->control) key.insert(key.end(), {c.u, c.v, c.weight});
   }
   std::vector<std::size_t> order(keys.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -102,22 +108,52 @@ class united {
   std::vector<std::size_t> parent_;
 };
 
-// The corners where a side starts and ends, as its parameter runs.
-std::array<std::size_t, 2> ends_of(int side) {
-  constexpr std::array<std::array<std::size_t, 2>, 4> ends = {{{0, 1}, {1, 2}, {3, 2}, {0, 3}}};
-  return ends[static_cast<std::size_t>(side)];
+error three_curves(const std::string& edge, const std::array<std::size_t, 3>& patches) {
+  return {fmt::format("patches {}, {} and {} have edge \"{}\": only two curves may", patches[0] + 1,
+                      patches[1] + 1, patches[2] + 1, without_controls(edge)),
+          error_code::invalid_input};
+}
+
+// Adds the curves that trim a patch. Those with one name are one curve.
+std::optional<error> add_trims(const surface_patch& p, std::size_t patch,
+                               std::map<std::string, std::size_t>& known, side_graph& g) {
+  int side = 0;
+  for (const trim_link& trim : trims_of(p)) {
+    const trim_curve& c = *trim.curve;
+    std::size_t number = g.curves.size();
+    const auto found = c.edge.empty() || c.is_point ? known.end() : known.find(c.edge);
+    if (found == known.end()) {
+      g.curves.push_back({{{patch, side, c.backward}}, c.is_point, true});
+      if (!c.edge.empty() && !c.is_point) known.emplace(c.edge, number);
+    } else {
+      number = found->second;
+      side_curve& curve = g.curves[number];
+      if (curve.sides.size() == 2)
+        return three_curves(c.edge, {curve.sides[0].patch, curve.sides[1].patch, patch});
+      curve.sides.push_back({patch, side, c.backward});
+    }
+    g.curve_of[patch].push_back(number);
+    ++side;
+  }
+  return {};
 }
 
 result<side_graph> match_sides(const surface& s, const std::vector<std::size_t>& order) {
   side_graph g;
   g.curve_of.resize(s.patches.size());
   std::map<curve_key, std::size_t> known;
-  for (const std::size_t p : order)
+  std::map<std::string, std::size_t> known_trims;
+  for (const std::size_t p : order) {
+    if (!s.patches[p].loops.empty()) {
+      if (auto wrong = add_trims(s.patches[p], p, known_trims, g)) return *wrong;
+      continue;
+    }
+    g.curve_of[p].resize(4);
     for (int side = 0; side < 4; ++side) {
       auto& number = g.curve_of[p][static_cast<std::size_t>(side)];
       number = g.curves.size();
       if (is_point(s.patches[p], side)) {
-        g.curves.push_back({{{p, side, false}}, true});
+        g.curves.push_back({{{p, side, false}}, true, false});
         continue;
       }
       const curve_key key = key_of(s.patches[p], side), back = reversed_key(s.patches[p], side);
@@ -126,7 +162,7 @@ result<side_graph> match_sides(const surface& s, const std::vector<std::size_t>&
       if (backward) found = known.find(back);
       if (found == known.end()) {
         known.emplace(key, number);
-        g.curves.push_back({{{p, side, false}}, false});
+        g.curves.push_back({{{p, side, false}}, false, false});
         continue;
       }
       number = found->second;
@@ -135,15 +171,19 @@ result<side_graph> match_sides(const surface& s, const std::vector<std::size_t>&
         return three_sides({curve.sides[0].patch, curve.sides[1].patch, p});
       curve.sides.push_back({p, side, backward});
     }
+  }
   return g;
 }
 
-void number_corners(side_graph& g) {
+void number_corners(side_graph& g, const std::vector<face_border>& borders) {
   const std::size_t patches = g.curve_of.size();
-  united corners(4 * patches);
+  std::vector<std::size_t> first(1, 0);  // corner of each patch
+  for (const face_border& b : borders) first.push_back(first.back() + b.sides());
+  united corners(first.back());
   for (const side_curve& c : g.curves) {
     const auto end = [&](const patch_side& s, std::size_t which) {
-      return 4 * s.patch + ends_of(s.side)[s.backward ? 1 - which : which];
+      return first[s.patch] + borders[s.patch].ends_of(
+                                  static_cast<std::size_t>(s.side))[s.backward ? 1 - which : which];
     };
     if (c.is_point) corners.unite(end(c.sides[0], 0), end(c.sides[0], 1));
     if (c.sides.size() < 2) continue;
@@ -153,21 +193,22 @@ void number_corners(side_graph& g) {
   std::map<std::size_t, std::size_t> numbers;
   g.corner_of.resize(patches);
   for (std::size_t p = 0; p < patches; ++p)
-    for (std::size_t k = 0; k < 4; ++k)
-      g.corner_of[p][k] = numbers.emplace(corners.of(4 * p + k), numbers.size()).first->second;
+    for (std::size_t k = first[p]; k < first[p + 1]; ++k)
+      g.corner_of[p].push_back(numbers.emplace(corners.of(k), numbers.size()).first->second);
   g.corners = numbers.size();
 }
 
 // +1 where going around the patch counter-clockwise follows the curve.
-int direction_of(const patch_side& s) {
-  const int around = s.side < 2 ? 1 : -1;
+int direction_of(const patch_side& s, const std::vector<face_border>& borders) {
+  const int around = borders[s.patch].runs_around(static_cast<std::size_t>(s.side)) ? 1 : -1;
   return s.backward ? -around : around;
 }
 
 // Gives the patches that hang together with one the signs that go with +1 for it; zero: none yet.
 // Neighbours go along their common curve in opposite directions. Returns those patches.
-result<std::vector<std::size_t>> turn_from(const side_graph& g, std::size_t first,
-                                           std::vector<int>& sign) {
+result<std::vector<std::size_t>> turn_from(const side_graph& g,
+                                           const std::vector<face_border>& borders,
+                                           std::size_t first, std::vector<int>& sign) {
   sign[first] = 1;
   std::vector<std::size_t> reached = {first};
   for (std::size_t k = 0; k < reached.size(); ++k) {
@@ -177,7 +218,7 @@ result<std::vector<std::size_t>> turn_from(const side_graph& g, std::size_t firs
       if (sides.size() < 2) continue;
       const patch_side &mine = sides[0].patch == p ? sides[0] : sides[1],
                        &other = sides[0].patch == p ? sides[1] : sides[0];
-      const int wanted = -sign[p] * direction_of(mine) * direction_of(other);
+      const int wanted = -sign[p] * direction_of(mine, borders) * direction_of(other, borders);
       if (sign[other.patch] == 0) {
         sign[other.patch] = wanted;
         reached.push_back(other.patch);
@@ -194,11 +235,12 @@ result<std::vector<std::size_t>> turn_from(const side_graph& g, std::size_t firs
 
 // Patches that hang together are seen as most of them are; where as many are turned each way, as
 // the first of the order.
-result<side_graph> turn_patches(side_graph g, const std::vector<std::size_t>& order) {
+result<side_graph> turn_patches(side_graph g, const std::vector<face_border>& borders,
+                                const std::vector<std::size_t>& order) {
   std::vector<int> sign(order.size(), 0);
   for (const std::size_t first : order) {
     if (sign[first] != 0) continue;
-    const auto reached = turn_from(g, first, sign);
+    const auto reached = turn_from(g, borders, first, sign);
     if (!reached) return reached.failure();
     std::size_t turned = 0;
     for (const std::size_t p : reached.value()) turned += sign[p] < 0 ? 1 : 0;
@@ -211,12 +253,12 @@ result<side_graph> turn_patches(side_graph g, const std::vector<std::size_t>& or
 
 }  // namespace
 
-result<side_graph> graph_of_sides(const surface& s) {
+result<side_graph> graph_of_sides(const surface& s, const std::vector<face_border>& borders) {
   const std::vector<std::size_t> order = order_by_content(s);
   auto matched = match_sides(s, order);
   if (!matched) return matched;
-  number_corners(matched.value());
-  return turn_patches(std::move(matched).value(), order);
+  number_corners(matched.value(), borders);
+  return turn_patches(std::move(matched).value(), borders, order);
 }
 
 }  // namespace asterism::internal

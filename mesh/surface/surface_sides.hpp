@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds which sides of patches are the same curve, bit for bit, and how the patches are turned
-// towards each other.
+// Finds which sides of patches are the same curve, bit for bit or by the names of trimming curves,
+// and how the patches are turned towards each other.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/surface.hpp"
+#include "asterism/mesh/surface/face_border.hpp"
 
 namespace asterism::internal {
 
-// Sides: 0 along u at the least v, 1 along v at the greatest u, 2 along u at the greatest v, 3
-// along v at the least u. Each runs with its parameter.
+// A side by its number in face_border.
 struct patch_side {
   std::size_t patch = 0;
   int side = 0;
@@ -25,18 +24,19 @@ struct patch_side {
 struct side_curve {
   std::vector<patch_side> sides;
   bool is_point = false;
+  bool is_trim = false;
 };
 
 struct side_graph {
   std::vector<side_curve> curves;
-  std::vector<std::array<std::size_t, 4>> curve_of;  // by patch and side
+  std::vector<std::vector<std::size_t>> curve_of;  // by patch and side
   // The number of the vertex that each corner is; corner k is where side k starts going around.
-  std::vector<std::array<std::size_t, 4>> corner_of;
+  std::vector<std::vector<std::size_t>> corner_of;
   std::size_t corners = 0;
   std::vector<bool> reversed;  // patches to be seen from the other side
 };
 
 // Fails where three sides are one curve, or patches cannot all be seen from one side.
-result<side_graph> graph_of_sides(const surface& s);
+result<side_graph> graph_of_sides(const surface& s, const std::vector<face_border>& borders);
 
 }  // namespace asterism::internal

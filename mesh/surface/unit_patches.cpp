@@ -31,6 +31,7 @@ surface with_unit_patches(surface s) {
   if (!bezier_pieces(s)) return s;
   for (std::size_t k = 0; k < s.patches.size(); ++k) {
     surface_patch& p = s.patches[k];
+    if (!p.loops.empty()) continue;  // loops are in units of the parameters
     take_unit_knots(p.knots_u, p.count_u, fmt::format("patch {}: u", k + 1), s.notes);
     take_unit_knots(p.knots_v, p.count_v, fmt::format("patch {}: v", k + 1), s.notes);
   }

@@ -9,7 +9,8 @@
 namespace asterism::internal {
 
 // Returns the surface with the knots of each direction without inner ones from 0 to 1, and a note
-// for each that was otherwise. What is no surface stays as it is, to be refused by name.
+// for each that was otherwise. Trimmed patches stay, as their loops are in those units. What is no
+// surface stays as it is, to be refused by name.
 surface with_unit_patches(surface s);
 
 }  // namespace asterism::internal

@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "asterism/core/floating_point_environment.hpp"
-#include "asterism/mesh/surface_audit/number_ranges.hpp"
+#include "asterism/mesh/surface_audit/knot_spans.hpp"
+#include "asterism/mesh/surface_audit/trim_pieces.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -22,40 +23,6 @@ error refuse(const surface_patch& p, std::size_t number, const std::string& what
   return {fmt::format("patch {}{}: {}", number, name, what), error_code::invalid_input};
 }
 
-bool in_range(double x) {
-  const double modulus = std::abs(x);
-  return x == 0 || (modulus <= greatest_modulus && modulus >= least_modulus);
-}
-
-std::optional<std::string> fault_of_knots(const std::vector<double>& knots, int degree,
-                                          std::size_t count, char direction) {
-  const auto p = static_cast<std::size_t>(degree);
-  if (knots.empty()) {
-    if (count == p + 1) return {};
-    return fmt::format("{} control points in {} without knots: degree {} takes {}", count,
-                       direction, degree, p + 1);
-  }
-  if (knots.size() != count + p + 1)
-    return fmt::format("{} knots in {}: {} control points of degree {} take {}", knots.size(),
-                       direction, count, degree, count + p + 1);
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (!std::isfinite(knots[i]) || !in_range(knots[i]))
-      return fmt::format("knot {} in {} is {:g}, out of range", i + 1, direction, knots[i]);
-    if (i > 0 && knots[i] < knots[i - 1])
-      return fmt::format("knot {} in {} is below the one before it", i + 1, direction);
-  }
-  for (std::size_t i = 1; i <= p; ++i)
-    if (knots[i] != knots[0] || knots[knots.size() - 1 - i] != knots.back())
-      return fmt::format("the first and the last knot in {} must stand {} times", direction, p + 1);
-  if (!(knots.front() < knots.back())) return fmt::format("all knots in {} are equal", direction);
-  for (std::size_t i = 1; i + p + 1 < knots.size(); ++i)
-    if (knots[i] == knots[i + p] && i + p + 1 < knots.size() && knots[i] != knots.front() &&
-        knots[i] != knots.back())
-      return fmt::format("knot {} in {} stands more than {} times: the patch would be torn there",
-                         i + 1, direction, degree);
-  return {};
-}
-
 failure fault_of_control(const surface_patch& p, std::size_t number) {
   if (p.control.size() != p.count_u * p.count_v)
     return refuse(p, number, "rows of control points of different lengths");
@@ -65,14 +32,14 @@ failure fault_of_control(const surface_patch& p, std::size_t number) {
     const std::string where =
         fmt::format("control point {}, {}", k / p.count_v + 1, k % p.count_v + 1);
     for (const double x : {c.at.x, c.at.y, c.at.z})
-      if (!std::isfinite(x) || !in_range(x))
+      if (!std::isfinite(x) || !is_in_range(x))
         return refuse(p, number, fmt::format("{}: coordinate {:g} is out of range", where, x));
     if (!std::isfinite(c.weight) || !(c.weight > 0))
       return refuse(p, number,
                     fmt::format("{}: its weight is {:g}, and only positive weights keep a patch in "
                                 "the hull of its control points",
                                 where, c.weight));
-    if (!in_range(c.weight))
+    if (!is_in_range(c.weight))
       return refuse(p, number, fmt::format("{}: weight {:g} is out of range", where, c.weight));
     one_point = one_point && c.at == p.control[0].at;
   }
@@ -96,57 +63,13 @@ failure fault_of(const surface_patch& p, std::size_t number) {
     return refuse(p, number, *wrong);
   if (auto wrong = fault_of_knots(p.knots_v, p.degree_v, p.count_v, 'v'))
     return refuse(p, number, *wrong);
+  if (auto wrong = fault_of_trims(p, most_degree)) return refuse(p, number, *wrong);
   return {};
 }
 
 weighted_point lift(const control_point& c) {
   const rounded_interval w = c.weight;
   return {w * vector_of<rounded_interval>(c.at), w};
-}
-
-// One row or column between two knots, as `degree` + 1 points of a curve and the knots around.
-struct span_of_knots {
-  double low = 0, high = 1;
-  std::size_t first = 0;                // its first control point
-  std::vector<rounded_interval> knots;  // 2 degree: t_{first + 1} to t_{first + 2 degree}
-};
-
-std::vector<span_of_knots> spans(const std::vector<double>& knots, int degree) {
-  const auto p = static_cast<std::size_t>(degree);
-  if (knots.empty()) return {span_of_knots{}};
-  std::vector<span_of_knots> all;
-  for (std::size_t i = p; i + p + 1 < knots.size(); ++i) {
-    if (knots[i] == knots[i + 1]) continue;
-    span_of_knots s{knots[i], knots[i + 1], i - p, {}};
-    for (std::size_t k = i - p + 1; k <= i + p; ++k) s.knots.emplace_back(knots[k]);
-    all.push_back(std::move(s));
-  }
-  return all;
-}
-
-// Returns the polar form of the span's polynomial at `high` taken `highs` times and else `low`:
-// its Bezier point of that number. Source: Ramshaw, "Blossoming", 1987.
-weighted_point polar_value(std::vector<weighted_point> c, const span_of_knots& s, int degree,
-                           int highs) {
-  for (int r = 1; r <= degree; ++r) {
-    const rounded_interval at = r <= highs ? s.high : s.low;
-    for (int i = 0; i + r <= degree; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const rounded_interval& from = s.knots[static_cast<std::size_t>(i + r - 1)];
-      const rounded_interval& to = s.knots[static_cast<std::size_t>(i + degree)];
-      const rounded_interval share = quotient(at - from, to - from);
-      c[k] = (rounded_interval(1) - share) * c[k] + share * c[k + 1];
-    }
-  }
-  return c[0];
-}
-
-std::vector<weighted_point> bezier_points(const std::vector<weighted_point>& c,
-                                          const span_of_knots& s, int degree) {
-  if (s.knots.empty()) return c;
-  std::vector<weighted_point> out;
-  for (int k = 0; k <= degree; ++k) out.push_back(polar_value(c, s, degree, k));
-  return out;
 }
 
 // Marks the sides of the patch that the piece is at and that are one point.
@@ -200,8 +123,8 @@ bezier_piece make_piece(const surface_patch& p, const span_of_knots& u, const sp
 
 [[gnu::noinline]] void add_pieces(const surface_patch& p, std::uint32_t number,
                                   std::vector<bezier_piece>& pieces) {
-  for (const span_of_knots& u : spans(p.knots_u, p.degree_u))
-    for (const span_of_knots& v : spans(p.knots_v, p.degree_v)) {
+  for (const span_of_knots& u : spans_of_knots(p.knots_u, p.degree_u))
+    for (const span_of_knots& v : spans_of_knots(p.knots_v, p.degree_v)) {
       pieces.push_back(make_piece(p, u, v));
       pieces.back().patch = number;
     }

@@ -45,6 +45,12 @@ result<deviation_report> deviation(const space_mesh& mesh, const surface& s,
   if (auto wrong = fault_of(mesh)) return *wrong;
   const auto pieces = bezier_pieces(s);
   if (!pieces) return pieces.failure();
+  for (std::size_t p = 0; p < s.patches.size(); ++p)
+    if (!s.patches[p].loops.empty())
+      return error{fmt::format("patch {} is trimmed, which deviation does not treat: `asterism "
+                               "surface` meshes it and proves distances, `asterism verify` again",
+                               p + 1),
+                   error_code::invalid_input};
   const std::vector<space_box> boxes = boxes_of_triangles(mesh);
   const box_tree triangles(boxes);
   const surface_locator locator(pieces.value());

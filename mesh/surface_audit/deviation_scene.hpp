@@ -12,6 +12,7 @@
 #include "asterism/mesh/surface_audit/box_tree.hpp"
 #include "asterism/mesh/surface_audit/surface_locator.hpp"
 #include "asterism/mesh/surface_audit/triangle_distance.hpp"
+#include "asterism/mesh/surface_audit/trimmed_places.hpp"
 
 namespace asterism::internal {
 
@@ -24,6 +25,8 @@ struct deviation_scene {
   const surface_locator& locator;
   // A place of the surface near the middle of each triangle, where one is known; else null.
   const std::vector<surface_place>* places = nullptr;
+  // Where patches are trimmed; else null.
+  const trim_scene* trims = nullptr;
 
   plain_triangle triangle(std::size_t t) const {
     const space_triangle& c = mesh.triangles[t];

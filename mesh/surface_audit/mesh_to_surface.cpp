@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,30 @@ bool is_at_end(const surface_place& at) { return at.s <= 0 || at.s >= 1 || at.t 
 
 parameter_corner corner_at(const surface_place& p) { return {p.s, p.t}; }
 
+double gap_above(const deviation_scene& scene, const held_triangle& held, const mesh_cell& cell) {
+  const bezier_piece& piece = scene.pieces[held.piece];
+  const triangle_net net = net_over(tensor_of(piece), held.corners, piece.is_rational);
+  return squared_gap_above(net, piece.is_rational, cell.corners);
+}
+
+// Sets `above` by places that certainly belong to the surface: the nearest ones may be beyond the
+// trims.
+void look_within_trims(const deviation_scene& scene, mesh_cell& cell) {
+  cell.above = std::numeric_limits<double>::infinity();
+  const trim_scene& trims = *scene.trims;
+  const auto take = [&](const std::optional<held_triangle>& held) {
+    if (held) cell.above = std::min(cell.above, gap_above(scene, *held, cell));
+  };
+  if (!trims.origins.empty()) {
+    const plain_triangle whole = scene.triangle(cell.triangle);
+    take(places_in_origin(scene.pieces, trims, trims.origins[cell.triangle],
+                          {plain(whole[0]), plain(whole[1]), plain(whole[2])},
+                          {cell.corner(0), cell.corner(1), cell.corner(2)}));
+  } else {
+    take(place_at_border(scene.pieces, trims, cell.at));
+  }
+}
+
 // `hint` is a place of the surface nearby, or null: all of the surface is looked through.
 [[gnu::noinline]] void look_at(const deviation_scene& scene, const surface_place* hint,
                                mesh_cell& cell) {
@@ -46,11 +72,12 @@ parameter_corner corner_at(const surface_place& p) { return {p.s, p.t}; }
   cell.below = here.squared_distance;
   for (std::size_t k = 0; k < 3; ++k)
     cell.of[k] = project(scene.pieces, here.at, cell.corner(k)).at;
-  const bezier_piece& piece = scene.pieces[here.at.piece];
-  const triangle_net net = net_over(
-      tensor_of(piece), {corner_at(cell.of[0]), corner_at(cell.of[1]), corner_at(cell.of[2])},
-      piece.is_rational);
-  cell.above = squared_gap_above(net, piece.is_rational, cell.corners);
+  const held_triangle held{here.at.piece,
+                           {corner_at(cell.of[0]), corner_at(cell.of[1]), corner_at(cell.of[2])}};
+  if (scene.trims == nullptr || is_on_surface(scene.pieces, *scene.trims, cell.of))
+    cell.above = gap_above(scene, held, cell);
+  else
+    look_within_trims(scene, cell);
 }
 
 interval_vector point_between(const interval_vector& a, const interval_vector& b, double share) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/surface_audit/shell_trims.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -78,7 +79,8 @@ void audit_planes(const surface& s, const surface_shell& shell, const shell_ques
                   shell_report& report) {
   for (std::size_t f = 0; f < shell.faces.size(); ++f) {
     const shell_face& face = shell.faces[f];
-    const auto shape = rectangle_of(s.patches[face.patch], face);
+    const surface_patch& patch = s.patches[face.patch];
+    const auto shape = patch.loops.empty() ? rectangle_of(patch, face) : polygons_of(patch, face);
     if (!shape) {
       note_finding(report, asked, fmt::format("face {}: {}", f + 1, shape.failure().message));
       continue;

@@ -17,6 +17,7 @@
 #include "asterism/mesh/surface_audit/plane_faces.hpp"
 #include "asterism/mesh/surface_audit/shell_crossings.hpp"
 #include "asterism/mesh/surface_audit/shell_edges.hpp"
+#include "asterism/mesh/surface_audit/shell_trims.hpp"
 #include "asterism/mesh/surface_audit/surface_folds.hpp"
 
 namespace asterism::internal {
@@ -24,6 +25,8 @@ namespace {
 
 constexpr int deepest = 9;          // quarterings of a triangle
 constexpr double finite = 0x1p500;  // its square is below infinity
+// Is the share of the distance asked to which bounds of trimmed patches are not narrowed further.
+constexpr double negligible_at_trims = 1e-6;
 
 error no_triangle() {
   return {
@@ -81,9 +84,10 @@ class shell_view {
         boxes_(boxes_of_triangles(mesh_)),
         tree_(boxes_),
         locator_(pieces_),
-        space_{mesh_, s, pieces_, tree_, locator_, &places_} {
+        space_{mesh_, s, pieces_, tree_, locator_, &places_, is_trimmed(s) ? &trims_ : nullptr} {
     const auto by_patch = spans_of(pieces_, s.patches.size());
     for (const shell_face& face : shell.faces) spans_.push_back(by_patch[face.patch]);
+    if (is_trimmed(s)) trims_ = trims_of_shell(s, shell, triangles_, by_patch);
     for (const shell_triangle& t : triangles_)
       if (!t.collapsed) places_.push_back(middle_of(t));
   }
@@ -92,6 +96,7 @@ class shell_view {
 
   lifted_scene scene() const { return {space_, spans_, triangles_}; }
   const std::vector<shell_triangle>& triangles() const { return triangles_; }
+  const std::vector<bezier_piece>& pieces() const { return pieces_; }
   const space_mesh& in_space() const { return mesh_; }
   double size() const {
     space_box all = boxes_[0];
@@ -113,6 +118,7 @@ class shell_view {
   box_tree tree_;
   surface_locator locator_;
   std::vector<surface_place> places_;  // of the triangles in space
+  trim_scene trims_;                   // where there are any
   deviation_scene space_;
   std::vector<patch_spans> spans_;
 };
@@ -233,6 +239,9 @@ void audit_distances(const shell_view& view, const std::vector<lifted_cells>& fi
                                t + 1));
   narrowing_limits limits;
   limits.negligible = negligible_share * view.size();
+  // At trims places are a little inside, and bounds not below that.
+  if (scene.space.trims != nullptr)
+    limits.negligible = std::max(limits.negligible, negligible_at_trims * asked.chord);
   limits.at_most = asked.chord;
   limits.most_cells = 100 * scene.triangles.size() + 1'000'000;
   // The greater of the two counts: the other need not be known better.
@@ -335,6 +344,7 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
   const shell_view view(s, shell, std::move(pieces).value());
   if (view.in_space().triangles.empty()) return no_triangle();
   audit_edges(s, shell, view.triangles(), asked, report);
+  audit_trims(s, shell, view.pieces(), negligible_share * view.size(), asked, report);
   audit_vertices(shell, view, report);
   const first_looks first = first_looks_at(view.scene());
   audit_distances(view, first.distances, asked, report);

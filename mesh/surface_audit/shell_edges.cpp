@@ -7,9 +7,11 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "asterism/mesh/surface_audit/plane_faces.hpp"
+#include "asterism/mesh/surface_audit/trim_pieces.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -37,35 +39,79 @@ side_key key_of(const surface_patch& p, int side, bool backward) {
   return key;
 }
 
-// The sides that are the same curve as another, by face and side, and those that are one point.
+// The sides that are the same curve as another, by face and side, and those that are one point. The
+// sides of a trimmed patch are its curves.
 struct side_facts {
   std::set<std::pair<std::size_t, int>> shared, points;
 };
 
+void add_rectangle(const surface_patch& p, std::size_t f, side_facts& facts,
+                   std::map<side_key, std::vector<std::pair<std::size_t, int>>>& by_curve) {
+  for (int side = 0; side < 4; ++side) {
+    const side_key forward = key_of(p, side, false), backward = key_of(p, side, true);
+    bool is_point = true;
+    const std::size_t count = side % 2 == 0 ? p.count_u : p.count_v;
+    for (std::size_t k = 1; k < count; ++k)
+      for (std::size_t c = 0; c < 3; ++c) is_point = is_point && forward[4 * k + c] == forward[c];
+    if (is_point)
+      facts.points.emplace(f, side);
+    else
+      by_curve[std::min(forward, backward)].emplace_back(f, side);
+  }
+}
+
 side_facts facts_of(const surface& s, const surface_shell& shell) {
   std::map<side_key, std::vector<std::pair<std::size_t, int>>> by_curve;
+  std::map<std::string, std::vector<std::pair<std::size_t, int>>> by_edge;
   side_facts facts;
-  for (std::size_t f = 0; f < shell.faces.size(); ++f)
-    for (int side = 0; side < 4; ++side) {
-      const surface_patch& p = s.patches[shell.faces[f].patch];
-      const side_key forward = key_of(p, side, false), backward = key_of(p, side, true);
-      bool is_point = true;
-      const std::size_t count = side % 2 == 0 ? p.count_u : p.count_v;
-      for (std::size_t k = 1; k < count; ++k)
-        for (std::size_t c = 0; c < 3; ++c) is_point = is_point && forward[4 * k + c] == forward[c];
-      if (is_point)
+  for (std::size_t f = 0; f < shell.faces.size(); ++f) {
+    const surface_patch& p = s.patches[shell.faces[f].patch];
+    if (p.loops.empty()) add_rectangle(p, f, facts, by_curve);
+    int side = 0;
+    for (const trim_link& trim : trims_of(p)) {
+      if (trim.curve->is_point)
         facts.points.emplace(f, side);
-      else
-        by_curve[std::min(forward, backward)].emplace_back(f, side);
+      else if (!trim.curve->edge.empty())
+        by_edge[trim.curve->edge].emplace_back(f, side);
+      ++side;
     }
-  for (const auto& [curve, sides] : by_curve)
+  }
+  const auto add_shared = [&](const std::vector<std::pair<std::size_t, int>>& sides) {
     if (sides.size() > 1) facts.shared.insert(sides.begin(), sides.end());
+  };
+  for (const auto& [curve, sides] : by_curve) add_shared(sides);
+  for (const auto& [edge, sides] : by_edge) add_shared(sides);
   return facts;
 }
 
-// The side of its patch that an edge of the plane mesh is on, if any.
-std::optional<int> side_of(const shell_face& face, const point& a, const point& b) {
-  const point low = face.plane.sites[0].position, high = face.plane.sites[2].position;
+// The sides that edges of the plane mesh of a face are on.
+class face_sides {
+ public:
+  face_sides(const surface_patch& patch, const shell_face& face)
+      : face_(face), trimmed_(!patch.loops.empty()) {
+    // Markers are held against the curves with the plane mesh.
+    if (trimmed_)
+      for (const boundary_edge& e : face.plane.boundary)
+        on_.emplace(std::pair{e.a, e.b}, e.marker - 1);
+  }
+  // Of the edge from a to b, the face on its left; if any.
+  std::optional<int> of(vertex_index a, vertex_index b) const {
+    if (!trimmed_)
+      return of_rectangle(face_.plane.sites[a].position, face_.plane.sites[b].position);
+    const auto found = on_.find({a, b});
+    return found == on_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::optional<int> of_rectangle(const point& a, const point& b) const;
+
+  const shell_face& face_;
+  bool trimmed_;
+  std::map<std::pair<vertex_index, vertex_index>, int> on_;
+};
+
+std::optional<int> face_sides::of_rectangle(const point& a, const point& b) const {
+  const point low = face_.plane.sites[0].position, high = face_.plane.sites[2].position;
   if (a.y == low.y && b.y == low.y) return 0;
   if (a.x == high.x && b.x == high.x) return 1;
   if (a.y == high.y && b.y == high.y) return 2;
@@ -76,25 +122,25 @@ std::optional<int> side_of(const shell_face& face, const point& a, const point& 
 // Returns the edges that plane triangles have on sides that no other patch has, as the shell turns
 // them. Edges of triangles collapsed in space count: where one lies between the shell and such a
 // side, its two edges are the same one in space.
-std::set<shell_edge> edges_at_open_sides(const surface_shell& shell,
+std::set<shell_edge> edges_at_open_sides(const surface& s, const surface_shell& shell,
                                          const std::vector<shell_triangle>& triangles,
                                          const side_facts& facts) {
   std::set<shell_edge> edges;
   std::size_t at = 0;
-  for (std::size_t f = 0; f < shell.faces.size(); ++f)
+  for (std::size_t f = 0; f < shell.faces.size(); ++f) {
+    const face_sides sides(s.patches[shell.faces[f].patch], shell.faces[f]);
     for (const triangle& corners : shell.faces[f].plane.triangles) {
       const shell_triangle& t = triangles[at++];
-      const auto& sites = shell.faces[f].plane.sites;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
-        const auto side =
-            side_of(shell.faces[f], sites[corners[k]].position, sites[corners[next]].position);
+        const auto side = sides.of(corners[k], corners[next]);
         if (!side || facts.shared.contains({f, *side})) continue;
         shell_edge e{t.vertex[k], t.vertex[next]};
         if (shell.faces[f].reversed) std::swap(e.first, e.second);
         edges.insert(e);
       }
     }
+  }
   return edges;
 }
 
@@ -128,7 +174,7 @@ void audit_edges(const surface& s, const surface_shell& shell,
   if (end_of_distinct != directed.end()) name_repeated(given, asked, report);
   directed.erase(end_of_distinct, directed.end());
   const side_facts facts = facts_of(s, shell);
-  const std::set<shell_edge> at_sides = edges_at_open_sides(shell, triangles, facts);
+  const std::set<shell_edge> at_sides = edges_at_open_sides(s, shell, triangles, facts);
   for (const shell_edge& e : directed) {
     if (std::binary_search(directed.begin(), directed.end(), shell_edge{e.second, e.first}))
       continue;
@@ -149,14 +195,13 @@ void audit_edges(const surface& s, const surface_shell& shell,
     note_finding(report, asked, fmt::format("{} vertices are in no triangle", unused));
   // A triangle that is none in space must be at a side that is one point.
   std::size_t at = 0;
-  for (std::size_t f = 0; f < shell.faces.size(); ++f)
+  for (std::size_t f = 0; f < shell.faces.size(); ++f) {
+    const face_sides sides(s.patches[shell.faces[f].patch], shell.faces[f]);
     for (const triangle& corners : shell.faces[f].plane.triangles) {
       const shell_triangle& t = triangles[at++];
       for (std::size_t k = 0; t.collapsed && k < 3; ++k) {
         if (t.vertex[k] != t.vertex[(k + 1) % 3]) continue;
-        const auto& sites = shell.faces[f].plane.sites;
-        const auto side = side_of(shell.faces[f], sites[corners[k]].position,
-                                  sites[corners[(k + 1) % 3]].position);
+        const auto side = sides.of(corners[k], corners[(k + 1) % 3]);
         if (!side || !facts.points.contains({f, *side}))
           note_finding(report, asked,
                        fmt::format("face {}: a triangle has vertex {} twice, which is at no side "
@@ -164,6 +209,7 @@ void audit_edges(const surface& s, const surface_shell& shell,
                                    f + 1, t.vertex[k] + 1));
       }
     }
+  }
 }
 
 }  // namespace asterism::internal

@@ -29,6 +29,12 @@ struct shell_report {
   double least_angle = 180;    // degrees, of the plane meshes, in their metrics
   double least_angle_in_space = 180;  // degrees; for information
   std::size_t folded = 0;             // triangles for which point 3 could not be proved
+
+  // Of trimmed patches. The plane mesh of one is of the polygon that the places on its curves make.
+  std::size_t trims = 0;       // curves
+  double trim_distance = 0;    // an upper bound of the distance in space of polygons and curves
+  std::size_t trim_edges = 0;  // that two curves have
+  double trim_gap = 0;         // an upper bound of the distance of the two curves of one edge
 };
 
 }  // namespace asterism::internal

@@ -33,6 +33,14 @@ void append_member(std::string& text, const char* name, std::size_t x) {
   append_integer(text += fmt::format(",\n \"{}\": ", name), x);
 }
 
+// An infinite bound is null.
+void append_bound(std::string& text, const char* name, double x) {
+  if (std::isfinite(x))
+    append_member(text, name, x);
+  else
+    text += fmt::format(",\n \"{}\": null", name);
+}
+
 std::string quoted(const std::string& s) {
   return json(s).dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -75,6 +83,11 @@ void append_face(std::string& text, const shell_face& face) {
     const boundary_edge& e = m.boundary[k];
     append_list(to, e.a + 1, e.b + 1, e.segment + 1, e.marker);
   });
+  if (!face.border.empty())
+    append_rows(text, "border", face.border.size(), [&](std::size_t k, std::string& to) {
+      append_integer(to, face.border[k].curve + 1);
+      append_number(to += ", ", face.border[k].place);
+    });
   text += '}';
 }
 
@@ -114,6 +127,13 @@ void read_face(const json& from, shell_face& face) {
   for (const json& row : from.at("boundary"))
     m.boundary.push_back({index_of(row.at(0)), index_of(row.at(1)), index_of(row.at(2)),
                           whole_of<int>(row.at(3)), false});
+  if (from.contains("border"))
+    for (const json& row : from.at("border"))
+      face.border.push_back({index_of(row.at(0)), row.at(1).get<double>()});
+}
+
+double number_or_infinity(const json& from) {
+  return from.is_null() ? INFINITY : from.get<double>();
 }
 
 void read_report(const json& from, shell_certificate& c) {
@@ -133,9 +153,13 @@ void read_report(const json& from, shell_certificate& c) {
   r.euler = whole_of<long>(from.at("euler"));
   r.distance = from.at("distance").get<double>();
   r.vertex_distance = from.at("vertex_distance").get<double>();
-  const json& tangent = from.at("normal_tangent");
-  r.normal_tangent = tangent.is_null() ? INFINITY : tangent.get<double>();
+  r.normal_tangent = number_or_infinity(from.at("normal_tangent"));
   r.least_angle = from.at("least_angle").get<double>();
+  if (!from.contains("trims")) return;
+  r.trims = whole_of<std::size_t>(from.at("trims"));
+  r.trim_distance = number_or_infinity(from.at("trim_distance"));
+  r.trim_edges = whole_of<std::size_t>(from.at("trim_edges"));
+  r.trim_gap = number_or_infinity(from.at("trim_gap"));
 }
 
 }  // namespace
@@ -159,11 +183,14 @@ std::string shell_certificate_text(const shell_certificate& c) {
   text += fmt::format(",\n \"euler\": {}", r.euler);
   append_member(text, "distance", r.distance);
   append_member(text, "vertex_distance", r.vertex_distance);
-  if (std::isfinite(r.normal_tangent))
-    append_member(text, "normal_tangent", r.normal_tangent);
-  else
-    text += ",\n \"normal_tangent\": null";
+  append_bound(text, "normal_tangent", r.normal_tangent);
   append_member(text, "least_angle", r.least_angle);
+  if (r.trims > 0) {
+    append_member(text, "trims", r.trims);
+    append_bound(text, "trim_distance", r.trim_distance);
+    append_member(text, "trim_edges", r.trim_edges);
+    append_bound(text, "trim_gap", r.trim_gap);
+  }
   text += ",\n \"surface\": " + surface_text(c.of);
   text += ",\n \"faces\": [\n";
   for (std::size_t f = 0; f < c.shell.faces.size(); ++f) {

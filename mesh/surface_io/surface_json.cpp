@@ -91,12 +91,81 @@ failure read_weights(const json& from, surface_patch& p) {
   return {};
 }
 
+failure read_trim_points(const json& from, trim_curve& c) {
+  if (!from.contains("control") || !from["control"].is_array())
+    return refuse("\"control\" must be a list of points [u, v]");
+  for (const json& row : from["control"]) {
+    std::vector<double> x;
+    const std::string name = fmt::format("control point {}", c.control.size() + 1);
+    if (auto wrong = read_numbers(row, name, x)) return wrong;
+    if (x.size() != 2) return refuse(fmt::format("{} has {} numbers, not 2", name, x.size()));
+    c.control.push_back({x[0], x[1], 1});
+  }
+  if (!from.contains("weights")) return {};
+  std::vector<double> w;
+  if (auto wrong = read_numbers(from["weights"], "weights", w)) return wrong;
+  if (w.size() != c.control.size())
+    return refuse(fmt::format("{} weights for {} control points", w.size(), c.control.size()));
+  for (std::size_t k = 0; k < w.size(); ++k) c.control[k].weight = w[k];
+  return {};
+}
+
+failure read_flag(const json& from, const char* name, bool& to) {
+  if (!from.contains(name)) return {};
+  if (!from[name].is_boolean()) return refuse(fmt::format("\"{}\" must be true or false", name));
+  to = from[name].get<bool>();
+  return {};
+}
+
+failure read_trim(const json& from, trim_curve& c) {
+  if (!from.is_object()) return refuse("an object is wanted");
+  for (const auto& [key, value] : from.items())
+    if (key != "degree" && key != "knots" && key != "control" && key != "weights" &&
+        key != "edge" && key != "backward" && key != "point")
+      return refuse("\"" + without_controls(key) + "\" is no part of a trimming curve");
+  if (from.contains("degree")) {
+    if (!from["degree"].is_number_integer() || !(std::abs(from["degree"].get<double>()) <= 1000))
+      return refuse("\"degree\" must be a whole number");
+    c.degree = from["degree"].get<int>();
+  }
+  if (auto wrong = read_trim_points(from, c)) return wrong;
+  if (from.contains("knots"))
+    if (auto wrong = read_numbers(from["knots"], "knots", c.knots)) return wrong;
+  if (from.contains("edge")) {
+    if (!from["edge"].is_string() || from["edge"].get<std::string>().empty())
+      return refuse("\"edge\" must be a name");
+    c.edge = from["edge"].get<std::string>();
+  }
+  if (auto wrong = read_flag(from, "backward", c.backward)) return wrong;
+  if (auto wrong = read_flag(from, "point", c.is_point)) return wrong;
+  // Points joined by straight lines.
+  if (c.degree == 1 && c.knots.empty() && c.control.size() > 2) {
+    const auto last = static_cast<double>(c.control.size() - 1);
+    c.knots = {0, 0};
+    for (double k = 1; k < last; ++k) c.knots.push_back(k);
+    c.knots.insert(c.knots.end(), {last, last});
+  }
+  return {};
+}
+
+failure read_loops(const json& from, std::vector<trim_loop>& loops) {
+  if (!from.is_array() || from.empty()) return refuse("\"loops\" must be a list of loops");
+  for (const json& curves : from) {
+    trim_loop& loop = loops.emplace_back();
+    const std::string name = fmt::format("loop {}", loops.size());
+    if (!curves.is_array()) return refuse(name + ": a list of curves is wanted");
+    for (const json& curve : curves)
+      if (auto wrong = read_trim(curve, loop.emplace_back()))
+        return wrong->at(fmt::format("{}: curve {}", name, loop.size()));
+  }
+  return {};
+}
+
 failure read_patch(const json& from, surface_patch& p) {
   if (!from.is_object()) return refuse("an object is wanted");
   for (const auto& [key, value] : from.items()) {
-    if (key == "trims") return refuse("trimmed patches are not treated");
     if (key != "name" && key != "degree" && key != "knots_u" && key != "knots_v" &&
-        key != "control" && key != "weights")
+        key != "control" && key != "weights" && key != "loops")
       return refuse("\"" + without_controls(key) + "\" is no part of a patch");
   }
   if (from.contains("name") && from["name"].is_string()) p.name = from["name"].get<std::string>();
@@ -107,7 +176,7 @@ failure read_patch(const json& from, surface_patch& p) {
     if (auto wrong = read_numbers(from["knots_u"], "knots_u", p.knots_u)) return wrong;
   if (from.contains("knots_v"))
     if (auto wrong = read_numbers(from["knots_v"], "knots_v", p.knots_v)) return wrong;
-  return {};
+  return from.contains("loops") ? read_loops(from["loops"], p.loops) : failure();
 }
 
 result<surface> read_all(const json& whole) {
@@ -148,10 +217,47 @@ void append_rows(std::string& text, const surface_patch& p, const Item& item) {
   text += ']';
 }
 
+std::string quoted(const std::string& name) {
+  return json(name).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+void append_trim(std::string& text, const trim_curve& c) {
+  text += fmt::format("{{\"degree\": {}", c.degree);
+  if (!c.edge.empty()) text += ", \"edge\": " + quoted(c.edge);
+  if (c.backward) text += ", \"backward\": true";
+  if (c.is_point) text += ", \"point\": true";
+  if (!c.knots.empty()) append_list(text += ", \"knots\": ", c.knots);
+  text += ", \"control\": [";
+  bool weighted = false;
+  std::vector<double> weights;
+  for (const trim_point& p : c.control) {
+    if (!weights.empty()) text += ", ";
+    append_list(text, {p.u, p.v});
+    weights.push_back(p.weight);
+    weighted = weighted || p.weight != 1;
+  }
+  text += ']';
+  if (weighted) append_list(text += ", \"weights\": ", weights);
+  text += '}';
+}
+
+void append_loops(std::string& text, const surface_patch& p) {
+  if (p.loops.empty()) return;
+  text += ",\n   \"loops\": [";
+  for (const trim_loop& loop : p.loops) {
+    text += &loop == &p.loops.front() ? "[\n     " : ",\n    [\n     ";
+    for (const trim_curve& c : loop) {
+      if (&c != &loop.front()) text += ",\n     ";
+      append_trim(text, c);
+    }
+    text += ']';
+  }
+  text += ']';
+}
+
 void append_patch(std::string& text, const surface_patch& p) {
   text += "  {";
-  if (!p.name.empty())
-    text += "\"name\": " + json(p.name).dump(-1, ' ', false, json::error_handler_t::replace) + ", ";
+  if (!p.name.empty()) text += "\"name\": " + quoted(p.name) + ", ";
   text += fmt::format("\"degree\": [{}, {}]", p.degree_u, p.degree_v);
   if (!p.knots_u.empty()) append_list(text += ",\n   \"knots_u\": ", p.knots_u);
   if (!p.knots_v.empty()) append_list(text += ",\n   \"knots_v\": ", p.knots_v);
@@ -165,6 +271,7 @@ void append_patch(std::string& text, const surface_patch& p) {
     text += ",\n   \"weights\":\n    ";
     append_rows(text, p, [&](const control_point& c) { append_number(text, c.weight); });
   }
+  append_loops(text, p);
   text += '}';
 }
 
@@ -200,9 +307,7 @@ result<surface> read_surface(const std::filesystem::path& path) {
 
 std::string surface_text(const surface& s) {
   std::string text = "{";
-  if (!s.name.empty())
-    text +=
-        "\"name\": " + json(s.name).dump(-1, ' ', false, json::error_handler_t::replace) + ",\n ";
+  if (!s.name.empty()) text += "\"name\": " + quoted(s.name) + ",\n ";
   text += "\"patches\": [\n";
   for (std::size_t i = 0; i < s.patches.size(); ++i) {
     if (i > 0) text += ",\n";

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// Keeps the places that points of a mesh are held against inside of trimmed patches.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "asterism/mesh/surface_audit/shell_triangles.hpp"
+#include "asterism/mesh/surface_audit/surface_locator.hpp"
+#include "asterism/mesh/surface_audit/triangle_net.hpp"
+#include "asterism/mesh/surface_audit/trim_region.hpp"
+
+namespace asterism::internal {
+
+// What is known of a surface with trimmed patches.
+struct trim_scene {
+  std::vector<trim_region> regions;  // by patch
+  std::vector<patch_spans> spans;    // by patch
+  // The patch and the triangle of its parameters that each triangle of the mesh was lifted from,
+  // all of which is in the region; none where that is not known.
+  struct origin {
+    std::uint32_t patch = 0;
+    std::array<parameter_point, 3> at{};
+  };
+  std::vector<origin> origins;
+};
+
+// A triangle of parameters of one piece, all of which belongs to the surface.
+struct held_triangle {
+  std::uint32_t piece = 0;
+  parameter_triangle corners;
+};
+
+// All of these stand in a floating_point_scope(rounding::upward).
+
+// True if the triangle of three places of one piece certainly belongs to the surface.
+bool is_on_surface(const std::vector<bezier_piece>& pieces, const trim_scene& trims,
+                   const std::array<surface_place, 3>& at);
+
+// Returns places for the corners of a part of a triangle within the one that it was lifted from: of
+// one piece, near the nearest ones. `corners` and `whole` are in space. Where no three are in one
+// piece it is one place, three times. None where nothing is certain.
+std::optional<held_triangle> places_in_origin(const std::vector<bezier_piece>& pieces,
+                                              const trim_scene& trims,
+                                              const trim_scene::origin& origin,
+                                              const std::array<plain_vector, 3>& whole,
+                                              const std::array<plain_vector, 3>& corners);
+
+// Returns a place that certainly belongs to the surface, three times: the one given, or near it on
+// the border of its patch. None where nothing is certain.
+std::optional<held_triangle> place_at_border(const std::vector<bezier_piece>& pieces,
+                                             const trim_scene& trims, const surface_place& near);
+
+}  // namespace asterism::internal
