@@ -212,7 +212,8 @@ class Deviation(CommandTest):
                    ({"degree": "3"}, '"degree" must be'),
                    ({"knots_u": [0, 0, 1]}, "3 knots in u"),
                    ({"knots_v": [0, 1, 0, 1]}, "knot 3 in v is below"),
-                   ({"trims": []}, "trimmed patches are not treated"),
+                   ({"trims": []}, '"trims" is no part of a patch'),
+                   ({"loops": [[{"control": [[0, 0], [1, 0], [0, 1], [0, 0]]}]]}, "is trimmed, which deviation"),
                    ({"colour": 1}, '"colour" is no part of a patch')]
         for change, said in spoiled:
             self.write("bad.json", json.dumps({"patches": [{**good, **change}]}))
