@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 
 #include "asterism/mesh/io/text_scanner.hpp"
@@ -26,7 +27,8 @@ std::optional<error> fault_of_gaps(const side_graph& graph, const std::vector<fa
     return error{fmt::format("patches {} and {}: the two curves of edge \"{}\" are up to {:.6g} "
                              "from each other, and {:.6g} is asked of the mesh; ask for more than "
                              "the gap, or close it",
-                             c.sides[0].patch + 1, c.sides[1].patch + 1,
+                             std::min(c.sides[0].patch, c.sides[1].patch) + 1,
+                             std::max(c.sides[0].patch, c.sides[1].patch) + 1,
                              without_controls(on(c.sides[0]).curve.edge), gap, chord),
                  error_code::invalid_input};
   }
