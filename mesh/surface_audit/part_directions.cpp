@@ -17,12 +17,12 @@
 #include <vector>
 
 #include "asterism/core/floating_point_environment.hpp"
+#include "asterism/mesh/surface_audit/rough_bounds.hpp"
 
 namespace asterism::internal {
 namespace {
 
 constexpr double unit = 0x1p-53;
-constexpr double slack = 1 + 0x1p-40;    // more than the roundings of a bound itself
 constexpr double underflow = 0x1p-1060;  // more than three products lose
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -33,15 +33,6 @@ struct rough_vector {
 
   double greatest() const { return std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])}); }
 };
-
-struct middle_and_half {
-  double middle, half;
-};
-middle_and_half parted(const rounded_interval& a) {
-  const double low = a.inf(), high = a.sup();
-  const double middle = low == high ? low : low + (high - low) / 2;
-  return {middle, std::max(high - middle, middle - low)};
-}
 
 rough_vector rough(const interval_vector& v) {
   const auto x = parted(v.x), y = parted(v.y), z = parted(v.z);

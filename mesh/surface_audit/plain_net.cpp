@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "asterism/core/floating_point_environment.hpp"
+#include "asterism/mesh/surface_audit/rough_bounds.hpp"
 #include "asterism/mesh/surface_audit/ways_to_choose.hpp"
 
 namespace asterism::internal {
@@ -13,12 +14,10 @@ namespace {
 
 using plain_control = std::array<double, 4>;
 
-// More than the few roundings of a bound of an error itself, in which each changes it by 2^-53.
-constexpr double slack = 1 + 0x1p-40;
 // Above what underflow adds, relative to a weight: weights are 2^-300 at least, and fewer than 2^30
 // products lose at most 2^-1074 each. What shares lose is times |P_i|, no more than 2^600 X w, and
 // within the rounding that is counted beside.
-constexpr double underflow = 0x1p-700;
+constexpr double lost_to_underflow = 0x1p-700;
 
 // Shares that the polar form gives to the control points of one direction, rows of degree + 1: for
 // each multi-index of sum `degree` those where the arguments are the corners so many times.
@@ -55,15 +54,6 @@ struct net_facts {
   double greatest = 0, half_width = 0, weight_half_width = 0, corner_off = 0, weight_ratio = 1;
   bool usable = true;
 };
-
-struct middle_and_half {
-  double middle, half;
-};
-middle_and_half parted(const rounded_interval& a) {
-  const double low = a.inf(), high = a.sup();
-  const double middle = low == high ? low : low + (high - low) / 2;
-  return {middle, std::max(high - middle, middle - low)};
-}
 
 struct plain_start {
   std::array<std::array<double, 3>, 2> at;  // s and t of the corners
@@ -164,8 +154,9 @@ void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) 
   sum_pairs(p, q, start, net);
   // (1 + 2^-53)^k - 1 is below (k + 1) 2^-53 for k of some hundreds.
   const double rounded = (roundings_of_net(p, q) + 1) * 0x1p-53;
-  net.off = ((rounded + moved) * f.greatest + f.half_width) * slack + underflow;
-  net.weight_off = is_rational ? (rounded + moved + f.weight_half_width) * slack + underflow : 0;
+  net.off = ((rounded + moved) * f.greatest + f.half_width) * slack + lost_to_underflow;
+  net.weight_off =
+      is_rational ? (rounded + moved + f.weight_half_width) * slack + lost_to_underflow : 0;
   // Both are relative to the true weight so far.
   net.off *= 1 + 2 * net.weight_off, net.weight_off *= 1 + 2 * net.weight_off;
   return net;

@@ -13,7 +13,7 @@ struct seen {
   plain_vector normal;
 };
 
-seen look(const bezier_piece& piece, const place& at) {
+seen look_at(const bezier_piece& piece, const place& at) {
   const plain_jet jet = evaluate(piece, at[0], at[1]);
   return {at, cross(jet.by_s, jet.by_t)};
 }
@@ -27,7 +27,7 @@ place between(const place& a, const place& b, double share) {
 std::optional<place> halved(const bezier_piece& piece, seen a, seen b) {
   constexpr int halvings = 45;  // 2^-45 of a part: beyond, places are the same doubles
   for (int k = 0; k < halvings; ++k) {
-    const seen middle = look(piece, between(a.at, b.at, 0.5));
+    const seen middle = look_at(piece, between(a.at, b.at, 0.5));
     if (dot(a.normal, middle.normal) <= 0)
       b = middle;
     else if (dot(middle.normal, b.normal) <= 0)
@@ -50,8 +50,8 @@ std::optional<std::array<double, 2>> fold_in(const bezier_piece& piece,
   const place middle = {third * (corner[0][0] + corner[1][0] + corner[2][0]),
                         third * (corner[0][1] + corner[1][1] + corner[2][1])};
   std::array<seen, 4> places;
-  for (std::size_t k = 0; k < 3; ++k) places[k] = look(piece, between(middle, corner[k], near));
-  places[3] = look(piece, middle);
+  for (std::size_t k = 0; k < 3; ++k) places[k] = look_at(piece, between(middle, corner[k], near));
+  places[3] = look_at(piece, middle);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j)
       if (dot(places[i].normal, places[j].normal) < 0)

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""Files of a folder can be compiled as one (asterism_unite, asterism_join): what two of them define without
+linkage has different names, or different parameters. The first command and the Python module are built so,
+the tests are not.
+
+    check_united.py SOURCE
+"""
+from __future__ import annotations
+
+import collections
+import pathlib
+import re
+import sys
+
+_TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)[^;{]*\{", re.MULTILINE)
+_ALIAS = re.compile(r"^using (\w+) = ([^;]*);", re.MULTILINE)
+_CONSTANT = re.compile(r"^(?:static |inline )*const(?:expr)? [^;={}()]*?(\w+)(?:\[[^\]]*\])? ?(?:=|\{)", re.MULTILINE)
+_FUNCTION = re.compile(r"^(?!using|return|struct|class|enum|namespace|#)[\w:][\w:<>,&*\[\]() ]*?(?<![\w:])(\w+)"
+                       r"\(([^;{}]*)\)[\w ]* \{", re.MULTILINE)
+_HIDDEN = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
+_AROUND = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
+_ALONE = re.compile(r"asterism_unite\(\w+ ([^)]*)\)")
+
+
+def parameter_types(text: str) -> tuple[str, ...]:
+    """The types alone: names and defaults of parameters tell no functions apart."""
+    commas = re.compile(r",(?![^<>]*>)")  # not those of templates
+    return tuple(re.sub(r"(?<=[\w&*>]) *\b\w+$", "", re.sub(r"\s*=.*", "", " ".join(one.split())))
+                 for one in commas.split(re.sub(r"/\*.*?\*/", "", text)) if one.strip())
+
+
+def hidden_things(text: str) -> set[tuple[str, str, str]]:
+    """What unnamed namespaces define at their top: the namespace around, the name, and what it is."""
+    found: set[tuple[str, str, str]] = set()
+    for block in _HIDDEN.finditer(text):
+        part, around = block[1], ["", *_AROUND.findall(text[:block.start()])][-1]
+        found |= {(around, name, "one") for name in _TYPE.findall(part) + _CONSTANT.findall(part)}
+        found |= {(around, name, "alias of " + of) for name, of in _ALIAS.findall(part)}
+        found |= {(around, name, f"of {parameter_types(inside)}") for name, inside in _FUNCTION.findall(part)}
+    return found
+
+
+def can_meet(kinds: list[str]) -> bool:
+    """Overloads, and one alias said twice."""
+    all_functions = all(kind.startswith("of ") for kind in kinds)
+    one_alias = kinds[0].startswith("alias ") and len(set(kinds)) == 1
+    return one_alias or (all_functions and len(set(kinds)) == len(kinds))
+
+
+def clashes(files: list[pathlib.Path]) -> list[str]:
+    things = collections.defaultdict(list)
+    for file in files:
+        for around, name, kind in sorted(hidden_things(file.read_text())):
+            things[around, name].append((kind, file.name))
+    return [f"{files[0].parent}: {name} is defined in {' and '.join(sorted({file for _, file in found}))}"
+            for (_, name), found in sorted(things.items())
+            if len({file for _, file in found}) > 1 and not can_meet([kind for kind, _ in found])]
+
+
+def main(source: pathlib.Path) -> None:
+    wrong = []
+    for folder in sorted({file.parent for top in ("mesh", "apps", "challenge", "python/src")
+                          for file in (source / top).rglob("*.cpp")}):
+        lists = [folder / "CMakeLists.txt", folder.parent / "CMakeLists.txt"]
+        alone = {pathlib.PurePath(name).name for file in lists if file.exists()
+                 for names in _ALONE.findall(file.read_text()) for name in names.split()}
+        files = [file for file in sorted(folder.glob("*.cpp")) if file.name not in alone]
+        wrong += clashes(files) if files else []
+    if wrong:
+        sys.exit("\n".join(wrong) + "\nGive each a name of its own, or one home: these files are compiled as one.")
+
+
+main(pathlib.Path(sys.argv[1]))
