@@ -72,6 +72,30 @@ point middle(const node& a, const node& b) {
   return {a.position.x + t * x, a.position.y + t * y};
 }
 
+// Returns the length of an edge as a field measures it: the mean of what there is at its ends.
+double length_in_field(const metric_at& field, const node& a, const node& b, vertex_index& hint_a,
+                       vertex_index& hint_b) {
+  const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
+  const double at_a = std::sqrt(squared(field(a.position, hint_a), x, y)),
+               at_b = std::sqrt(squared(field(b.position, hint_b), x, y));
+  return (at_a + at_b) / 2;
+}
+
+// Returns the edges that are longer than this in the field, in their order. Of many that are long
+// as the mesh measures them few are, and looking that up is shared by threads.
+std::vector<long_edge> those_longer(const working_mesh& m, const metric_at& field,
+                                    const std::vector<long_edge>& edges, double length) {
+  constexpr std::size_t edges_at_once = 1024;
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<long_edge>& longer) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const node &a = m.at(edges[i].a), &b = m.at(edges[i].b);
+      vertex_index hint_a = a.hint, hint_b = b.hint;
+      if (length_in_field(field, a, b, hint_a, hint_b) > length) longer.push_back(edges[i]);
+    }
+  };
+  return collect_chunks<long_edge>(edges.size(), edges_at_once, append);
+}
+
 }  // namespace
 
 // Splits the edges that are too long in the metric wanted and not short in the mesh's own. The
@@ -81,16 +105,14 @@ std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const leng
   std::vector<vertex_index> made_nodes;
   field_ = std::move(wanted);
   forget_shapes();
-  const std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > limits.own; });
+  std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > limits.own; });
+  if (mesh_blocks::are_worth_it(m_)) found = those_longer(m_, field_, found, limits.wanted);
   for (const long_edge& e : found) {
     if (m_.count() >= most_nodes) break;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none) continue;
     node &a = m_.at(e.a), &b = m_.at(e.b);
-    const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
-    const double at_a = std::sqrt(squared(field_(a.position, a.hint), x, y)),
-                 at_b = std::sqrt(squared(field_(b.position, b.hint), x, y));
-    if (!((at_a + at_b) / 2 > limits.wanted)) continue;
+    if (!(length_in_field(field_, a, b, a.hint, b.hint) > limits.wanted)) continue;
     const auto place = m_.place_on_edge(t, edge, middle(a, b));
     const auto made = place ? m_.split(t, edge, *place) : std::nullopt;
     if (!made) continue;

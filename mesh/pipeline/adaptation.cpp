@@ -9,6 +9,7 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/domain/point_in_domain.hpp"
+#include "asterism/mesh/metric/background_field.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/scaled_tensor.hpp"
@@ -39,6 +40,19 @@ std::optional<mesh> exactly_times_power_of_two(const mesh& m, int k) {
     if (!identical(times_power_of_two(s.metric, -k), before)) return std::nullopt;
   }
   return made;
+}
+
+// Returns the metric at the background's nodes. A field that is interpolated on that mesh, in the
+// same frame, has what it takes to find triangles in it: of a large mesh that takes as long as to
+// read it.
+background_metric metric_at_nodes(const mesh& background, const background_field* field) {
+  if (field == nullptr) return background_metric(background);
+  background_metric shared = field->without_size();
+  std::vector<metric_tensor> tensors;
+  tensors.reserve(background.sites.size());
+  for (const site& s : background.sites) tensors.push_back(s.metric);
+  shared.set_tensors(std::move(tensors));
+  return shared;
 }
 
 }  // namespace
@@ -145,7 +159,9 @@ std::optional<background_metric> metric_delivery::wanted_in(
 
 std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
   if (!prepare()) return std::nullopt;
-  const background_metric sampled(*background_);
+  const bool is_as_given = given_ != nullptr && image_.frame().is_identity();
+  const background_metric sampled = metric_at_nodes(
+      *background_, is_as_given ? dynamic_cast<const background_field*>(&field_) : nullptr);
   const auto halved = halvings(vertices_of_unit * sampled.complexity(), few);
   if (!halved) return std::nullopt;
   const coarser_field coarser(image_.field(), *halved);
