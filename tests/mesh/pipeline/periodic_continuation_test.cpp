@@ -131,6 +131,11 @@ TEST_CASE("in the next mesh partners are nearer to each other than where sides a
   const double alone = partners_apart(m, make_solution_metric(m, {u}, wishes).value().tensors);
   CAPTURE(glued, alone);
   CHECK(glued < alone / 4);
+  wishes.gradation = loop_gradation;
+  const double graded = partners_apart(
+      m, make_glued_metric(m, *continued_across(m, torus), {u}, wishes).value().tensors);
+  CAPTURE(graded);
+  CHECK(graded < alone / 2);
 }
 
 TEST_CASE(
