@@ -52,8 +52,8 @@ class star_gap {
     displacement<double> dual;    // N d
     displacement<double> seen_u;  // N u
     double c = 0, a = 0;          // of the ray equation along u
-    // The first meeting's s along u lies between these; s of a concave lower bound is at least the
-    // first.
+    // Bounds of s along u at the first meeting of the ray with the neighbour's bisector. The root
+    // of a concave lower bound is no smaller than the first meeting's s.
     double lowest = 0, highest = 0;
     // Away from u that bound is at least slope . direction where |u|^2 >= bend (u x d)^2.
     displacement<double> slope;

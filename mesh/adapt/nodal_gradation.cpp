@@ -37,8 +37,8 @@ bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_
   // Part of the limit that a clipped pair is brought to, so that rounds do not creep up to the
   // limit. With halves the pair moves to the nearest pair within that part of the limit.
   constexpr double aim = 0.98;
-  // Signed excess over the aim, and the part of it that a takes: a is the coarser side where b
-  // measures more.
+  // Returns the signed excess over the aim. `part` is the share of it by which the tensor of a
+  // changes: a is the coarser of the two where b measures more.
   const auto excess = [&](double logarithm) {
     const double size = std::abs(logarithm);
     return size > aim * 2 * most ? (1 - aim * 2 * most / size) * logarithm : 0;

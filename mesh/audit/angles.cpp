@@ -156,8 +156,8 @@ class angle_check {
     beside_ = beside_ || crosses_narrow_wedge(context_, tally_, c, wanted_.wedges, wanted_.bound);
   }
 
-  // Classifies an angle. The corner's own metric measures the sector below the bound; another one
-  // has to as well.
+  // Classifies an angle. The sector is narrow in the corner's own metric; seen from another vertex
+  // the angle is exempt only if it is proved narrow in that vertex's metric, too.
   angle_standing standing_of(std::size_t i, vertex_index perspective) {
     if (!beside_) return angle_standing::ordinary;
     const narrow_sector* const s = sector_[i];

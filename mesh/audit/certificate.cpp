@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t fnv_prime = 0x100000001b3U;
 
-// Holds what so many bytes that are 0 multiply a hash by: powers of the prime.
+// Holds powers of the hash's prime: entry n is the factor of n zero bytes.
 constexpr std::array<std::uint64_t, 9> fnv_powers = [] {
   std::array<std::uint64_t, 9> powers{1};
   for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * fnv_prime;

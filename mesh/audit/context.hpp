@@ -60,7 +60,7 @@ class fan_lists {
     std::vector<std::uint32_t> ends;  // in `fans`, by vertex
   };
 
-  // Makes a block for each so many vertices, in order.
+  // Makes one block for each vertices_of_a_block vertices, in order.
   void resize(std::size_t vertices) { blocks_.resize(chunk_count(vertices, vertices_of_a_block)); }
   block& block_of(vertex_index v) { return blocks_[v / vertices_of_a_block]; }
   // Calls take(fan) for each fan of v.

@@ -414,9 +414,10 @@ bool site_tree::too_far(const site& w, const centre& v) {
                  inverse_determinant_above(w.metric), v);
 }
 
-// Does for d as both corners of a box, and the adjugate over the determinant, what it does for any.
-// With h = d the left side of the lemma and |g|_v^2 are one number; the values and their errors are
-// those of separation_along, and up^3 pays for the roundings of the first comparison that settles.
+// Applies the test of a box to the single displacement d: both corners of the box are d, and the
+// bound on its metrics is the adjugate over the determinant. With h = d the left side of the lemma
+// and |g|_v^2 are one number; the values and their errors are those of separation_along, and up^3
+// pays for the roundings of the first comparison that settles.
 bool site_tree::too_far(const point& d, const metric_tensor& m, double inverse_determinant,
                         const centre& v) {
   const metric_tensor& a = v.metric;

@@ -54,8 +54,8 @@ class site_tree {
   // the same.
   bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
               std::size_t from = 0) const;
-  // Visits as the function without leaves does, for one of the stars they were gathered for, from a
-  // place in the order on.
+  // Visits what visit_near without leaves does, for one of the stars for which the leaves were
+  // gathered, and of these sites those from number `from` in the order on.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit, std::size_t from = 0) const;
@@ -146,7 +146,7 @@ class site_tree {
     bool is_beyond(double reach) const;
   };
 
-  // Returns how many nodes a tree of so many sites has, at least one.
+  // Returns the number of nodes of a tree with this number of sites, at least one.
   static std::size_t node_count(std::size_t sites);
   void build(std::size_t self, std::size_t first, std::size_t last);
   void bound_leaf(node& n) const;
@@ -193,7 +193,7 @@ class site_tree {
   // True if all of the node's box is certainly farther than that from the one star v, as one of the
   // axes shows.
   static bool is_beside(const node& n, const centre& v, double far_squared);
-  // True if |d|^2 is certainly more than that, d as the metric measures.
+  // True if the squared length of d in the metric m is certainly more than `far_squared`.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
   // Calls visit(argument). Returns false if visit returns false, and true if it returns nothing.
   template <class Visit, class Argument>

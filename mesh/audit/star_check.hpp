@@ -52,7 +52,7 @@ struct prepared_fan {
   bool has_others = false;
 };
 
-// Asks about some stars, for one thread, and enters what is found into its tally.
+// Checks the stars of some vertices in one thread, and enters findings into its tally.
 class star_check {
  public:
   star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
@@ -150,7 +150,7 @@ class star_check {
   bool is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
   void leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,
                   open_question::about what);
-  // Work of a look at a site, and of the ray that it is held against, as they take 50 and 5
+  // Work of comparing a site, and of the ray that it is compared with, as they take 50 and 5
   // nanoseconds.
   static constexpr double unit_of_look = 0.005, unit_of_gap = 0.0005;
 

@@ -196,7 +196,7 @@ double farthest_from_nearer_end(double by_a, double by_b) {
   return by_a / (by_a + by_b) * by_b * up;
 }
 
-// True if w is certainly farther than that from all points of the subsegment.
+// True if w is certainly farther than the radius from all points of the subsegment.
 bool is_clearly_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w,
                        double farthest) {
   const audit_detail::metric_ball ball(m.sites[w]);

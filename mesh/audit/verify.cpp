@@ -275,7 +275,8 @@ void compare_with_rule(contradictions& all, const delivered_report& delivered) {
             text_of(density_ratio(delivered)) + " times as dense or as thin as the one wanted");
 }
 
-// True if edges are as long as they were asked to be: as many times shorter, with a guarantee.
+// True if the size delivered is the one asked for or, with a guarantee, that size divided by the
+// guarantee's factor.
 bool is_size_delivered(const certificate& claim) {
   if (claim.options.count("size-delivered") == 0) return true;
   const std::string asked = option_of(claim, "size"), done = option_of(claim, "size-delivered");

@@ -226,7 +226,7 @@ class cell_check {
 }  // namespace
 
 void check_voronoi(audit_context& context) {
-  // Has its own work, whatever the stars took.
+  // Counts work from zero: what the check of stars took is no part of this limit.
   context.looked_units -= audit_units(context.report, context.looked_units);
   context.unfinished = false;
   const auto never = [] { return false; };

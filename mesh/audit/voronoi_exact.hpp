@@ -20,7 +20,8 @@ struct arc_meeting {
   bool nearer = false, between = false, at_from = false, at_to = false;
 };
 
-// How a site meets the segment between two others, at whose points the nearer of these counts.
+// How near a site is along the segment between two others, compared at each point with the nearer
+// of the two.
 enum class segment_meeting {
   apart,      // farther at every point
   at_middle,  // as near where both ends are equally far, and farther elsewhere

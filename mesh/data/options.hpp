@@ -40,7 +40,7 @@ struct mesh_options {
   cancellation stop = {};  // polled during the run; what it says becomes part of the outcome
   int max_rejected = 100;  // darts in a row before the tolerance shrinks
   std::uint64_t seed = 1;  // darts
-  // Largest number of passes that improve a complete mesh (refine/coarsening_pass.hpp). Each pass
+  // Largest number of passes that improve a complete mesh (pipeline/improved_mesh.hpp). Each pass
   // refines anew. Default 0.
   std::size_t improve_passes = 0;
   // Greatest distance allowed between the metric delivered and the one wanted, at any site: ln of

@@ -59,8 +59,8 @@ class filling {
   }
 
  private:
-  // Each round but the last of a level inserts a site; this only stops a run whose numbers have
-  // gone wrong.
+  // Most rounds of a level. Each but the last inserts a site, so only a run whose numbers have gone
+  // wrong comes to it.
   static constexpr std::size_t most_rounds = 4000;
 
   bool is_over() const {
@@ -189,7 +189,7 @@ class filling {
     return order;
   }
 
-  // Copies the sites of that order to where the outcome has them.
+  // Copies the sites, in that order, into the outcome.
   void put_sites_in_order(const std::vector<vertex_index>& order, filled_domain& filled) const {
     auto next = order.begin() + static_cast<std::ptrdiff_t>(domain_.vertices.size());
     for (const std::vector<vertex_index>& division : segments_.dividing_sites()) {
@@ -200,8 +200,8 @@ class filling {
     for (; next != order.end(); ++next) filled.interior.push_back(sites_[*next]);
   }
 
-  // Returns the neighbours of the sites in that order, in its numbers. Those of a star that
-  // disagrees with another are wrong in one of the two, and left out.
+  // Returns the neighbours of the sites in `order`, by their numbers in it. A star that disagrees
+  // with another has no neighbours here, as one of the two is wrong.
   neighbour_lists stars_in_order(const std::vector<vertex_index>& order,
                                  const std::vector<char>& agrees) const {
     constexpr std::size_t chunk = 256;

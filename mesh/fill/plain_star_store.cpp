@@ -74,8 +74,9 @@ void plain_star_store::make_anew(const claims_by_star& all, const Make& make) {
 }
 
 bool plain_star_store::renew(double distance) {
-  // Number of stars made between two questions to the meter, before and after a quarter of the work
-  // allowed is done. Claims are put together block by block, as all at once would take much memory.
+  // Number of stars made between two readings of the work meter, before and after a quarter of the
+  // work allowed is done. Claims are put together block by block, as all at once would take much
+  // memory.
   constexpr std::size_t ordinary_block = 65536, late_block = 1024;
   constexpr std::uint64_t quarter = 4;
   const std::size_t count = sites_->size();
@@ -312,7 +313,8 @@ void plain_star_store::make_star(vertex_index w, double distance, std::vector<ve
   constexpr double margin = 1.02, least_growth = 1.25;
   // Fewer do not surround a site.
   constexpr std::size_t least_neighbours = 3;
-  // Reaches double, so that they leave the range of doubles, or the box, long before.
+  // Most searches for one site. Each doubles the reach, which leaves the box, or the range of
+  // doubles, long before.
   constexpr int most_attempts = 64;
   const double ordinary = first_reach * distance;
   double reach = std::min(ordinary, first_reach_among_dense(w, distance));

@@ -145,9 +145,10 @@ bool relaxation::stays_clear(vertex_index v, double distance) const {
   return is_clear;
 }
 
-// True if v, at its new place, is no nearer to a neighbour than `distance`, unless it was, as both
-// measure and wherever the neighbour will be. False, too, where one finds their distance more than
-// twice as long as the other does: the middle of the neighbours across a jump is in what is dense.
+// True if v at its new place keeps `distance` to every neighbour, in both metrics and wherever the
+// neighbour moves; a neighbour that was nearer already may stay as near. False where the two
+// metrics measure the way between them more than twice as long as each other: across a jump of the
+// metric the mean of the neighbours lies on the dense side.
 bool relaxation::keeps_distances(vertex_index v, const std::vector<ways_to_neighbour>& ways,
                                  double distance) const {
   const double squared = distance * distance;

@@ -13,7 +13,7 @@
 
 namespace asterism::internal {
 
-// Holds claims by the stars that they are laid to.
+// Lists, for each star, the sites that claim to be among its neighbours.
 struct claims_by_star {
   std::vector<vertex_index> stars;    // ascending, each once
   std::vector<std::uint32_t> starts;  // of each star's claims in `by`, and the end

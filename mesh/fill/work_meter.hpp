@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures how much work a fill has done, against how much so many sites may take.
+// Compares the work that a fill has done with the most allowed for its number of sites.
 #pragma once
 
 #include <atomic>

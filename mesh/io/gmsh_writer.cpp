@@ -220,7 +220,7 @@ class gmsh_writer {
     text_ += "$EndNodeData\n";
   }
 
-  // A name must not hold what ends it.
+  // Replaces quotes and ends of lines, which would end the name.
   static std::string quoted(std::string name) {
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, '_');

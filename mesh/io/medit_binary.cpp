@@ -205,7 +205,7 @@ class encoder {
   }
   std::int64_t next_integer() { return to_integer(source_, source_.next(), "").value(); }
   std::size_t place_size() const { return long_ ? 8 : 4; }
-  // Begins a section; what end_section fills in is where the next one is.
+  // Begins a section and leaves room for the position of the next one, which end_section fills in.
   void begin_section(int code) {
     put_integer(code);
     place_ = bytes_.size();

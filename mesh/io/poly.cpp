@@ -64,7 +64,7 @@ class poly_reader {
   failure read_record(std::string_view what, std::size_t position, std::size_t count,
                       std::size_t least, std::size_t most, words& record);
   failure check_number(std::string_view what, const word& number, std::size_t position);
-  // Says what is wrong with a number that does not follow on.
+  // Returns the error for a record whose number is not the one after the record before.
   error wrong_number(const std::string& name, const word& number, std::size_t position) const;
   // Words `from` and later are numbers; they are not used.
   failure check_unused(const words& record, std::size_t from, std::string_view what);

@@ -168,7 +168,8 @@ class labelling {
     bisect(std::move(rest), static_cast<piece_index>(first_piece + half), pieces - half);
   }
 
-  // Moves triangles to the piece beside them that they have the longest sides to.
+  // Moves each triangle to the neighbouring piece with which it shares the greatest length of
+  // sides.
   void shorten_cuts() {
     constexpr int passes = 20;
     constexpr double slack = 1.02;

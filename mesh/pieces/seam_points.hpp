@@ -14,9 +14,9 @@
 
 namespace asterism::internal {
 
-// Divides the seams by metric length, as a fill divides segments; of a domain with many vertices,
-// in which fills spread sites as its features want them, closer where these are. Fails where the
-// field does.
+// Divides the seams by metric length, as a fill divides segments. Where the domain has so many
+// vertices that a fill spreads sites by its features, points of seams are closer near these, too.
+// Fails where the field does.
 result<seam_points> divide_seams(const domain& d, const domain_cut& cut, const metric_field& field);
 
 // A seam as the mesh of one of its pieces has it: all points, in the edge's own direction.

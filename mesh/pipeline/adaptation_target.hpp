@@ -15,7 +15,7 @@
 
 namespace asterism::internal {
 
-// What a run was asked for, and what its metric came to.
+// The metric that an adaptation was asked for, and the report of the metric that was made.
 struct adaptation_wish {
   const solution_metric_options& wishes;
   const solution_metric_report& report;

@@ -39,7 +39,8 @@ class audited_mesh {
 
   // Takes the present mesh of the triangulation.
   void take(const adapting::working_mesh& m);
-  // Takes the present mesh after these changes to the last one taken, which was audited.
+  // Takes the present mesh, which has the nodes of the last one taken and audited: what is known of
+  // their stars' reaches is kept.
   void take_changed(const adapting::working_mesh& m);
 
   // Audits the mesh; an audit that keeps all findings is never cut short.

@@ -17,7 +17,7 @@
 namespace asterism::internal {
 namespace {
 
-// Part of the work that is allowed for so many sites.
+// Share of the work allowed for the number of sites.
 constexpr double work_share = 0.1;
 
 std::optional<mesh> coarse_mesh_in(const metric_tensor& m, const domain& d,

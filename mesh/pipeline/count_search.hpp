@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// Looks for the factor of the metric with which there are so many sites.
+// Searches for the factor of the metric with which a mesh has the number of vertices wanted.
 //
 // They grow with the factor, in steps where a domain is narrow: all subsegments of one length are
 // halved at once, and no factor may lead to a number between.

@@ -53,7 +53,7 @@ result<curved_sides> curve_sides(const mesh& m, const domain& shape) {
   curved_sides made;
   made.nodes = nodes_on_curves(m, shape);
   std::size_t straightened = 0;
-  // Each round but the last takes a node away.
+  // Ends: each round but the last removes a node, of which there are finitely many.
   while (true) {
     made.report = prove_second_order(m, made.nodes, &shape);
     if (made.report.proved() || m.triangles.empty()) break;

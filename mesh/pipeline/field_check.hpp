@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what was found when a mesh was held against the metric asked for.
+// Holds the comparison of a mesh's tensors with the metric asked for.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// A mesh held against a metric.
+// How a mesh's tensors compare with a metric.
 struct field_check {
   bool made = false;    // true if the metric asked for could be made again
   std::string why_not;  // half a sentence on why it could not

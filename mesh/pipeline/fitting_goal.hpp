@@ -52,7 +52,8 @@ class fitting_goal {
   // Goes back to the metric without room at chords; returns false if there is none. The mesh made
   // then has needles there.
   bool give_up_room_at_chords();
-  // Raises the number of vertices, once, to what short segments have room for; false if it is that.
+  // Raises the number of vertices, once, to the greatest for which short segments leave room; false
+  // if it is that already.
   bool take_all_room(const cancellation& stop) { return has_room_ && raise_count(1, stop); }
 
   // Returns the metric to be fitted, graded on the graph of its background by this distortion over

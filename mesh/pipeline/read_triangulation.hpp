@@ -20,7 +20,7 @@ result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wan
 // Reads a mesh without its metric, sites and triangles as they are in the file. Its notes are those
 // of the mesh taken over, too. Refuses what is no triangulation.
 result<mesh> read_plain_triangulation(const std::string& path);
-// Returns all that the file has, as well.
+// Does the same and returns marks, names and fields of the file, too.
 result<mesh_file> read_plain_mesh_file(const std::string& path);
 
 // True if a metric of this name is given at the vertices of a mesh.

@@ -22,7 +22,8 @@ std::vector<vertex_index> isolated_of(const domain& d) {
   return isolated;
 }
 
-// True if these come along the curve, by and large. Those at random step back every other time.
+// True if the vertices are nearly sorted along the space-filling curve: at most one step in eight
+// goes back, where a random order goes back at every other.
 bool are_along_curve(const domain& d, const std::vector<vertex_index>& which,
                      const bounding_box& box) {
   constexpr std::size_t one_in = 8;

@@ -160,7 +160,7 @@ const domain_wedge* bad_triangle_queue::crossed_wedge(const refine_state& state,
   return state.segments().wedges().across(t, accepts);
 }
 
-// Judges a triangle with a low angle; true if it is bad because of that.
+// True if the triangle, which has a low angle, is bad for it.
 bool bad_triangle_queue::judge_low(const refine_state& state, const site_oracle& oracle,
                                    const triangle& t, record& into) const {
   const triangle_sites sites = sites_of(state, t);

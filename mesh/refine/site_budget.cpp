@@ -22,10 +22,10 @@ namespace {
 constexpr double part_for_filling = 0.8;
 // Bound on the attempts. Each halves the sites at least once, and no problem takes 2^2000 of them.
 constexpr int most_attempts = 2000;
-// Number of vertices from which sites are first spread as the segments need them, and most vertices
-// for one inside site with which that is done. Where a domain is narrow everywhere vertices see few
-// others, and refinement finds fewer sites. Without a size only ends of segments count: isolated
-// vertices are spread already.
+// Least number of vertices with which sites are first spread as segments need them, and greatest
+// number of vertices for each site inside with which that is kept. Where a domain is narrow
+// everywhere vertices see few others, and refinement finds fewer sites. Without a size only ends of
+// segments count: isolated vertices are spread already.
 constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 
 // Returns how many more times the number of sites is to be halved.

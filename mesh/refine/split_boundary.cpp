@@ -290,7 +290,7 @@ bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m
                                 on_curve);
 }
 
-// Adds the new site between the two updates of the index, which has to know before and after.
+// Adds the new site. The index of boundary edges is updated once before and once after.
 void split_boundary::put_on_subsegment(std::size_t subsegment, const site& m, bool on_curve) {
   const auto twin = edges_.twin(subsegment);
   std::size_t new_subsegment = edges_.subsegments().size();

@@ -19,7 +19,8 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   for (const bad_triangle& b : queue.bad()) {
     if (b.why != badness::disagreeing) break;
     state_.count_neighbours_looked_at(as_neighbours);
-    // At a jump of the metric most sites are in reach of most others.
+    // Passes over triangles that are given up: at a jump of the metric most sites are in reach of
+    // most others, and stars there would be made anew for nothing.
     if (steep_.is_given_up(b.where) || steep_.gives_up(b)) continue;
     if (exchanged_.count(b.where) == 0) disagreeing.push_back(b.where);
     for (const vertex_index v : b.where) {

@@ -175,7 +175,7 @@ std::vector<triangle> in_order(const std::vector<triangle>& triangles, std::size
   return sorted;
 }
 
-// True if each of so many sites is a corner.
+// True if every site, by its number below `sites`, is a corner of a triangle.
 bool use_all(const std::vector<triangle>& triangles, std::size_t sites) {
   std::vector<char> used(sites, 0);
   for (const triangle& t : triangles)

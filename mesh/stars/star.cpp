@@ -80,7 +80,8 @@ bool holds_triangle(const site_oracle& oracle, vertex_index v, const sector& s, 
 
 std::optional<std::size_t> gap_from(const site_oracle& oracle, vertex_index v, const sector& s,
                                     vertex_index y, vertex_index x) {
-  // Beyond these, few of which a star has, halving takes less than a look at each.
+  // Number of neighbours above which a search by halving is cheaper than comparing each; few stars
+  // have as many.
   constexpr std::size_t many = 64;
   const auto is_from = [&](std::size_t gap) {
     return gap < s.gaps() && s.neighbours[gap] == y && s.neighbours[s.after(gap)] == x;

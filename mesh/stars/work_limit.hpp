@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds how much the predicates are asked for so many sites before a refinement is given up.
+// Bounds the work in predicates, by the number of sites, after which a refinement is given up.
 #pragma once
 
 #include <algorithm>
