@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/surface_audit/shell_findings.hpp"
 #include "asterism/mesh/surface_audit/shell_trims.hpp"
 
 namespace asterism::internal {
@@ -69,10 +70,6 @@ result<domain> rectangle_of(const surface_patch& patch, const shell_face& face) 
     d.segments.push_back({from, (side + 1) % 4, static_cast<int>(side) + 1});
   }
   return d;
-}
-
-void note_finding(shell_report& report, const shell_question& asked, std::string sentence) {
-  if (report.found++ < asked.findings_kept) report.findings.push_back(std::move(sentence));
 }
 
 void audit_planes(const surface& s, const surface_shell& shell, const shell_question& asked,

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Audits the plane mesh of each face of a shell, and counts findings.
+// Audits the plane mesh of each face of a shell.
 #pragma once
-
-#include <string>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/domain.hpp"
@@ -12,9 +10,6 @@
 #include "asterism/mesh/surface_audit/shell_report.hpp"
 
 namespace asterism::internal {
-
-// Counts a finding, and keeps its sentence if there is room.
-void note_finding(shell_report& report, const shell_question& asked, std::string sentence);
 
 // Returns the domain that the plane mesh of a face is to be of: the patch's rectangle, with the
 // given sites on its sides. Fails where a given site is on no side, or corners are not the patch's.

@@ -17,6 +17,7 @@
 #include "asterism/mesh/surface_audit/plane_faces.hpp"
 #include "asterism/mesh/surface_audit/shell_crossings.hpp"
 #include "asterism/mesh/surface_audit/shell_edges.hpp"
+#include "asterism/mesh/surface_audit/shell_findings.hpp"
 #include "asterism/mesh/surface_audit/shell_trims.hpp"
 #include "asterism/mesh/surface_audit/surface_folds.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "asterism/mesh/surface_audit/plane_faces.hpp"
+#include "asterism/mesh/surface_audit/shell_findings.hpp"
 #include "asterism/mesh/surface_audit/trim_pieces.hpp"
 
 namespace asterism::internal {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "asterism/mesh/support/parallel_for.hpp"
-#include "asterism/mesh/surface_audit/plane_faces.hpp"
+#include "asterism/mesh/surface_audit/shell_findings.hpp"
 #include "asterism/mesh/surface_audit/trim_distance.hpp"
 
 namespace asterism::internal {
