@@ -115,7 +115,8 @@ variation_of_part bound_variation_of(const small_part& part, const tensor_jet& o
                     *frame);
   };
   const interval_tensor middle = in_frame(values(in_middle), *frame);
-  // The tensor anywhere is that in the middle, and what it changes by on the way.
+  // The tensor anywhere is that in the middle, and what it changes by on the way; or as enclosed,
+  // which is nearer in a part that is long where nothing changes.
   const rounded_interval dx(-part.reach_x, part.reach_x), dy(-part.reach_y, part.reach_y);
   const interval_tensor anywhere =
       middle + dx * in_frame(along_x(over), *frame) + dy * in_frame(along_y(over), *frame);
@@ -123,8 +124,10 @@ variation_of_part bound_variation_of(const small_part& part, const tensor_jet& o
       greatest_norm(derivative(over, frame->first), derivative(over, frame->second));
   const double here =
       greatest_norm(derivative(in_middle, frame->first), derivative(in_middle, frame->second));
-  variation_of_part found{quotient_above(norm, anywhere),
-                          quotient_above(here, middle) / direction_slack};
+  const interval_tensor as_enclosed = in_frame(values(over), *frame);
+  variation_of_part found{
+      std::min(quotient_above(norm, anywhere), quotient_above(norm, as_enclosed)),
+      quotient_above(here, middle) / direction_slack};
   if (!(found.above >= 0)) found.above = no_bound;
   if (!(found.in_middle < no_bound)) found.in_middle = 0;
   return found;
