@@ -13,7 +13,7 @@
 namespace asterism::internal {
 namespace {
 
-constexpr int deepest = 60;  // halvings: places are no finer
+constexpr int deepest_part = 60;  // halvings: places are no finer
 
 struct trim_cell {
   double from = 0, to = 1;  // places of the first curve
@@ -28,7 +28,7 @@ plain_vector lifted(const curve_on_patch& c, const plane_point& p) {
   return evaluate(c.pieces[at.piece], at.s, at.t).at;
 }
 
-double squared(const plain_vector& a) { return dot(a, a); }
+double squared_size(const plain_vector& a) { return dot(a, a); }
 
 interval_vector exact_origin(const plain_vector& p) { return {p.x, p.y, p.z}; }
 
@@ -76,7 +76,7 @@ double greatest_over(trim_cell whole, const std::vector<double>& knots, double n
   const auto divide = [&](const trim_cell& cell) {
     const double middle = cut_of(cell, knots);
     std::vector<trim_cell> parts;
-    if (cell.depth >= deepest || !(cell.from < middle && middle < cell.to)) return parts;
+    if (cell.depth >= deepest_part || !(cell.from < middle && middle < cell.to)) return parts;
     for (const auto& [from, to] : {std::pair{cell.from, middle}, std::pair{middle, cell.to}}) {
       trim_cell part{from, to, cell.depth + 1, 0, 0};
       look(part);
@@ -100,7 +100,7 @@ struct two_curves {
   const auto place = [&](double x) { return two.opposite ? 1 - x : x; };
   const double middle = (cell.from + cell.to) / 2;
   const plain_vector here = lifted(two.a, trim_at(two.a.curve, middle));
-  cell.below = squared(here - lifted(two.b, trim_at(two.b.curve, place(middle))));
+  cell.below = squared_size(here - lifted(two.b, trim_at(two.b.curve, place(middle))));
   const interval_vector origin = exact_origin(here);
   std::vector<space_curve> first, second;
   for (const trim_piece* p : pieces_between(two.of_a, cell.from, cell.to))
@@ -166,7 +166,7 @@ plane_curve along_chord(const curve_and_chord& both, const trim_cell& cell,
   const plane_point p = trim_at(on.curve, middle);
   const interval_vector foot = both.on_chord(both.share_of_place(middle));
   const plain_vector here = lifted(on, p);
-  cell.below = squared(here - lifted(on, {middle_of(foot.x), middle_of(foot.y)}));
+  cell.below = squared_size(here - lifted(on, {middle_of(foot.x), middle_of(foot.y)}));
   const interval_vector origin = exact_origin(here);
   std::vector<space_curve> curves, chords;
   for (const trim_piece* piece : pieces_between(both.pieces, cell.from, cell.to)) {

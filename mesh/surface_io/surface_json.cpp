@@ -217,13 +217,13 @@ void append_rows(std::string& text, const surface_patch& p, const Item& item) {
   text += ']';
 }
 
-std::string quoted(const std::string& name) {
+std::string quoted_name(const std::string& name) {
   return json(name).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 void append_trim(std::string& text, const trim_curve& c) {
   text += fmt::format("{{\"degree\": {}", c.degree);
-  if (!c.edge.empty()) text += ", \"edge\": " + quoted(c.edge);
+  if (!c.edge.empty()) text += ", \"edge\": " + quoted_name(c.edge);
   if (c.backward) text += ", \"backward\": true";
   if (c.is_point) text += ", \"point\": true";
   if (!c.knots.empty()) append_list(text += ", \"knots\": ", c.knots);
@@ -257,7 +257,7 @@ void append_loops(std::string& text, const surface_patch& p) {
 
 void append_patch(std::string& text, const surface_patch& p) {
   text += "  {";
-  if (!p.name.empty()) text += "\"name\": " + quoted(p.name) + ", ";
+  if (!p.name.empty()) text += "\"name\": " + quoted_name(p.name) + ", ";
   text += fmt::format("\"degree\": [{}, {}]", p.degree_u, p.degree_v);
   if (!p.knots_u.empty()) append_list(text += ",\n   \"knots_u\": ", p.knots_u);
   if (!p.knots_v.empty()) append_list(text += ",\n   \"knots_v\": ", p.knots_v);
@@ -307,7 +307,7 @@ result<surface> read_surface(const std::filesystem::path& path) {
 
 std::string surface_text(const surface& s) {
   std::string text = "{";
-  if (!s.name.empty()) text += "\"name\": " + quoted(s.name) + ",\n ";
+  if (!s.name.empty()) text += "\"name\": " + quoted_name(s.name) + ",\n ";
   text += "\"patches\": [\n";
   for (std::size_t i = 0; i < s.patches.size(); ++i) {
     if (i > 0) text += ",\n";
