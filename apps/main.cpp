@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "asterism/apps/commands.hpp"
@@ -17,9 +20,60 @@
 
 namespace {
 
-int run(int argc, char** argv) {
-  using namespace asterism::apps;
-  CLI::App program("Anisotropic triangular meshes by star stitching, on exact predicates.");
+using namespace asterism::apps;
+
+// A command by its name. help, completion and man tell of all others.
+struct known_command {
+  std::string_view name;
+  void (*add)(CLI::App& program, command& chosen);
+  bool tells_of_others = false;
+};
+constexpr std::array<known_command, 17> known_commands = {{
+    {"mesh", [](CLI::App& program, command& chosen) { add_mesh_command(program, chosen); }},
+    {"verify", [](CLI::App& program, command& chosen) { add_verify_command(program, chosen); }},
+    {"certify", add_certify_command},
+    {"check", add_check_command},
+    {"adapt", add_adapt_command},
+    {"metric", add_metric_command},
+    {"transfer", add_transfer_command},
+    {"eval", add_eval_command},
+    {"challenge", add_challenge_command},
+    {"surface", add_surface_command},
+    {"deviation", add_deviation_command},
+    {"convert", add_convert_command},
+    {"draw", add_draw_command},
+    {"info", add_info_command},
+    {"completion", add_completion_command, true},
+    {"help", add_help_command, true},
+    {"man", add_man_command, true},
+}};
+
+const known_command* find_command(std::string_view name) {
+  const auto* const found = std::find_if(known_commands.begin(), known_commands.end(),
+                                         [name](const known_command& k) { return k.name == name; });
+  return found != known_commands.end() ? found : nullptr;
+}
+
+// Adds the command that the first word names to the program and reads the words: a fourth of the
+// time that all commands take, which was a tenth of a small job. Returns whether that is all there
+// is to say. False where a message or help is wanted, or another command is named besides.
+bool is_read_by_one(CLI::App& program, const std::vector<std::string>& words, command& chosen) {
+  const known_command* const named = words.empty() ? nullptr : find_command(words[0]);
+  if (named == nullptr || named->tells_of_others ||
+      std::any_of(words.begin() + 1, words.end(),
+                  [](const std::string& word) { return find_command(word) != nullptr; }))
+    return false;
+  named->add(program, chosen);
+  if (misread_help(program, words) || misused_stream(words)) return false;
+  try {
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ParseError&) {
+    return false;
+  }
+  return static_cast<bool>(chosen);
+}
+
+void describe(CLI::App& program) {
   program.name("asterism");
   program.set_version_flag("--version", "asterism " ASTERISM_VERSION_TEXT);
   program.require_subcommand(0, 1);  // none is told below: an unknown one is told by its name
@@ -28,26 +82,22 @@ int run(int argc, char** argv) {
       "2 bad usage or input (nothing is written).\n\n"
       "Begin with:\n  asterism mesh square --metric swirl:3 --size 0.1 -o swirl.html\n\n"
       "'asterism help COMMAND' shows the options and examples of one command.");
+}
+
+int conclude(const command& chosen) {
+  const int status = chosen();
+  if (std::cout.flush() || status != done) return status;
+  std::cerr << "asterism: standard output: writing failed\n";
+  return not_reached;
+}
+
+// Reads the words with all commands there, so that help and messages know them.
+int run_with_all(const std::vector<std::string>& words) {
+  CLI::App program("Anisotropic triangular meshes by star stitching, on exact predicates.");
+  describe(program);
   command chosen;
-  add_mesh_command(program, chosen);
-  add_verify_command(program, chosen);
-  add_certify_command(program, chosen);
-  add_check_command(program, chosen);
-  add_adapt_command(program, chosen);
-  add_metric_command(program, chosen);
-  add_transfer_command(program, chosen);
-  add_eval_command(program, chosen);
-  add_challenge_command(program, chosen);
-  add_surface_command(program, chosen);
-  add_deviation_command(program, chosen);
-  add_convert_command(program, chosen);
-  add_draw_command(program, chosen);
-  add_info_command(program, chosen);
-  add_completion_command(program, chosen);
-  add_help_command(program, chosen);
-  add_man_command(program, chosen);
+  for (const known_command& known : known_commands) known.add(program, chosen);
   group_options(program);
-  const std::vector<std::string> words(argv + 1, argv + argc);
   auto message = misread_help(program, words);
   if (!message) message = misused_stream(words);
   if (message) {
@@ -55,7 +105,7 @@ int run(int argc, char** argv) {
     return refused;
   }
   try {
-    program.parse(argc, argv);
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     if (!chosen)
       throw CLI::RequiredError(
           "a command (mesh, adapt, metric, transfer, verify, certify, check, eval, challenge, "
@@ -68,10 +118,13 @@ int run(int argc, char** argv) {
     std::cerr << "asterism: " << without_controls(usage_message(program, words, failure)) << '\n';
     return refused;
   }
-  const int status = chosen();
-  if (std::cout.flush() || status != done) return status;
-  std::cerr << "asterism: standard output: writing failed\n";
-  return not_reached;
+  return conclude(chosen);
+}
+
+int run(const std::vector<std::string>& words) {
+  CLI::App program;
+  command chosen;
+  return is_read_by_one(program, words, chosen) ? conclude(chosen) : run_with_all(words);
 }
 
 }  // namespace
@@ -81,7 +134,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   asterism::apps::give_back_large_blocks();
   try {
-    return run(argc, argv);
+    return run({argv + 1, argv + argc});
   } catch (const std::bad_alloc&) {
     std::cerr << "asterism: there is not enough memory\n";
     return asterism::apps::not_reached;
