@@ -42,9 +42,9 @@ class Surface:
                 name: str = "") -> "Surface":
         """Control points (n, m, 3) with all knots, the first and the last of each as often as the degree
         and once more; the degrees are the numbers of knots less those of points less 1. Weights (n, m):
-        all 1. Trimmed patches are not treated: trims raise InputError."""
+        all 1. Trims are loops of a file (Surface.read); here they raise InputError."""
         if trims:
-            raise InputError("trims: trimmed patches are not treated")
+            raise InputError("trims: patches are trimmed by the loops of a .json file, for Surface.read")
         points = _control(control)
         u, v = (np.asarray(knots, dtype=float) for knots in (knots_u, knots_v))
         if u.ndim != 1 or v.ndim != 1:
