@@ -9,11 +9,11 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/rounded_quotient.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest = std::numeric_limits<double>::max();
 // Greatest error of core/elementary, of the result (interval_functions.hpp).
 constexpr double elementary_error = 0x1p-49, subnormal_error = 0x1p-1070;

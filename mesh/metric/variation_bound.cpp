@@ -14,11 +14,11 @@
 #include "asterism/mesh/metric/enclosed_field.hpp"
 #include "asterism/mesh/metric/logarithm_triangle.hpp"
 #include "asterism/mesh/metric/tensor_variation.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_parts = 200'000;
 constexpr double close_enough = 1.02;
 
