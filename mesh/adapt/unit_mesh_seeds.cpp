@@ -90,11 +90,14 @@ std::vector<point> unit_mesher::insert_in_blocks(const std::vector<point>& seeds
 
 // Puts the seeds in. Of many each 16th before the rest, and so on: the few of the beginning make
 // the mesh that is cut into blocks for the next ones. They are in an order in which neighbours
-// follow each other, and so is each part of them.
+// follow each other, and so is each part of them. Where few nodes are wanted most seeds find no
+// room, and all go in at once.
 void unit_mesher::seed(const std::vector<point>& seeds) {
   constexpr std::size_t few = 16384, finer = 16;
+  const std::size_t expected =
+      options_.count == 0 ? seeds.size() : std::min(seeds.size(), options_.count);
   std::size_t step = 1;
-  while (seeds.size() / step > few) step *= finer;
+  while (expected / step > few) step *= finer;
   insert_seeds(level_of(seeds, step, 0));
   while (step > 1 && !is_stopped()) {
     const std::size_t coarser = std::exchange(step, step / finer);
