@@ -2,6 +2,7 @@
 """The commands that README and the manual show work as they stand, a page at a time and in its order, where the
 reader's own files are there. Those of results take minutes,
 those of the gallery have a test of their own."""
+import json
 import math
 import os
 import pathlib
@@ -10,6 +11,7 @@ import subprocess
 import unittest
 
 import command
+from trimmed_surfaces import drilled_plate
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ["README.md", "docs/tutorial/README.md", *sorted(str(p.relative_to(TOP)) for p in (TOP / "docs/manual").glob("*.md"))]
@@ -17,6 +19,7 @@ SHOWN = re.compile(r"^    ((?:asterism |echo .*\| ?asterism )(?:.*\\\n)*.*)$", r
 # What a reader has: an outline, one with a fault, meshes of other programs, a solution.
 OUTLINE = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n"
 FAULTY = "5 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n5 -0.1 0.5\n6 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n5 5 3 5\n6 5 1 6\n0\n"
+DISC = "1 2 0 0\n1 1 0\n0 1\n0\n0\ncurves 1\n1 circle 1 0 0 1\n"
 LAKE = ('{"type": "Polygon", "coordinates": [[[-1, -1], [2, -1], [2, 1], [-1, 1], [-1, -1]],\n'
         '[[0.5, -0.3], [0.5, 0.3], [1, 0], [0.5, -0.3]]]}\n')
 # Lines that cannot be run: forms with [options], WORDS to fill in, programs of the reader's.
@@ -37,6 +40,8 @@ class PageCommands(command.CommandTest):
         for name in ("lake", "crossed"):
             self.write(f"{name}.poly", FAULTY)
         self.write("lake.geojson", LAKE)
+        self.write("disc.poly", DISC)
+        self.write("drilled.json", json.dumps(drilled_plate()))
         for example in (TOP / "examples").glob("*.poly"):
             self.write(example.name, example.read_text())
         for name in ("swirl", "plate", "old", "made", "m", "w", "round1", "round2", "round3"):
