@@ -114,7 +114,7 @@ void check_variation(const certificate& claim, const metric_field& wanted, field
   const variation_bounds found = bound_variation(*claim.original, wanted);
   const double said = *claim.guarantee->field_variation_bound;
   // Both are the same number where the formula and the domain are.
-  if (found.above && std::abs(*found.above - said) <= 0x1p-30 * said) return;
+  if (found.above && *found.above == said) return;
   check.contradictions.push_back(
       "\"guarantee.field_variation_bound\" is " + number_text(said) + ", and the metric is " +
       (found.above ? "bounded by " + number_text(*found.above) : "not bounded: " + found.obstacle));

@@ -76,7 +76,10 @@ std::optional<error> add_edges(const plane& all, mesh_proof& proof) {
       count, is_asked, [&](std::uint32_t e) { return find_edge_point(all, e); }, points);
   if (missing)
     return no_proof("the edge from vertex " + number_of(all.corner(*missing)) + " to vertex " +
-                    number_of(all.corner(*missing, 1)) + ", which both ends keep");
+                    number_of(all.corner(*missing, 1)) +
+                    ", which both ends keep: where four sites of several metrics are " +
+                    "equally far from one point there is none; another number of random points, " +
+                    "or a vertex moved a little, avoids that");
   for (std::size_t e = 0; e < count; ++e)
     if (asked[e]) proof.edges.push_back(points[e]);
   return std::nullopt;
