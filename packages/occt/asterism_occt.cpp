@@ -22,10 +22,12 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -75,7 +77,7 @@ struct face_reader {
   TopoDS_Face face;  // forward: its loops have the face on their left in (u, v)
   std::string name;
   bool swapped = false;  // u and v change places, for a face seen from the other side
-  const TopTools_IndexedMapOfShape& edges;
+  const TopTools_IndexedDataMapOfShapeListOfShape& edges;  // with the faces that they bound
   std::vector<std::string>& notes;
 
   json patch();
@@ -83,6 +85,8 @@ struct face_reader {
   json surface_members(const Geom_BSplineSurface& s);
   json loop(const TopoDS_Wire& wire) const;
   json curve(const TopoDS_Edge& edge) const;
+  bool is_alone() const;
+  bool is_whole_patch(const json& loops, const Geom_BSplineSurface& s) const;
   void make_poles_points(std::vector<std::vector<gp_Pnt>>& rows, const char* which);
 };
 
@@ -220,20 +224,52 @@ json face_reader::loop(const TopoDS_Wire& wire) const {
   return curves;
 }
 
+// True if no other face has an edge of this one.
+bool face_reader::is_alone() const {
+  for (TopExp_Explorer at(face, TopAbs_EDGE); at.More(); at.Next())
+    for (const TopoDS_Shape& other : edges.FindFromKey(at.Current()))
+      if (!other.IsSame(face)) return false;
+  return true;
+}
+
+// True if there is one loop, of curves each of which is on one side of the patch but for rounding.
+bool face_reader::is_whole_patch(const json& loops, const Geom_BSplineSurface& s) const {
+  constexpr double rounding = 1e-12;  // of a parameter, in parts of its range
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  s.Bounds(u0, u1, v0, v1);
+  if (swapped) std::swap(u0, v0), std::swap(u1, v1);
+  struct side {
+    std::size_t parameter;
+    double at, range;
+  };
+  const std::array<side, 4> sides = {
+      side{0, u0, u1 - u0}, {0, u1, u1 - u0}, {1, v0, v1 - v0}, {1, v1, v1 - v0}};
+  const auto is_on = [](const json& curve, const side& of) {
+    return std::all_of(curve["control"].begin(), curve["control"].end(), [&](const json& point) {
+      return std::abs(point[of.parameter].get<double>() - of.at) <= rounding * of.range;
+    });
+  };
+  return loops.size() == 1 && std::all_of(loops[0].begin(), loops[0].end(), [&](const json& curve) {
+           return std::any_of(sides.begin(), sides.end(),
+                              [&](const side& of) { return is_on(curve, of); });
+         });
+}
+
+// Returns the face as a patch. A ball and a ring are faces that bound themselves alone; they have
+// no loops, and their sides are joined as those of other patches, by their control points.
 json face_reader::patch() {
   const auto s = surface();
-  json members = surface_members(*s);
-  members["loops"] = json::array();
+  json members = surface_members(*s), loops = json::array();
   for (TopExp_Explorer at(face, TopAbs_WIRE); at.More(); at.Next())
-    members["loops"].push_back(loop(TopoDS::Wire(at.Current())));
-  if (members["loops"].empty()) members.erase("loops");
+    loops.push_back(loop(TopoDS::Wire(at.Current())));
+  if (!loops.empty() && !(is_alone() && is_whole_patch(loops, *s))) members["loops"] = loops;
   return members;
 }
 
 int convert(const std::string& in, const std::string& out) {
   const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(read_shape(in), true).Shape();
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  TopTools_IndexedDataMapOfShapeListOfShape edges;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, edges);
   std::vector<std::string> notes;
   json patches = json::array();
   double tolerance = 0;
@@ -245,7 +281,7 @@ int convert(const std::string& in, const std::string& out) {
     patches.push_back(reader.patch());
   }
   for (int k = 1; k <= edges.Extent(); ++k)
-    tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(edges(k))));
+    tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(edges.FindKey(k))));
   std::ofstream file(out);
   file << json{{"patches", patches}}.dump(1) << '\n';
   file.close();

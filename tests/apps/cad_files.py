@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """CAD files through asterism-occt, surface and verify. Skipped where OpenCASCADE is not."""
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -41,6 +42,21 @@ class CadFiles(CommandTest):
                 self.assertEqual((claim["open_edges"], claim["euler"], claim["trim_edges"]), (0, euler, edges))
                 self.assertLess(claim["trim_gap"], 1e-6)
                 self.assertLess(abs(self.volume() - volume), off)
+                verified = self.run_command("verify", "part.mesh", "--domain", "part.json")
+                self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+
+    def test_faces_that_bound_themselves_are_certified_and_closed(self):
+        """The volumes of a ball of radius 5 and of a ring of radii 10 and 3; a mesh within D is off by D times the area."""
+        for name, euler, volume, area in (("ball.brep", 2, 500 * math.pi / 3, 100 * math.pi),
+                                          ("ring.brep", 0, 180 * math.pi ** 2, 120 * math.pi ** 2)):
+            with self.subTest(name):
+                self.convert(name)
+                self.assertNotIn("loops", json.loads((self.folder / "part.json").read_text())["patches"][0])
+                done = self.run_command("surface", "part.json", "--chord", "0.1", "-o", "part.mesh")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                claim = json.loads((self.folder / "part.certificate.json").read_text())
+                self.assertEqual((claim["open_edges"], claim["euler"]), (0, euler))
+                self.assertLess(abs(self.volume() - volume), 0.1 * area)
                 verified = self.run_command("verify", "part.mesh", "--domain", "part.json")
                 self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
 
