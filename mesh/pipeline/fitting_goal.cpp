@@ -120,6 +120,7 @@ std::vector<char> fitting_goal::at_vertices_of_domain(const std::vector<point>& 
   std::vector<point> given = domain_.vertices;
   std::sort(given.begin(), given.end(), less);
   std::vector<char> found;
+  found.reserve(places.size());
   for (const point& q : places)
     found.push_back(std::binary_search(given.begin(), given.end(), q, less) ? 1 : 0);
   return found;

@@ -64,6 +64,7 @@ class boundary_chains {
 
   std::vector<point> points_of(const std::vector<vertex_index>& chain) const {
     std::vector<point> points;
+    points.reserve(chain.size());
     for (const vertex_index v : chain) points.push_back(all_.position(v));
     return points;
   }
