@@ -68,7 +68,7 @@ weighted_point polar_value(std::vector<weighted_point> c, const span_of_knots& s
     for (int i = 0; i + r <= degree; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const rounded_interval& from = s.knots[static_cast<std::size_t>(i + r - 1)];
-      const rounded_interval& to = s.knots[static_cast<std::size_t>(i + degree)];
+      const rounded_interval& to = s.knots[k + static_cast<std::size_t>(degree)];
       const rounded_interval share = quotient(at - from, to - from);
       c[k] = (rounded_interval(1) - share) * c[k] + share * c[k + 1];
     }

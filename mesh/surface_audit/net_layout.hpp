@@ -21,8 +21,8 @@ using parameter_triangle = std::array<parameter_corner, 3>;
 // Index of the multi-index (i, j, n - i - j) among those of sum n: by i descending, then j
 // descending. (n, 0, 0) is the first, (0, 0, n) the last.
 inline std::size_t net_index(int n, int i, int j) {
-  const int rest = n - i;
-  return static_cast<std::size_t>(rest * (rest + 1) / 2 + (rest - j));
+  const auto rest = static_cast<std::size_t>(n - i);
+  return rest * (rest + 1) / 2 + (rest - static_cast<std::size_t>(j));
 }
 constexpr std::size_t net_size(int n) { return static_cast<std::size_t>((n + 1) * (n + 2) / 2); }
 
