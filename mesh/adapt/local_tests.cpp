@@ -12,7 +12,8 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Margin above the angle bound, in degrees, that no rounding exceeds.
+// Margin above the angle bound, in degrees: far above what roundings change of an angle, unless the
+// triangle is nearly flat. Steers only, as the auditor decides.
 constexpr double degrees_to_spare = 0.05;
 
 face_centre find_centre(const node& a, const node& b, const node& c) {
@@ -42,9 +43,9 @@ double greatest_cotangent(const metric_tensor& m, double root, const node& a, co
   return std::max({uw, uu - uw, ww - uw}) * across;
 }
 
-// Cotangent of a tiny angle: finite where no angle is demanded.
 double cotangent_of(double degrees) {
-  return 1 / elementary::tan(std::max(1e-3, degrees) * std::numbers::pi / 180);
+  constexpr double least = 1e-3;  // degrees: far below what is asked for. Steers only
+  return 1 / elementary::tan(std::max(least, degrees) * std::numbers::pi / 180);
 }
 
 local_tests::local_tests(const working_mesh& m, double angle_bound)

@@ -15,8 +15,9 @@
 
 namespace asterism::internal::adapting {
 
-// By how much farther the site across an edge has to be, as a part of the squared radius: more than
-// rounding can turn.
+// Least clearance with which an edge agrees, as a part of the squared radius: far above what
+// roundings change, unless a face is nearly flat. Steers only: it says what is mended before the
+// auditor, which is exact, decides.
 inline constexpr double least_clearance = 1e-3;
 
 // Clearance that an edge is to keep where tensors are restored or nodes moved. With little of it
@@ -47,6 +48,8 @@ inline double clearance(const face_centre& c, const node& d) {
 // its determinant.
 double greatest_cotangent(const metric_tensor& m, double root, const node& a, const node& b,
                           const node& c);
+// Returns the cotangent of an angle; that of a thousandth of a degree for less, so that it is
+// finite where no angle is demanded.
 double cotangent_of(double degrees);
 
 // Refers to the mesh, which must outlive it, and tests its present state.

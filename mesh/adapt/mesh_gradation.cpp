@@ -90,8 +90,11 @@ void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, doub
   for (const vertex_index v : nodes)
     for (const vertex_index w : nodes)
       if (v < w) most = std::max(most, log_distortion(m.at(v).metric, m.at(w).metric));
-  // Lengths that differ by 1e-9 change a clearance by far less than the margin asked of it.
-  if (!(most > 1e-9)) return;
+  // Least log distortion that is worth a change. Lengths that differ by this part change a
+  // clearance by a few times as much, some millionths of the least one (local_tests.hpp). Steers
+  // only.
+  constexpr double least = 1e-9;
+  if (!(most > least)) return;
   for (const vertex_index v : nodes)
     for (const vertex_index w : nodes) {
       if (v >= w) continue;

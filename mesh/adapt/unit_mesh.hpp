@@ -145,7 +145,7 @@ class unit_mesher {
   unit_mesh_options options_;
   face_test allowed_;  // empty: all faces are
   // Least part of the energy around a node that a move must gain, to be worth the moves which it
-  // queues for the neighbours.
+  // queues for the neighbours. Chosen; steers only.
   double least_gain_ = 1e-3;
   double unit_ = 1;  // 0 where size does not count
   // By how much the unit has to be longer than equilateral triangles would have it, for as many

@@ -14,7 +14,9 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// No triangle's energy is less, far beyond what roundings take from 1.
+// Lower bound of a triangle's energy, with which sums are given up early. It is 1 for an
+// equilateral triangle and more for others; the tenth below is far more than roundings take. Steers
+// only.
 constexpr double least_energy = 0.9;
 
 struct long_edge {
@@ -66,8 +68,10 @@ point middle(const node& a, const node& b) {
   const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
   const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
   double t = 0.5;
-  // With x = ratio - 1 the place is at 1/2 + x / 8: nearer to 1/2 than 2e-4 otherwise.
-  if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > 1e-3)
+  // Differs from 1 by so much where the place is worth two logarithms: with x = ratio - 1 it is at
+  // 1/2 + x / 8, to first order, so that 1/2 is off by less than 2e-4 below. Steers only.
+  constexpr double least_difference = 1e-3;
+  if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > least_difference)
     t = std::clamp(quick_log((1 + ratio) / 2) / quick_log(ratio), 0.25, 0.75);
   return {a.position.x + t * x, a.position.y + t * y};
 }
@@ -141,7 +145,7 @@ void unit_mesher::note_change(vertex_index t) {
   if (is_due_.size() < m_.faces().size()) is_due_.resize(m_.faces().size(), 0);
   if (is_restless_.size() < m_.nodes().size()) is_restless_.resize(m_.nodes().size(), 0);
   for (const vertex_index v : m_.faces()[t].v) is_restless_[v] = 1;
-  if (t < shapes_.size()) shapes_[t] = -1;
+  if (t < shapes_.size()) shapes_[t] = shape_not_known;
   if (is_due_[t] != 0) return;
   is_due_[t] = 1;
   due_.push_back(t);
@@ -158,13 +162,16 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
   const double now = shape_of(t) + shape_of(s);
-  // No triangle has less than 1: what is nearly that cannot get better.
+  // Energy of two triangles from which a flip is tried. The least is 2, of two equilateral ones, so
+  // that less than this can hardly get better. Steers only.
   constexpr double good = 2.1;
   if (now < good) return false;
   const face& g = m_.faces()[s];
   const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
   const node& d = m_.at(g.v[after(g.corner_of(f.v[after(edge)]))]);
-  // Far above the roundings of an energy: no two flips undo each other for ever.
+  // Least part of the energy that a flip must gain. Far above the roundings of an energy, unless a
+  // triangle is nearly flat, so that flips do not undo each other. Steers only: the callers' loops
+  // are bounded besides.
   constexpr double margin = 1e-6;
   const double most = now * (1 - margin);
   // Infinite where the flip would turn a triangle over.
@@ -211,7 +218,7 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
     there.position = q;
     there.hint = m_.at(e.a).hint;
     there.metric = field_(q, there.hint);
-    // Not so near to the nodes across that it would be merged again.
+    // Leaves out a place so near to the nodes across that it would be merged again.
     bool crowded = false;
     for (const vertex_index s : {t, f.next[edge]}) {
       if (s == none) continue;
