@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Makes the changes of a unit mesh in blocks, by several threads, where the mesh is large.
-#include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 

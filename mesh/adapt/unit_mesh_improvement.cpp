@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "asterism/mesh/adapt/unit_mesh.hpp"
-#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -94,11 +93,7 @@ void unit_mesher::improve(metric_at field, face_test allowed) {
   for (int round = 0; round < rounds && !is_stopped(); ++round) {
     flip_all();
     const std::size_t merged = merge_where_better();
-    flip_all();
-    for (int i = 0; i < sweeps; ++i) {
-      smooth();
-      flip_all();
-    }
+    move_all(sweeps);
     if (merged == 0) return;
   }
 }
