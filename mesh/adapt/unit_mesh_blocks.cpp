@@ -134,11 +134,11 @@ void unit_mesher::split_all_long(double longest) {
   is_inside_.clear();
 }
 
-// Merges, flips and moves; at the frames of both cuts after that. Merges nothing where `shortest`
-// is 0.
+// Merges edges shorter than this, flips and moves: in the blocks of two cuts where the mesh is
+// large, and then the nodes that are on the frames of both.
 void unit_mesher::merge_and_move(double shortest, int sweeps) {
   if (!mesh_blocks::are_worth_it(m_)) {
-    if (shortest > 0) merge_short(shortest);
+    merge_short(shortest);
     return move_all(sweeps);
   }
   is_inside_.clear();

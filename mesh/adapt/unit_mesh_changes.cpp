@@ -272,6 +272,7 @@ bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) 
 
 std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
   std::size_t done = 0;
+  if (shortest <= 0) return done;  // no edge is: looks at none
   std::vector<long_edge> found = edges_where(m_, [&](double l) { return l < shortest; });
   std::reverse(found.begin(), found.end());
   for (const long_edge& e : found) {
