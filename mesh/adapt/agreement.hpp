@@ -74,8 +74,8 @@ class agreement {
   local_tests tests_;
   double aim_;  // cotangent of the angle aimed at
   std::vector<char> active_, next_;
-  // Of each face, found before others change it: the edges that agree, a bit for each, and whether
-  // its angles meet the bound.
+  // Findings for each face, made before the round changes it: a bit for each edge that agrees, and
+  // 1 if its angles meet the bound.
   std::vector<unsigned char> clear_edges_, is_fine_;
   agreement_report report_;
 };

@@ -11,8 +11,8 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Faces of a block. With half as many a tenth of all nodes is on the frame, and with twice as many
-// a mesh of 10,000 faces has too few blocks for two threads.
+// Number of faces in a block. With half as many a tenth of all nodes is on the frame, and with
+// twice as many a mesh of 10,000 faces has too few blocks for two threads.
 constexpr std::size_t faces_in_block = 2048;
 constexpr std::size_t faces_at_once = 4096;  // for a thread
 

@@ -22,8 +22,8 @@ namespace asterism::internal::adapting {
 
 class mesh_blocks {
  public:
-  // One block, with what its nodes and faces were called in the whole. Those that are new come
-  // after these.
+  // One block, with the numbers that its nodes and faces had in the whole. New ones come after
+  // these.
   struct block {
     working_mesh part;
     std::vector<vertex_index> nodes, faces;
@@ -38,12 +38,14 @@ class mesh_blocks {
   mesh_blocks(working_mesh& whole, unsigned cut);
 
   std::size_t count() const { return first_.size() - 1; }
-  // Returns the block of what is at this place on the curve: near the frame maybe another one.
+  // Returns the block that a point's place on the curve is in. Near the frame the face at the point
+  // may be in another one.
   std::size_t block_near(const point& q) const;
-  // Takes a block out, once, to be changed, and puts it back. Blocks may be so in several threads.
+  // Takes a block out, once, to be changed, and puts it back. Several threads may do so with
+  // different blocks.
   block take_out(std::size_t b);
   void put_back(std::size_t b, block changed) { blocks_[b].emplace(std::move(changed)); }
-  // Puts the whole together when all blocks are back. What is gone has no number any more.
+  // Puts the whole together when all blocks are back. Nodes and faces that are gone get no number.
   void join();
 
   // After join(): returns the number in the whole of a block's node or face; none if it is gone.
@@ -58,7 +60,8 @@ class mesh_blocks {
   std::vector<vertex_index> faces_at_frame() const;
 
  private:
-  // Edge between two blocks: its face and its number there, before and after, for both.
+  // Edge between two blocks. For each: the face beside the edge and the edge's number in it, in the
+  // whole as it was until join(), then as it is.
   struct frame_edge {
     struct side {
       vertex_index face = none;

@@ -105,7 +105,7 @@ class graph_grading {
       const graph_edge& e = edges_[i];
       if (!is_due(e, number)) continue;
       ++pairs;
-      // What was found of the edge before the round holds unless an end has changed in it.
+      // Passes over an edge found alike before the round, unless an end has changed since.
       if (is_alike_[i] != 0 && !is_due(e, number + 1)) continue;
       if (!make_ends_alike(e, coarser_part)) continue;
       changed_in_[e.a] = changed_in_[e.b] = number + 1;

@@ -97,8 +97,8 @@ void settling::run(const cancellation& stop) {
   }
 }
 
-// Finds the nodes at which nothing is amiss: most of them, and what takes time. Several threads do
-// it, as nothing moves meanwhile.
+// Finds the nodes without a defect. Most are, and to see that takes most of the time: several
+// threads do it, as nothing moves meanwhile.
 void settling::find_calm() {
   constexpr std::size_t nodes_at_once = 1024;
   const std::size_t count = m_.nodes().size();
@@ -116,8 +116,8 @@ void settling::find_calm() {
   });
 }
 
-// Takes the calm of the nodes whose defect depends on v: its neighbours, and those that have it
-// across.
+// Marks the nodes whose defect depends on v as no longer calm: its neighbours, and those that have
+// it across.
 void settling::disturb_around(vertex_index v) {
   calm_[v] = 0;
   for (const vertex_index t : edges_.faces()) {

@@ -109,7 +109,7 @@ class unit_mesher {
   void split_all_long(double longest);
   void merge_and_move(double shortest, int sweeps);
   void move_all(int sweeps);
-  // True if the node was inside of a block, so that what is at the frames alone leaves it out.
+  // True if the node was inside a block of a cut so far: changes at the frames pass it over.
   bool was_inside(vertex_index v) const { return v < is_inside_.size() && is_inside_[v] != 0; }
 
   // Defined in unit_mesh_seeds.cpp.
@@ -156,8 +156,8 @@ class unit_mesher {
   std::vector<char> is_due_, is_restless_;
   static constexpr double shape_not_known = -1;
   std::vector<double> shapes_;   // of faces, negative where not known
-  std::vector<char> is_inside_;  // nodes, of a block of the cuts so far
-  unsigned cuts_ = 0;            // into blocks
+  std::vector<char> is_inside_;  // nodes that were inside a block of a cut so far
+  unsigned cuts_ = 0;            // number of cuts into blocks so far
 };
 
 }  // namespace asterism::internal::adapting

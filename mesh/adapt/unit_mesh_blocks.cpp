@@ -56,7 +56,8 @@ unit_mesher::block_state unit_mesher::end_block(const unit_mesher& whole,
   return left;
 }
 
-// Takes up again what blocks have left to do. Edges of the frame are to be checked.
+// Queues again what the blocks have left to do, and the edges of the frame for flips. Returns the
+// sum of what the blocks have done.
 std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
                                  const std::vector<block_state>& states) {
   std::size_t done = 0;

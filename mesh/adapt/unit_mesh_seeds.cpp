@@ -73,7 +73,8 @@ std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
   return left;
 }
 
-// Puts the seeds in, in blocks of one cut. Returns those that are in no block but that of others.
+// Puts the seeds in, in blocks of one cut. Returns those left over, near the frame: their faces are
+// in other blocks than their places on the curve.
 std::vector<point> unit_mesher::insert_in_blocks(const std::vector<point>& seeds) {
   std::vector<seed_list> lists, left;
   const auto insert = [&](unit_mesher& part, std::size_t b) {

@@ -62,7 +62,8 @@ division at_lengths(const point& a, const point& b, const arc_length& measured,
     made.points.push_back(q);
     made.lengths.push_back(lengths[i]);
   }
-  // Not interpolated: that can miss the end by rounding, which would leave a subsegment as short.
+  // Takes the end itself: interpolation can miss it by a rounding, which would leave a subsegment
+  // as short as that.
   made.points.push_back(b);
   made.lengths.push_back(lengths.back());
   return made;

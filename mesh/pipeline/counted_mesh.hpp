@@ -35,15 +35,15 @@ ASTERISM_EXPORT result<counted_mesh> make_counted_mesh(const mesh_source& source
                                                        const mesh_options& options,
                                                        const mesh_maker& make);
 
-// Returns the mesh, of this source, as it is where it is not certified, where no number of vertices
-// is wanted, and where it has not over 5 % more or fewer. Otherwise domain and metric are prepared
-// and a mesh is made of them at other densities, ten times at most and with a third of the work of
-// a run, and the nearest that is certified is returned. A number may lie below what the domain
-// takes, or between two that come out: then none is near.
+// Makes meshes of this source at other densities until one has a number of vertices near the one
+// wanted, as is_count_near() has it: ten at most, with a third of the work of a run. Returns the
+// nearest that is certified. A number may lie below what the domain takes, or between two that come
+// out: then none is near. Returns `first` as it is where it is not certified, where no number is
+// wanted, and where its own is near.
 ASTERISM_EXPORT counted_mesh meet_vertices(counted_mesh first, const mesh_source& source,
                                            const mesh_options& options, const mesh_maker& make);
 
-// True if a mesh has as many vertices as are wanted, or at most 5 % more or fewer.
+// True if the number of vertices delivered is off the one wanted by at most 5 % of it.
 ASTERISM_EXPORT bool is_count_near(std::size_t wanted, std::size_t delivered);
 
 }  // namespace asterism

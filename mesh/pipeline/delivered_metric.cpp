@@ -20,7 +20,7 @@
 namespace asterism::internal {
 namespace {
 
-constexpr std::size_t sites_at_once = 1024;  // of sites, for a thread
+constexpr std::size_t sites_at_once = 1024;  // for a thread
 
 double area_in_metric(const mesh& m) {
   double sum = 0;

@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// How a mesh's tensors compare with a metric.
+// Findings of comparing a mesh's tensors with a metric.
 struct field_check {
   bool made = false;    // true if the metric asked for could be made again
   std::string why_not;  // half a sentence on why it could not

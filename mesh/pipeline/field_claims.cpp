@@ -113,7 +113,7 @@ void check_variation(const certificate& claim, const metric_field& wanted, field
   if (!claim.guarantee || !claim.guarantee->field_variation_bound || !claim.original) return;
   const variation_bounds found = bound_variation(*claim.original, wanted);
   const double said = *claim.guarantee->field_variation_bound;
-  // Both are the same number where the formula and the domain are.
+  // Asks for the very same number, as the same formula on the same domain has the same bound.
   if (found.above && *found.above == said) return;
   check.contradictions.push_back(
       "\"guarantee.field_variation_bound\" is " + number_text(said) + ", and the metric is " +

@@ -41,7 +41,7 @@ enum class slit_rule {
   joined  // where they are of both sides of a slit: for whoever parts the mesh again
 };
 
-// What edges are that lie between triangles of different regions and are not listed.
+// Says what becomes of edges that lie between triangles of different regions and are not listed.
 enum class region_edges {
   segments,   // of marker 0, with a note: of a mesh that is a domain
   as_listed,  // no segments, so that an audit finds the regions wrong: of a mesh that is judged

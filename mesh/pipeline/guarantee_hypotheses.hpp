@@ -20,7 +20,7 @@ inline constexpr double least_guaranteed_corner = 55;
 // of the covering radius to the spacing; 20 up to a variation of 0.04.
 inline constexpr double greatest_guaranteed_bound = 20;
 
-// How fast a field varies: at least, as sampled, and at most, where that is known.
+// Rates at which a field varies: the greatest sampled, and an upper bound where one is known.
 struct field_steepness {
   double sampled = 0;
   std::optional<double> bound = {};

@@ -53,7 +53,7 @@ bool is_better(const standing& before, const standing& after) {
 // Sites that local changes propose for those of a mesh.
 struct proposed_sites {
   filled_domain filling;
-  // Of each site of the mesh: its place, maybe another one; whether it is gone.
+  // For each site of the mesh: the place proposed, its own if it stays, and 1 if it is gone.
   std::vector<point> places;
   std::vector<char> gone;
 };

@@ -16,8 +16,8 @@ namespace {
 
 using partner_list = std::vector<std::array<vertex_index, 2>>;
 
-// Rings of triangles that are copied: the metric at a seam is a mean of what its neighbours have,
-// which a fit takes from four rings around each at most.
+// Number of rings of triangles that are copied: the metric at a seam is a mean of what its
+// neighbours have, which a fit takes from four rings around each at most.
 constexpr int rings = 5;
 
 class continuation {
@@ -29,7 +29,7 @@ class continuation {
     std::iota(made_.origin.begin(), made_.origin.end(), vertex_index{0});
   }
 
-  // Goes on across both sides of a pair, of which the second is the first shifted.
+  // Continues the mesh across both sides of a pair, of which the second is the first shifted.
   void across(const partner_list& partners, const point& shift) {
     std::map<vertex_index, vertex_index> to_second, to_first;
     for (const auto& [a, b] : partners) {
@@ -92,8 +92,8 @@ class continuation {
   }
 
   glued_mesh made_;
-  // Which copy of its origin a vertex is: a digit to the base of three for each pair that was
-  // passed, 1 and 2 for copies beyond its second and its first side.
+  // Numbers, for each vertex, that tell the copies of one origin apart: a digit to the base of
+  // three for each pair that was passed, 1 and 2 for copies beyond its second and its first side.
   std::vector<std::uint64_t> which_;
   std::map<std::pair<vertex_index, std::uint64_t>, vertex_index> places_;
 };

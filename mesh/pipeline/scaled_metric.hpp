@@ -42,8 +42,8 @@ struct scaled_metric {
   double size = 1;  // the one asked for, or found
   std::optional<gradation_report> gradation;
   std::optional<double> complexity;  // of the field, if one was asked for: within half a percent
-  // Of the mesh that the metric is given on, before anything is done to it; none where it is given
-  // otherwise.
+  // Fingerprint of the mesh that the metric is given on, before anything is done to it; none where
+  // it is given otherwise.
   std::optional<std::uint64_t> background_fingerprint;
 };
 

@@ -25,8 +25,9 @@ std::uint32_t cell(double x, double low, double high) {
   return static_cast<std::uint32_t>(std::clamp(part * cells, 0.0, cells - 1));
 }
 
-// Which quarter of a cell a point is in, and how the curve enters that one, for each way in which
-// it enters the cell: with x and y exchanged (1), both turned round (2), or both of it.
+// Quarter of a cell that a point is in, by its number on the curve, and how the curve enters that
+// one, for each way in which it enters the cell: with x and y exchanged (1), both turned round (2),
+// or both of it.
 struct quarter {
   std::uint32_t number, way;
 };

@@ -12,9 +12,9 @@
 
 namespace asterism::internal {
 
-// How the tensor of p reaches q. `metric`: all lengths grow alike, by 1 + ln(beta) d, with d the
-// length of pq as p measures it; the shape stays. `mixed`: each by that to the power of 7/8, times
-// 1 + sqrt(l) |pq| ln(beta) to 1/8, with l its own eigenvalue: the shape rounds off. Source:
+// Names how the tensor of p reaches q. `metric`: all lengths grow alike, by 1 + ln(beta) d, with d
+// the length of pq as p measures it; the shape stays. `mixed`: each by that to the power of 7/8,
+// times 1 + sqrt(l) |pq| ln(beta) to 1/8, with l its own eigenvalue: the shape rounds off. Source:
 // Alauzet, "Size gradation control of anisotropic meshes", 2010; the exponent is refine's.
 enum class gradation_space { metric, mixed };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The mass matrix of linear elements, triangle by triangle, and its solution.
+// Applies the mass matrix of linear elements, triangle by triangle, and solves with it.
 //
-// Not assembled, and not handed to a library: with the diagonal as preconditioner its eigenvalues
-// lie between 1/2 and 2 whatever the triangles (Wathen, "Realistic eigenvalue bounds for the
-// Galerkin mass matrix", 1987). Conjugate gradients then lose a factor of (sqrt 4 + 1) / (sqrt 4 -
-// 1) = 3 of the error with each step: 36 steps are enough for doubles, in parallel and with the
-// same bits for any number of threads.
+// It is not assembled, and not handed to a library: with the diagonal as preconditioner its
+// eigenvalues lie between 1/2 and 2 whatever the triangles (Wathen, "Realistic eigenvalue bounds
+// for the Galerkin mass matrix", 1987). Conjugate gradients then lose a factor of (sqrt 4 + 1) /
+// (sqrt 4 - 1) = 3 of the error with each step: 36 steps are enough for doubles, in parallel and
+// with the same bits for any number of threads.
 #pragma once
 
 #include <vector>

@@ -76,14 +76,15 @@ polygon clipped(const polygon& p, std::size_t j, const overlap_signs& signs) {
   return out;
 }
 
-// How far along an edge another edge's line crosses it, from the end with the lesser number: the
-// same for both triangles at the edge.
+// Edge with its end of the lesser number first, from which crossings are measured along it: alike
+// for both triangles at the edge.
 struct ordered_edge {
   std::size_t low, high;  // corners of the triangle
   explicit ordered_edge(const triangle& v, std::size_t edge)
       : low(v[edge] < v[next(edge)] ? edge : next(edge)), high(low == edge ? next(edge) : edge) {}
 };
 
+// Returns where the line of another edge crosses an edge: a part of its length, from its low end.
 double part_along(const numbered_triangle& t, const ordered_edge& e, const numbered_triangle& other,
                   const ordered_edge& line) {
   const point &p = other.at[line.low], &q = other.at[line.high];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The common part of two triangles, by exact signs.
+// Finds the common part of two triangles, by exact signs.
 //
-// Which corners and crossings the common part has follows from the eighteen orientations of three
-// corners each alone, however degenerate; what is rounded are places and weights. A crossing comes
+// The eighteen orientations of three corners each alone say which corners and crossings the common
+// part has, however degenerate; places and weights are rounded. A crossing comes
 // out the same, bit for bit, from all triangles that share the two edges, so that the parts of a
 // triangle fit together.
 #pragma once
