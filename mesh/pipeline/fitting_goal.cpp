@@ -114,15 +114,13 @@ std::vector<metric_tensor> fitting_goal::with_room(const cancellation& stop) con
 // Returns which of the places are vertices of the domain, to the last bit: those of a mesh that
 // is its own domain are.
 std::vector<char> fitting_goal::at_vertices_of_domain(const std::vector<point>& places) const {
-  const auto less = [](const point& p, const point& q) {
-    return p.x != q.x ? p.x < q.x : p.y < q.y;
-  };
   std::vector<point> given = domain_.vertices;
-  std::sort(given.begin(), given.end(), less);
+  std::sort(given.begin(), given.end(), lexicographically_less);
   std::vector<char> found;
   found.reserve(places.size());
   for (const point& q : places)
-    found.push_back(std::binary_search(given.begin(), given.end(), q, less) ? 1 : 0);
+    found.push_back(static_cast<char>(
+        std::binary_search(given.begin(), given.end(), q, lexicographically_less)));
   return found;
 }
 

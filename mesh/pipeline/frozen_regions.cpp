@@ -44,8 +44,7 @@ void normalize_regions(mesh& m) {
 std::array<point, 3> sorted_corners(const mesh& m, const triangle& t) {
   std::array<point, 3> corners;
   for (std::size_t i = 0; i < 3; ++i) corners[i] = m.sites[t[i]].position;
-  std::sort(corners.begin(), corners.end(),
-            [](const point& p, const point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+  std::sort(corners.begin(), corners.end(), lexicographically_less);
   return corners;
 }
 
