@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/pipeline/last_resort.hpp"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
+#include "asterism/mesh/pipeline/last_resort.hpp"
 #include "fixtures/domain_kinds.hpp"
 
 using namespace asterism;
