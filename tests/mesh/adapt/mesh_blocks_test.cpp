@@ -4,9 +4,6 @@
 // blocks: the same ones whatever their number.
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -16,6 +13,8 @@
 
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "fixtures/mesh_to_change.hpp"
+#include "fixtures/thread_arena.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -30,13 +29,6 @@ metric_tensor front(const point& q, vertex_index&) {
   return {1 + 0.09 * across, -0.3 * across, 1 + across};
 }
 
-template <class Work>
-void with_threads(int threads, const Work& work) {
-  const tbb::global_control most(tbb::global_control::max_allowed_parallelism,
-                                 static_cast<std::size_t>(threads));
-  tbb::task_arena(threads).execute(work);
-}
-
 domain halved_square() {
   domain d = square();
   d.vertices.push_back({-0.5, -0.25});
@@ -46,21 +38,14 @@ domain halved_square() {
 }
 
 working_mesh fitted(const domain& d, std::size_t count) {
-  const auto field = make_metric_field("identity", d.box());
-  mesh_options options;
-  options.angle_bound = 0;
-  auto coarse = make_mesh(d, *field.value(), options);
-  REQUIRE(coarse.ok());
-  auto built = working_mesh::build(d, coarse.value().result);
-  REQUIRE(built.ok());
-  working_mesh m = std::move(built).value();
+  working_mesh m = coarse_mesh(d);
   unit_mesh_options making;
   making.count = count;
   unit_mesher(m, making).run(front, {});
   return m;
 }
 
-// Faces by the places of their corners, from the least on, and how many subsegments they have.
+// Lists the faces by the places of their corners, from the least on.
 using placed_face = std::array<std::pair<double, double>, 3>;
 std::multiset<placed_face> placed_faces(const working_mesh& m) {
   std::multiset<placed_face> all;
@@ -89,14 +74,6 @@ bool is_linked(const working_mesh& m) {
     }
   }
   return true;
-}
-
-bool same(const mesh& a, const mesh& b) {
-  const auto same_site = [](const site& s, const site& t) {
-    return s.position == t.position && identical(s.metric, t.metric);
-  };
-  return a.triangles == b.triangles && a.boundary.size() == b.boundary.size() &&
-         std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(), same_site);
 }
 
 mesh triangulation_of(const working_mesh& m) {

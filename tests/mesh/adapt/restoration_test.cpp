@@ -10,6 +10,7 @@
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/mesh_disorder.hpp"
+#include "fixtures/mesh_to_change.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -24,13 +25,7 @@ working_mesh certified_mesh_in(const domain& d, const std::string& metric, doubl
   const auto field = make_metric_field(metric, d.box(), size);
   mesh_options options;
   options.limit_size = true;
-  auto made = make_mesh(d, *field.value(), options);
-  REQUIRE(made.ok());
-  REQUIRE(made.value().complete);
-  REQUIRE_FALSE(made.value().delivered);
-  auto built = working_mesh::build(d, made.value().result);
-  REQUIRE(built.ok());
-  return std::move(built).value();
+  return mesh_to_change(d, *field.value(), options);
 }
 
 std::vector<metric_tensor> tensors_of(const working_mesh& m) {

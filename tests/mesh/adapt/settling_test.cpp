@@ -10,6 +10,7 @@
 
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/mesh_disorder.hpp"
+#include "fixtures/mesh_to_change.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -24,12 +25,7 @@ working_mesh even_mesh(const domain& d) {
   const auto field = make_metric_field("identity", d.box(), unit);
   mesh_options options;
   options.limit_size = true;
-  auto made = make_mesh(d, *field.value(), options);
-  REQUIRE(made.ok());
-  REQUIRE(made.value().complete);
-  auto built = working_mesh::build(d, made.value().result);
-  REQUIRE(built.ok());
-  return std::move(built).value();
+  return mesh_to_change(d, *field.value(), options);
 }
 
 // Lengths along x count this many times as much beside those along y; areas are the same.

@@ -10,23 +10,13 @@
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "fixtures/mesh_to_change.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
 using namespace asterism::internal::adapting;
 
 namespace {
-
-working_mesh coarse(const domain& d) {
-  const auto field = make_metric_field("identity", d.box());
-  mesh_options options;
-  options.angle_bound = 0;
-  auto made = make_mesh(d, *field.value(), options);
-  REQUIRE(made.ok());
-  auto built = working_mesh::build(d, made.value().result);
-  REQUIRE(built.ok());
-  return std::move(built).value();
-}
 
 // A thin layer along y = 0.3 x, a thousand times as fine across as along it.
 metric_tensor layer(const point& q, vertex_index&) {
@@ -58,7 +48,7 @@ void fit_to_layer(working_mesh& m, std::size_t count) {
 TEST_CASE("as many nodes are made as are wanted, within three percent") {
   const domain d = square();
   for (const std::size_t wanted : {300u, 1000u, 3000u}) {
-    working_mesh m = coarse(d);
+    working_mesh m = coarse_mesh(d);
     unit_mesh_options options;
     options.count = wanted;
     unit_mesher maker(m, options);
@@ -71,7 +61,7 @@ TEST_CASE("as many nodes are made as are wanted, within three percent") {
 
 TEST_CASE("places in a fine metric were all crowded by corners in one 1e4 times as coarse") {
   const domain d = square();
-  working_mesh m = coarse(d);
+  working_mesh m = coarse_mesh(d);
   unit_mesh_options options;
   options.count = 6000;
   options.most_nodes = 4 * options.count;
@@ -90,7 +80,7 @@ TEST_CASE("places in a fine metric were all crowded by corners in one 1e4 times 
 
 TEST_CASE("without a count edges have length one") {
   const domain d = square();
-  working_mesh m = coarse(d);
+  working_mesh m = coarse_mesh(d);
   unit_mesher maker(m, {});
   maker.run([](const point&, vertex_index&) { return metric_tensor{400, 0, 100}; }, {});
   CHECK(maker.unit() == 1);
@@ -101,7 +91,7 @@ TEST_CASE("without a count edges have length one") {
 
 TEST_CASE("a mesh fitted again to its own graded metric keeps its count") {
   const domain d = square();
-  working_mesh m = coarse(d);
+  working_mesh m = coarse_mesh(d);
   unit_mesh_options options;
   options.count = 1000;
   unit_mesher maker(m, options);
@@ -116,7 +106,7 @@ TEST_CASE("a mesh fitted again to its own graded metric keeps its count") {
 TEST_CASE("long edges are split up to the number of nodes that there is room for") {
   const domain d = square();
   for (const std::size_t room : {0u, 7u}) {
-    working_mesh m = coarse(d);
+    working_mesh m = coarse_mesh(d);
     unit_mesh_options options;
     options.count = 300;
     unit_mesher maker(m, options);
@@ -135,7 +125,7 @@ TEST_CASE("long edges are split up to the number of nodes that there is room for
 
 TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
   const domain d = square();
-  working_mesh m = coarse(d);
+  working_mesh m = coarse_mesh(d);
   fit_to_layer(m, 200);
   const background_metric own = field_of(m);
   for (const node& n : m.nodes()) {
@@ -148,7 +138,7 @@ TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
 
 TEST_CASE("after another field each node is looked up anew from its neighbour") {
   const domain d = square();
-  working_mesh m = coarse(d);
+  working_mesh m = coarse_mesh(d);
   fit_to_layer(m, 200);
   const background_metric wanted = field_of(m);
   unit_mesh_options options;

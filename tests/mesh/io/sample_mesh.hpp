@@ -11,6 +11,23 @@
 
 namespace asterism::tests {
 
+// Adds the triangles of n x n cells, two of each, and the boundary edges, marked 1 to 4 from below
+// to the left. `at(i, j)` is the site in column i of row j.
+template <class At>
+void add_cells(vertex_index n, const At& at, mesh& m) {
+  for (vertex_index j = 0; j < n; ++j)
+    for (vertex_index i = 0; i < n; ++i) {
+      m.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      m.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  for (vertex_index k = 0; k < n; ++k) {
+    m.boundary.push_back({at(k, 0), at(k + 1, 0), 0, 1});
+    m.boundary.push_back({at(n, k), at(n, k + 1), 1, 2});
+    m.boundary.push_back({at(n - k, n), at(n - k - 1, n), 2, 3});
+    m.boundary.push_back({at(0, n - k), at(0, n - k - 1), 3, 4});
+  }
+}
+
 // n x n cells on [-1,1]^2 with the inner sites moved a little, each cut into two triangles; the
 // four corners are the given sites; the metric is I + 12 p p^T.
 inline mesh sample_mesh(vertex_index n) {
@@ -31,17 +48,7 @@ inline mesh sample_mesh(vertex_index n) {
   for (vertex_index j = 0; j <= n; ++j)
     for (vertex_index i = 0; i <= n; ++i) add(i, j);
   const auto at = [&](vertex_index i, vertex_index j) { return number.at({i, j}); };
-  for (vertex_index j = 0; j < n; ++j)
-    for (vertex_index i = 0; i < n; ++i) {
-      m.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      m.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  for (vertex_index k = 0; k < n; ++k) {
-    m.boundary.push_back({at(k, 0), at(k + 1, 0), 0, 1});
-    m.boundary.push_back({at(n, k), at(n, k + 1), 1, 2});
-    m.boundary.push_back({at(n - k, n), at(n - k - 1, n), 2, 3});
-    m.boundary.push_back({at(0, n - k), at(0, n - k - 1), 3, 4});
-  }
+  add_cells(n, at, m);
   return m;
 }
 

@@ -59,50 +59,51 @@ double off(std::size_t wanted, const certified_mesh& made) {
   return std::abs(static_cast<double>(made.outcome.sites) / static_cast<double>(wanted) - 1);
 }
 
+mesh_options options_for(std::size_t wanted) {
+  mesh_options options;
+  options.limit_size = true;
+  options.vertices = wanted;
+  return options;
+}
+
+// Returns the mesh made until its number of vertices was near the one wanted.
+counted_mesh made_near(std::size_t wanted, const mesh_source& source) {
+  auto made = make_counted_mesh(source, options_for(wanted), made_of);
+  REQUIRE(made.ok());
+  CHECK(made.value().made.certified());
+  CHECK(off(wanted, made.value().made) <= 0.05);
+  return std::move(made).value();
+}
+
 }  // namespace
 
 TEST_CASE(
     "the metric was scaled once, and a narrow strip had other numbers of vertices than were "
     "wanted") {
   constexpr std::size_t wanted = 40;
-  mesh_options options;
-  options.limit_size = true;
-  options.vertices = wanted;
+  const mesh_options options = options_for(wanted);
   const mesh_source source{strip(), in_metric("identity")};
   const auto first = prepare_mesh_input(source, options);
   REQUIRE(first.ok());
   const auto once = made_of(first.value(), options);
   REQUIRE(once.ok());
   CHECK(off(wanted, once.value()) > 0.05);
-
-  const auto made = make_counted_mesh(source, options, made_of);
-  REQUIRE(made.ok());
-  CHECK(made.value().made.certified());
-  CHECK(off(wanted, made.value().made) <= 0.05);
-  CHECK(made.value().input.metric.complexity);
+  CHECK(made_near(wanted, source).input.metric.complexity);
 }
 
 TEST_CASE("chords of curves stayed as the first density wanted them when a number was met") {
   constexpr std::size_t wanted = 600;
-  mesh_options options;
-  options.limit_size = true;
-  options.vertices = wanted;
   const mesh_source source{moon(), in_metric("identity")};
-  const auto first = prepare_mesh_input(source, options);
+  const auto first = prepare_mesh_input(source, options_for(wanted));
   REQUIRE(first.ok());
-  const auto made = make_counted_mesh(source, options, made_of);
-  REQUIRE(made.ok());
-  CHECK(made.value().made.certified());
-  CHECK(off(wanted, made.value().made) <= 0.05);
-  const domain& shape = made.value().input.shape;
+  const counted_mesh made = made_near(wanted, source);
+  const domain& shape = made.input.shape;
   CHECK(shape.segments.size() != first.value().shape.segments.size());
   CHECK(shape.segments.size() > source.shape.segments.size());
 }
 
 TEST_CASE("a density divides curves and scales the metric, and leaves the rest of a source") {
-  mesh_options options;
-  options.limit_size = true;
-  options.vertices = 500;
+  const mesh_options options = options_for(500);
   mesh_source source{moon(), in_metric("identity")};
   source.random_points = 7;
   const auto coarse = prepare_mesh_input(source, options),

@@ -13,6 +13,7 @@
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -30,17 +31,7 @@ mesh grid() {
     for (vertex_index i = 0; i <= n; ++i)
       m.sites.push_back({{static_cast<double>(i) / n, static_cast<double>(j) / n}, {1, 0, 1}});
   const auto at = [](vertex_index i, vertex_index j) { return (n + 1) * j + i; };
-  for (vertex_index j = 0; j < n; ++j)
-    for (vertex_index i = 0; i < n; ++i) {
-      m.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      m.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  for (vertex_index k = 0; k < n; ++k) {
-    m.boundary.push_back({at(k, 0), at(k + 1, 0), 0, 1});
-    m.boundary.push_back({at(n, k), at(n, k + 1), 1, 2});
-    m.boundary.push_back({at(n - k, n), at(n - k - 1, n), 2, 3});
-    m.boundary.push_back({at(0, n - k), at(0, n - k - 1), 3, 4});
-  }
+  tests::add_cells(n, at, m);
   return m;
 }
 

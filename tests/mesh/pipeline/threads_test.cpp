@@ -2,10 +2,6 @@
 //
 // The mesher and the auditor with four threads, for the thread sanitizer above all (scripts/abuse
 // threads); and two meshes made at the same time, which must not know of each other.
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
-#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <thread>
@@ -15,6 +11,7 @@
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/domain_kinds.hpp"
+#include "fixtures/thread_arena.hpp"
 
 namespace asterism::testing {
 namespace {
@@ -37,22 +34,6 @@ made_mesh make(const domain& d, const metric_field& field, refinement_strategy s
   judged.original = &d;
   const audit_report report = audit(made.value().result, judged);
   return {std::move(made).value(), report.certified};
-}
-
-// An arena of its own has as many threads as asked for, also on a machine with fewer processors.
-template <class Work>
-void with_threads(int threads, const Work& work) {
-  const tbb::global_control most(tbb::global_control::max_allowed_parallelism,
-                                 static_cast<std::size_t>(threads));
-  tbb::task_arena(threads).execute(work);
-}
-
-bool same(const mesh& a, const mesh& b) {
-  const auto same_site = [](const site& s, const site& t) {
-    return s.position == t.position && identical(s.metric, t.metric);
-  };
-  return a.triangles == b.triangles &&
-         std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(), same_site);
 }
 
 // swirl:3 with edges of length `size`.
