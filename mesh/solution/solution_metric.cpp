@@ -219,17 +219,21 @@ void metric_maker::meet(double target) {
       const double x = elementary::log(low), y = elementary::log(high);
       double part = -low_off / (high_off - low_off);
       if (!(part > 0.02 && part < 0.98) || step % 4 == 3) part = 0.5;
-      if (y - x < 1e-12) break;
+      constexpr double narrowest = 1e-12;  // of the factor: the measure jumps between the two
+      if (y - x < narrowest) break;
       factor = elementary::exp(x + part * (y - x));
     } else {
       // Saturated: even sixteen to the sixth times as much changes nothing any more.
-      saturated = step > 0 && std::abs(got - before) <= 1e-9 * got ? saturated + 1 : 0;
+      constexpr double alike = 1e-9;  // far below the 2e-3 to which the target is met
+      saturated = step > 0 && std::abs(got - before) <= alike * got ? saturated + 1 : 0;
       if (saturated == 6) break;
       // A little more than would do if the measure grew as the factor does; sixteen times once that
       // has not led past the target.
       const double ratio = std::clamp(target / got, 1.0 / 16, 16.0);
       factor *= step < 3 ? ratio * (ratio > 1 ? 1.1 : 0.9) : got < target ? 16 : 1.0 / 16;
-      if (!(factor > 1e-280 && factor < 1e280)) break;
+      // Ends near the range of doubles, before products with tensors leave it.
+      constexpr double least = 1e-280, most = 1e280;
+      if (!(factor > least && factor < most)) break;
     }
     before = got;
     got = measure(factor);

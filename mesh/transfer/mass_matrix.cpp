@@ -48,7 +48,10 @@ std::vector<double> mass_matrix::solve(const std::vector<double>& b, std::vector
   const double size = ordered_sum(
       n, [&](std::size_t v) { return diagonal_[v] > 0 ? b[v] * b[v] / diagonal_[v] : 0; });
   double norm = ordered_sum(n, [&](std::size_t v) { return r[v] * over_diagonal(v); });
-  for (int step = 0; step < most_steps && norm > 1e-34 * size; ++step) {
+  // Ends where the residual, of which `norm` is the square, is less than a rounding of the
+  // right-hand side: 1e-17 of it.
+  constexpr double least = 1e-34;
+  for (int step = 0; step < most_steps && norm > least * size; ++step) {
     const std::vector<double> image = times(direction);
     const double along = ordered_sum(n, [&](std::size_t v) { return direction[v] * image[v]; });
     if (!(along > 0)) break;
