@@ -91,7 +91,8 @@ result<domain> accepted(const asterism_domain& arrays, const mesh_options& optio
   return shape;
 }
 
-// Returns the metric of arrays for any size: its own size times that.
+// Returns the function that makes this metric for a size: with edges of its own size times that
+// one.
 field_in_box metric_of(const asterism_metric& metric) {
   return [&metric](double size, const bounding_box& box) {
     asterism_metric sized = metric;

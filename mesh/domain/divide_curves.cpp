@@ -42,7 +42,7 @@ constexpr double part_of_size = 1.0 / 50, part_of_size_on_mesh = 1.0 / 100;
 // around, meshes by local changes were not certified in a metric near the one wanted.
 constexpr double least_halved = 0.8;
 
-// True if the piece is shorter than what the size across has halved.
+// True if the piece is shorter than the least that is halved for the size across it, or as long.
 result<bool> is_short(const curve_path& path, const metric_field& field, double t0, double t1) {
   const point from = path.at(t0), to = path.at(t1);
   const auto metric = field.at(path.at((t0 + t1) / 2));
