@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -43,13 +44,17 @@ class formula_reader {
 
   step_number add(operation what, std::size_t first = 0, std::size_t second = 0,
                   std::size_t third = 0) {
-    steps_.push_back({what, 0, first, second, third});
-    return steps_.size() - 1;
+    return number_of({what, 0, first, second, third});
   }
   step_number add_constant(double value, operation what = operation::constant,
                            std::size_t first = 0) {
-    steps_.push_back({what, value, first, 0, 0});
-    return steps_.size() - 1;
+    return number_of({what, value, first, 0, 0});
+  }
+  // Gives equal steps one number: so a product of equal factors is known to be a square.
+  std::size_t number_of(const expression_enclosure::step& s) {
+    const auto [place, is_new] = known_.emplace(s, steps_.size());
+    if (is_new) steps_.push_back(s);
+    return place->second;
   }
 
   void skip_spaces() {
@@ -228,29 +233,27 @@ class formula_reader {
   std::size_t at_ = 0;
   int depth_ = 0;
   std::vector<expression_enclosure::step> steps_;
+  std::map<expression_enclosure::step, std::size_t> known_;  // the numbers of the steps
 };
 
 namespace {
 
-// The truth of a condition over a box.
+// Says whether a condition holds: all over a box, nowhere in it, or neither for certain.
 enum class truth { no, yes, unknown };
+
+truth decided(bool is_true, bool is_false) {
+  if (is_true) return truth::yes;
+  return is_false ? truth::no : truth::unknown;
+}
 
 truth truth_of(const interval_jet& condition) {
   const rounded_interval& v = condition.value;
-  if (v.inf() == 0 && v.sup() == 0) return truth::no;
-  return v.inf() > 0 || v.sup() < 0 ? truth::yes : truth::unknown;
+  return decided(v.inf() > 0 || v.sup() < 0, v.inf() == 0 && v.sup() == 0);
 }
 
-interval_jet number_of(bool is_true, bool is_false) {
-  if (is_true || is_false) return {is_true ? 1.0 : 0.0};
-  return either(0.0, 1.0);
-}
-
-interval_jet chosen(const interval_jet& condition, const interval_jet& yes,
-                    const interval_jet& no) {
-  const truth holds = truth_of(condition);
-  if (holds == truth::unknown) return either(yes, no);
-  return holds == truth::yes ? yes : no;
+interval_jet number_of(truth t) {
+  if (t == truth::unknown) return either(0.0, 1.0);
+  return {t == truth::yes ? 1.0 : 0.0};
 }
 
 }  // namespace
@@ -264,18 +267,55 @@ std::optional<expression_enclosure> expression_enclosure::parse(const std::strin
 }
 
 interval_jet expression_enclosure::over(const plane_jet& at) const {
-  std::vector<interval_jet> made;
-  made.reserve(steps_.size());
-  for (const step& s : steps_) made.push_back(value_of(s, made, at));
-  return made.back();
+  // Operands that a step does not have are the first step's, which is a number.
+  std::vector<evaluation> made(steps_.size());
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const step& s = steps_[i];
+    const bool of_nan =
+        made[s.first].may_be_nan || made[s.second].may_be_nan || made[s.third].may_be_nan;
+    const interval_jet value =
+        of_nan && hides_nan(s.what) ? any_outcome(s, made) : value_of(s, made, at);
+    made[i] = {value, of_nan || makes_nan(s.what, made[s.first].jet, value)};
+  }
+  return made.back().jet;
 }
 
-interval_jet expression_enclosure::value_of(const step& s, const std::vector<interval_jet>& made,
+bool expression_enclosure::hides_nan(operation what) {
+  return is_condition(what) || what == operation::choice || what == operation::lesser ||
+         what == operation::greater;
+}
+
+bool expression_enclosure::is_condition(operation what) {
+  return what == operation::less || what == operation::less_or_equal || what == operation::equal ||
+         what == operation::conjunction || what == operation::disjunction;
+}
+
+interval_jet expression_enclosure::any_outcome(const step& s, const std::vector<evaluation>& made) {
+  if (is_condition(s.what)) return number_of(truth::unknown);
+  if (s.what == operation::choice) return either(made[s.second].jet, made[s.third].jet);
+  return either(made[s.first].jet, made[s.second].jet);
+}
+
+bool expression_enclosure::makes_nan(operation what, const interval_jet& operand,
+                                     const interval_jet& value) {
+  switch (what) {
+    case operation::root:
+    case operation::logarithm:
+    case operation::scaled_logarithm:
+      return operand.value.inf() < 0;
+    case operation::lesser:
+    case operation::greater:
+      return false;
+    case operation::power:
+      return operand.value.inf() < 0 || !is_bounded(value.value);
+    default:
+      return !is_bounded(value.value);
+  }
+}
+
+interval_jet expression_enclosure::value_of(const step& s, const std::vector<evaluation>& made,
                                             const plane_jet& at) {
-  const auto first = [&]() -> const interval_jet& { return made[s.first]; };
-  const auto second = [&]() -> const interval_jet& { return made[s.second]; };
-  const auto low = [](const interval_jet& j) { return j.value.inf(); };
-  const auto high = [](const interval_jet& j) { return j.value.sup(); };
+  const interval_jet &first = made[s.first].jet, &second = made[s.second].jet;
   switch (s.what) {
     case operation::constant:
       return {s.constant};
@@ -284,41 +324,58 @@ interval_jet expression_enclosure::value_of(const step& s, const std::vector<int
     case operation::y:
       return at.y;
     case operation::add:
-      return first() + second();
+      return first + second;
     case operation::subtract:
-      return first() - second();
+      return first - second;
     case operation::multiply:
-      return s.first == s.second ? square(first()) : first() * second();
+      return s.first == s.second ? square(first) : first * second;
     case operation::divide:
-      return first() / second();
+      return first / second;
     case operation::power:
-      return power_of(first(), second());
+      return power_of(first, second);
     case operation::negate:
-      return -first();
-    case operation::less:
-      return number_of(high(first()) < low(second()), low(first()) >= high(second()));
-    case operation::less_or_equal:
-      return number_of(high(first()) <= low(second()), low(first()) > high(second()));
-    case operation::equal:
-      return number_of(low(first()) == high(second()) && high(first()) == low(second()),
-                       high(first()) < low(second()) || high(second()) < low(first()));
-    case operation::conjunction:
-      return number_of(truth_of(first()) == truth::yes && truth_of(second()) == truth::yes,
-                       truth_of(first()) == truth::no || truth_of(second()) == truth::no);
-    case operation::disjunction:
-      return number_of(truth_of(first()) == truth::yes || truth_of(second()) == truth::yes,
-                       truth_of(first()) == truth::no && truth_of(second()) == truth::no);
+      return -first;
     case operation::choice:
-      return chosen(first(), second(), made[s.third]);
+      return chosen(first, second, made[s.third].jet);
     case operation::lesser:
-      return lesser(first(), second());
+      return lesser(first, second);
     case operation::greater:
-      return greater(first(), second());
+      return greater(first, second);
     case operation::scaled_logarithm:
-      return natural_logarithm(first()) / natural_logarithm(s.constant);
+      return natural_logarithm(first) / natural_logarithm(s.constant);
     default:
-      return function_of(s.what, first());
+      return is_condition(s.what) ? condition_of(s.what, first, second)
+                                  : function_of(s.what, first);
   }
+}
+
+interval_jet expression_enclosure::condition_of(operation what, const interval_jet& a,
+                                                const interval_jet& b) {
+  const double low = a.value.inf(), high = a.value.sup();
+  const double other_low = b.value.inf(), other_high = b.value.sup();
+  const truth first = truth_of(a), second = truth_of(b);
+  switch (what) {
+    case operation::less:
+      return number_of(decided(high < other_low, low >= other_high));
+    case operation::less_or_equal:
+      return number_of(decided(high <= other_low, low > other_high));
+    case operation::equal:
+      return number_of(
+          decided(low == other_high && high == other_low, high < other_low || other_high < low));
+    case operation::conjunction:
+      return number_of(decided(first == truth::yes && second == truth::yes,
+                               first == truth::no || second == truth::no));
+    default:  // a disjunction
+      return number_of(decided(first == truth::yes || second == truth::yes,
+                               first == truth::no && second == truth::no));
+  }
+}
+
+interval_jet expression_enclosure::chosen(const interval_jet& condition, const interval_jet& yes,
+                                          const interval_jet& no) {
+  const truth holds = truth_of(condition);
+  if (holds == truth::unknown) return either(yes, no);
+  return holds == truth::yes ? yes : no;
 }
 
 interval_jet expression_enclosure::function_of(operation what, const interval_jet& a) {
@@ -352,6 +409,7 @@ interval_jet expression_enclosure::function_of(operation what, const interval_je
 
 interval_jet expression_enclosure::power_of(const interval_jet& base,
                                             const interval_jet& exponent) {
+  // Steers: larger powers are enclosed by logarithms, more widely.
   constexpr double most_multiplied = 64;
   const double n = exponent.value.inf();
   const bool is_constant = n == exponent.value.sup() && exponent.x.inf() == 0 &&
@@ -359,6 +417,8 @@ interval_jet expression_enclosure::power_of(const interval_jet& base,
   if (is_constant && n == std::floor(n) && std::abs(n) <= most_multiplied)
     return whole_power(base, static_cast<int>(n));
   if (is_constant && n == 0.5) return square_root(base);
+  // Powers of negative numbers have either sign, or no value.
+  if (base.value.inf() < 0) return {everything(), everything(), everything()};
   return exponential(exponent * natural_logarithm(base));
 }
 

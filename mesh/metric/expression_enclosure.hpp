@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a formula in x and y as plane_expression does, and encloses it and its derivatives over
-// boxes.
+// Reads a formula in x and y, and encloses its values and derivatives over boxes. The formula means
+// what plane_expression says; a reader of its own is needed, as muparser evaluates in doubles alone
+// and does not tell how it read a formula.
 //
 // Its language is a part of muparser's: numbers, pi, e, x, y, + - * / ^, comparisons, && and ||,
 // `a ? b : c`, and sin, cos, tan, atan, sinh, cosh, tanh, exp, ln, log, log2, log10, sqrt, abs,
 // min, max, sum and avg. Precedence is muparser's: a sign binds less than ^, and ^ groups from the
-// right. Where a comparison is not decided over a box, both cases are enclosed, with infinite
-// derivatives.
+// right. Where a comparison is not decided over a box, or an operand may have no value there (a
+// NaN, which comparisons, min and max hide), both cases are enclosed, with infinite derivatives.
 #pragma once
 
-#include <memory>
+#include <compare>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,10 +67,28 @@ class expression_enclosure {
     operation what;
     double constant = 0;
     std::size_t first = 0, second = 0, third = 0;
+
+    friend auto operator<=>(const step& a, const step& b) = default;
+  };
+  // Encloses what a step makes, but for where that is no number.
+  struct evaluation {
+    interval_jet jet;
+    bool may_be_nan = false;  // somewhere in the box
   };
 
-  static interval_jet value_of(const step& s, const std::vector<interval_jet>& made,
+  // True for operations that may make a number of a NaN.
+  static bool hides_nan(operation what);
+  // True for those that make 0 or 1.
+  static bool is_condition(operation what);
+  // Returns what is between the outcomes of such an operation.
+  static interval_jet any_outcome(const step& s, const std::vector<evaluation>& made);
+  // True unless the operation makes numbers of numbers.
+  static bool makes_nan(operation what, const interval_jet& operand, const interval_jet& value);
+  static interval_jet value_of(const step& s, const std::vector<evaluation>& made,
                                const plane_jet& at);
+  static interval_jet condition_of(operation what, const interval_jet& a, const interval_jet& b);
+  static interval_jet chosen(const interval_jet& condition, const interval_jet& yes,
+                             const interval_jet& no);
   static interval_jet function_of(operation what, const interval_jet& a);
   static interval_jet power_of(const interval_jet& base, const interval_jet& exponent);
 

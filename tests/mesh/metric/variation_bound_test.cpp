@@ -88,7 +88,8 @@ TEST_CASE("no two points of a formula are farther apart in their metrics than th
   for (const std::string spec :
        {"sink:1", "swirl:3", "sink:12", "shock:9", "linear", "layer:0.1,0.4",
         "expr:4+3*sin(3*x);0;4+3*cos(3*y)", "expr:1+8*exp(-4*(x-y)^2);0;1",
-        "expr:2+tanh(5*x);0.5*abs(y);1+max(x,y)^2", "expr:1+sqrt(1+x*x*y*y);sin(x)/4;2-cos(x-y)"}) {
+        "expr:2+tanh(5*x);0.5*abs(y);1+max(x,y)^2", "expr:1+max(sqrt((x-0.3)*(x-0.3)+y*y),0.4);0;1",
+        "expr:1+sqrt(1+x*x*y*y);sin(x)/4;2-cos(x-y)"}) {
     CAPTURE(spec);
     const double bound = bound_of(spec, d, 0.3),
                  pairs = steepest_pair(*field(spec, d, 0.3), d.box(), 42);
@@ -156,6 +157,10 @@ TEST_CASE("where a field may jump, or its formula is not known, there is no boun
   const domain d = box(-1, -1, 1, 1);
   for (const auto& [spec, said] :
        {std::pair("expr:(x>0.1)?100:1;0;1", "near (0."),
+        // Comparisons that a NaN, or a power of a negative number, decides.
+        std::pair("expr:x^101<-0.5?1:2;0;1", "near"), std::pair("expr:sqrt(x)>=0?1:2;0;1", "near"),
+        std::pair("expr:tanh(sqrt(x))<2?1:2;0;1", "near"),
+        std::pair("expr:ln(x+0.5)<5&&x<2?1:2;0;1", "near"),
         std::pair("expr:2+rint(x);0;1", "a part of which no bounds are known"),
         std::pair("expr:1;0;1+asinh(x)^2", "a part of which no bounds are known"),
         std::pair("polar-1", "near"), std::pair("circle-1", "near")}) {
