@@ -139,7 +139,8 @@ class formula_region {
   static std::string place(const part& p) { return coordinates(middle_of(p)); }
 
   result<variation_of_part> bounds_of(const part& p) const {
-    const small_part shape{middle_of(p), half_of(p.high.x, p.low.x), half_of(p.high.y, p.low.y)};
+    const point m = middle_of(p);
+    const small_part shape{m, reach(p.low.x, m.x, p.high.x), reach(p.low.y, m.y, p.high.y)};
     const auto found = enclosed(p, shape);
     if (!found) return error{"its formula has a part of which no bounds are known"};
     const auto value = field_.at(shape.middle);
@@ -164,9 +165,11 @@ class formula_region {
   static point middle_of(const part& p) {
     return {p.low.x / 2 + p.high.x / 2, p.low.y / 2 + p.high.y / 2};
   }
-  // Returns how far an end can be from the middle, rounded upward.
-  static double half_of(double high, double low) {
-    return (high - low) * (0.5 * (1 + 0x1p-50)) + 0x1p-1060;
+  // Returns how far the farther end is from the middle, from above: difference and product are off
+  // by 2^-53 of themselves each, and by nothing where they are subnormal. The middle is no mean of
+  // the ends where it was rounded.
+  static double reach(double low, double middle, double high) {
+    return std::max(high - middle, middle - low) * (1 + 0x1p-50);
   }
 
   using enclosure = std::pair<variation_of_part, tensor_jet>;

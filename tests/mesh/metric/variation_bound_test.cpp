@@ -100,6 +100,14 @@ TEST_CASE("no two points of a formula are farther apart in their metrics than th
   }
 }
 
+TEST_CASE("a box whose middle is no double is bounded up to its ends") {
+  // Of the box from 1 + u to 1 + 4 u the middle is rounded to 1 + 2 u, twice as far from the right
+  // end as from the left. The metric is 1 - k (x - 1) there, and varies most at that end.
+  constexpr double u = 0x1p-52, k = 0x1p42;
+  const double most = k / 2 / std::pow(1 - 4 * u * k, 1.5);
+  CHECK(bound_of("expr:1-2^42*(x-1);0;1", box(1 + u, 0, 1 + 4 * u, 1), 1) >= most);
+}
+
 TEST_CASE("a field on a mesh is bounded in each triangle") {
   mesh m;
   std::mt19937_64 random(7);
