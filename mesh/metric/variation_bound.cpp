@@ -97,7 +97,7 @@ class halving {
       for (const auto& half : *halves) add(half);
     }
     if (obstacle_) return {std::nullopt, seen_, *obstacle_};
-    if (parts_.empty()) return {0, seen_, {}};
+    if (parts_.empty()) return {std::nullopt, seen_, "no triangle of its mesh meets the domain"};
     const auto& worst = parts_.top();
     if (worst.bounds.above < infinity) return {worst.bounds.above, seen_, {}};
     return {std::nullopt, seen_, "none was found near " + region_.place(worst.part)};

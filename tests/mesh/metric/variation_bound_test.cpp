@@ -139,6 +139,10 @@ TEST_CASE("a field on a mesh is bounded in each triangle") {
   const variation_bounds corner = bound_variation(box(0, 0, 0.125, 0.125), *given);
   REQUIRE(corner.above);
   CHECK(*corner.above <= *found.above);
+  // Beside the mesh nothing is known.
+  const variation_bounds beside = bound_variation(box(5, 5, 6, 6), *given);
+  CHECK_FALSE(beside.above);
+  CHECK(beside.obstacle.find("no triangle") != std::string::npos);
 }
 
 TEST_CASE("a field on a mesh that changes across its triangles alone is bounded tightly") {
