@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "fixtures/named_metric.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -23,9 +23,7 @@ constexpr bounding_box unit_box{{-1, -1}, {1, 1}};
 
 std::unique_ptr<metric_field> field(const std::string& specification, double size,
                                     const bounding_box& box = unit_box) {
-  auto made = make_metric_field(specification, box, size);
-  REQUIRE(made.ok());
-  return std::move(made).value();
+  return testing::named_metric(specification, box, size);
 }
 
 graded_metric graded(const std::string& specification, double size, double beta,

@@ -13,14 +13,14 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/random.hpp"
-#include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/metric/expression_enclosure.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
-#include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/metric/plane_expression.hpp"
 #include "asterism/mesh/metric/tensor_variation.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
+#include "fixtures/domain_kinds.hpp"
+#include "fixtures/named_metric.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -28,18 +28,11 @@ using namespace asterism::internal;
 namespace {
 
 domain box(double low_x, double low_y, double high_x, double high_y) {
-  domain d;
-  d.vertices = {{low_x, low_y}, {high_x, low_y}, {high_x, high_y}, {low_x, high_y}};
-  for (vertex_index k = 0; k < 4; ++k) d.segments.push_back({k, (k + 1) % 4, 1});
-  auto checked = check_domain(d);
-  REQUIRE(checked.ok());
-  return std::move(checked).value();
+  return testing::accepted(testing::polygon(testing::box_ring(low_x, low_y, high_x, high_y)));
 }
 
 std::unique_ptr<metric_field> field(const std::string& spec, const domain& d, double size) {
-  auto made = make_metric_field(spec, d.box(), size);
-  REQUIRE(made.ok());
-  return std::move(made).value();
+  return testing::named_metric(spec, d.box(), size);
 }
 
 double bound_of(const std::string& spec, const domain& d, double size) {
@@ -54,7 +47,7 @@ double bound_of(const std::string& spec, const domain& d, double size) {
 // definition of H1. The seed and the number of a pair replay it.
 double steepest_pair(const metric_field& f, const bounding_box& b, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const auto part = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto part = [&] { return unit_fraction(random()); };
   double steepest = 0;
   for (int i = 0; i < 4000; ++i) {
     const point p{b.low.x + (b.high.x - b.low.x) * part(), b.low.y + (b.high.y - b.low.y) * part()};
@@ -66,6 +59,16 @@ double steepest_pair(const metric_field& f, const bounding_box& b, std::uint64_t
     steepest = std::max(steepest, variation(at_p, at_q));
   }
   return steepest;
+}
+
+// Adds the halves of the n by n cells between vertices that are there row by row.
+void add_grid_triangles(mesh& m, vertex_index n) {
+  for (vertex_index j = 0; j < n; ++j)
+    for (vertex_index i = 0; i < n; ++i) {
+      const vertex_index v = j * (n + 1) + i;
+      m.triangles.push_back({v, v + 1, v + n + 2});
+      m.triangles.push_back({v, v + n + 2, v + n + 1});
+    }
 }
 
 }  // namespace
@@ -95,7 +98,7 @@ TEST_CASE("no two points of a formula are farther apart in their metrics than th
                  pairs = steepest_pair(*field(spec, d, 0.3), d.box(), 42);
     CAPTURE(bound, pairs);
     CHECK(pairs <= bound * (1 + 1e-9));
-    // The bound of the steep one is not tight within the work allowed.
+    // Leaves out the shock: its bound, after 200,000 boxes, is still many times what is seen.
     if (spec != "shock:9") CHECK(pairs > 0.5 * bound);
   }
 }
@@ -111,7 +114,7 @@ TEST_CASE("a box whose middle is no double is bounded up to its ends") {
 TEST_CASE("a field on a mesh is bounded in each triangle") {
   mesh m;
   std::mt19937_64 random(7);
-  const auto part = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto part = [&] { return unit_fraction(random()); };
   constexpr vertex_index n = 4;
   for (vertex_index j = 0; j <= n; ++j)
     for (vertex_index i = 0; i <= n; ++i) {
@@ -120,12 +123,7 @@ TEST_CASE("a field on a mesh is bounded in each triangle") {
       m.sites.push_back(
           {{i / 4.0, j / 4.0}, {wide * c * c + s * s, (wide - 1) * c * s, wide * s * s + c * c}});
     }
-  for (vertex_index j = 0; j < n; ++j)
-    for (vertex_index i = 0; i < n; ++i) {
-      const vertex_index v = j * (n + 1) + i;
-      m.triangles.push_back({v, v + 1, v + n + 2});
-      m.triangles.push_back({v, v + n + 2, v + n + 1});
-    }
+  add_grid_triangles(m, n);
   const auto given = make_sampled_field(m, 0.2);
   const domain d = box(0, 0, 1, 1);
   const variation_bounds found = bound_variation(d, *given);
@@ -135,7 +133,7 @@ TEST_CASE("a field on a mesh is bounded in each triangle") {
   CHECK(pairs <= *found.above * (1 + 1e-9));
   CHECK(*found.above <= 1.03 * found.seen);
   CHECK(pairs > 0.5 * *found.above);
-  // Of a part of the domain alone, the triangles that meet it.
+  // Bounds a corner of the mesh by the triangles that meet it, and no others.
   const variation_bounds corner = bound_variation(box(0, 0, 0.125, 0.125), *given);
   REQUIRE(corner.above);
   CHECK(*corner.above <= *found.above);
@@ -153,12 +151,7 @@ TEST_CASE("a field on a mesh that changes across its triangles alone is bounded 
       const double scale = 1 + 0.4 * ((i + j) % 2);
       m.sites.push_back({{i / 3.0, j / 3.0}, {scale, 0, 1.2 * scale}});
     }
-  for (vertex_index j = 0; j < n; ++j)
-    for (vertex_index i = 0; i < n; ++i) {
-      const vertex_index v = j * (n + 1) + i;
-      m.triangles.push_back({v, v + 1, v + n + 2});
-      m.triangles.push_back({v, v + n + 2, v + n + 1});
-    }
+  add_grid_triangles(m, n);
   const variation_bounds found = bound_variation(box(0, 0, 1, 1), *make_sampled_field(m, 0.5));
   INFO(found.obstacle);
   REQUIRE(found.above);
@@ -185,7 +178,7 @@ TEST_CASE("where a field may jump, or its formula is not known, there is no boun
 
 TEST_CASE("formulas are enclosed as muparser reads them") {
   std::mt19937_64 random(11);
-  const auto part = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const auto part = [&] { return unit_fraction(random()); };
   for (const std::string text : {"-x^2",
                                  "2^-x^2",
                                  "2^3^0.5*y",

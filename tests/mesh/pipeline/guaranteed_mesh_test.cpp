@@ -13,26 +13,20 @@
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/support/size_ladder.hpp"
+#include "fixtures/domain_kinds.hpp"
+#include "fixtures/named_metric.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
 
 namespace {
 
-domain polygon(std::vector<point> corners) {
-  domain d;
-  d.vertices = std::move(corners);
-  const auto n = static_cast<vertex_index>(d.vertices.size());
-  for (vertex_index k = 0; k < n; ++k) d.segments.push_back({k, (k + 1) % n, 1});
-  auto checked = check_domain(d);
-  REQUIRE(checked.ok());
-  return std::move(checked).value();
+domain polygon(const std::vector<point>& corners) {
+  return testing::accepted(testing::polygon(corners));
 }
 
 std::unique_ptr<metric_field> field(const std::string& spec, const domain& d, double size) {
-  auto made = make_metric_field(spec, d.box(), size);
-  REQUIRE(made.ok());
-  return std::move(made).value();
+  return testing::named_metric(spec, d.box(), size);
 }
 
 std::string refusal(const domain& d, const std::string& spec, double size,
