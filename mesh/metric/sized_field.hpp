@@ -10,16 +10,19 @@
 
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/metric/enclosed_field.hpp"
+#include "asterism/mesh/metric/interval_jet.hpp"
 
 namespace asterism::internal {
 
-// A field that divides by size^2 and refuses every tensor that is no metric.
-class sized_field : public metric_field, public enclosed_field {
+// Divides tensors by size^2 and refuses every one that is no metric.
+class sized_field : public metric_field {
  public:
   explicit sized_field(double size) : size_squared_(size * size) {}
   result<metric_tensor> at(const point& q) const final;
-  std::optional<tensor_jet> over(const plane_jet& at) const final;
+  // Encloses the tensors of the formula, in exact arithmetic, and their derivatives over the points
+  // that `at` encloses; nothing where it has a part of which nothing is known. In a
+  // floating_point_scope(rounding::upward); several threads may ask.
+  std::optional<tensor_jet> over(const plane_jet& at) const;
 
  protected:
   double size_squared() const { return size_squared_; }

@@ -11,8 +11,8 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
-#include "asterism/mesh/metric/enclosed_field.hpp"
 #include "asterism/mesh/metric/logarithm_triangle.hpp"
+#include "asterism/mesh/metric/sized_field.hpp"
 #include "asterism/mesh/metric/tensor_variation.hpp"
 #include "asterism/mesh/support/infinity.hpp"
 
@@ -131,8 +131,8 @@ class formula_region {
     point low, high;
   };
 
-  formula_region(const domain& d, const metric_field& field, const enclosed_field& formula)
-      : outline_(d), box_(d.box()), field_(field), formula_(formula) {}
+  formula_region(const domain& d, const sized_field& formula)
+      : outline_(d), box_(d.box()), formula_(formula) {}
 
   std::vector<part> first_parts() const { return {{box_.low, box_.high}}; }
   bool is_outside(const part& p) const { return outline_.misses(p.low, p.high); }
@@ -143,7 +143,7 @@ class formula_region {
     const small_part shape{m, reach(p.low.x, m.x, p.high.x), reach(p.low.y, m.y, p.high.y)};
     const auto found = enclosed(p, shape);
     if (!found) return error{"its formula has a part of which no bounds are known"};
-    const auto value = field_.at(shape.middle);
+    const auto value = formula_.at(shape.middle);
     if (!value || !agrees(value.value(), found->second))
       return error{"its values are not those of its formula at " + coordinates(shape.middle)};
     return found->first;
@@ -211,8 +211,7 @@ class formula_region {
 
   outline outline_;
   bounding_box box_;
-  const metric_field& field_;
-  const enclosed_field& formula_;
+  const sized_field& formula_;
 };
 
 // Logarithms that are linear in each triangle of a mesh.
@@ -252,10 +251,10 @@ variation_bounds bound_variation(const domain& d, const metric_field& field) {
     const background_region region(d, *background);
     return halving(region).run();
   }
-  const auto* const formula = dynamic_cast<const enclosed_field*>(&field);
+  const auto* const formula = dynamic_cast<const sized_field*>(&field);
   if (formula == nullptr)
     return {std::nullopt, 0, "it is no formula and not given on a mesh, or was changed since"};
-  const formula_region region(d, field, *formula);
+  const formula_region region(d, *formula);
   return halving(region).run();
 }
 
