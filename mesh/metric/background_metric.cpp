@@ -11,6 +11,7 @@
 namespace asterism::internal {
 namespace {
 
+// Steers: tensors that one thread takes at a time.
 constexpr std::size_t nodes_at_once = 4096;
 
 }  // namespace

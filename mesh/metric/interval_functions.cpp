@@ -15,7 +15,8 @@ namespace asterism::internal {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
-// Greatest error of core/elementary, of the result (interval_functions.hpp).
+// Bound the error of core/elementary, of the result and where that is subnormal, as derived in
+// interval_functions.hpp.
 constexpr double elementary_error = 0x1p-49, subnormal_error = 0x1p-1070;
 
 using plain_function = double (*)(double);
@@ -44,22 +45,26 @@ rounded_interval increasing(plain_function f, const rounded_interval& a) {
 
 double tangent_inverse(double x) { return elementary::atan2(x, 1); }
 
-// True unless no x of the interval is an odd (for `shift` 1/2) or whole multiple of pi of the given
-// parity, plus shift times pi: where a wave is greatest (parity 0) or least (parity 1).
+// False only if the interval is without a point (k + shift) pi with k of the given parity: there a
+// wave is greatest (parity 0) or least (parity 1). Looks at five k, as the interval is shorter than
+// two of pi's.
 bool may_have_crest(const rounded_interval& a, double shift, int parity) {
   const double first = std::floor(a.inf() / std::numbers::pi - shift) - 1;
   for (int step = 0; step < 5; ++step) {
     const double k = first + step;
     if (std::abs(std::fmod(k, 2)) != parity) continue;
+    // Roundings of the point, of pi and of both comparisons are below 2^-50 of it; more only
+    // widens.
     const double at = (k + shift) * std::numbers::pi, slack = 0x1p-40 * (1 + std::abs(at));
     if (at >= a.inf() - slack && at <= a.sup() + slack) return true;
   }
   return false;
 }
 
-// Encloses a sine, whose crests are at odd multiples of pi/2, or a cosine.
+// Encloses a sine (`shift` 1/2: greatest at pi/2) or a cosine (0).
 rounded_interval wave(plain_function f, const rounded_interval& a, double shift) {
-  // A longer interval has a crest and a trough; farther away multiples of pi are not told apart.
+  // Both steer, as long as multiples of pi are told apart: all values are an enclosure too. A
+  // longer interval has nearly all.
   constexpr double longest = 6, farthest = 0x1p20;
   if (!(a.sup() - a.inf() < longest) || !(std::abs(a.inf()) < farthest)) return {-1, 1};
   const rounded_interval from = {value_outward(f, a.inf(), true), value_outward(f, a.inf(), false)},

@@ -47,12 +47,12 @@ interval_jet whole_power(const interval_jet& a, int n);
 // are infinite, unless both are the same constant.
 interval_jet either(const interval_jet& a, const interval_jet& b);
 
-// The tensors of a field over a box, with their derivatives.
+// Encloses the tensors of a field over a box, with their derivatives.
 struct tensor_jet {
   interval_jet m11, m12, m22;
 };
 
-// The coordinates of the points of a box.
+// Encloses the coordinates of the points of a box.
 struct plane_jet {
   interval_jet x, y;
 };

@@ -16,14 +16,14 @@ namespace asterism::internal {
 
 namespace {
 
-// A point in the frame's coordinates, of doubles or of enclosures.
+// Holds a point in the frame's coordinates, of doubles or of enclosures.
 template <class Number>
 struct local_point {
   Number x, y;
 };
 
-// The tensor in which an edge of length `across` along the unit vector `normal`, or of length
-// `along` at right angles to it, has length 1.
+// Stands for the tensor in which an edge of length `across` along the unit vector `normal`, or of
+// length `along` at right angles to it, has length 1.
 template <class Number>
 struct layer_lengths {
   local_point<Number> normal;
@@ -47,7 +47,7 @@ tensor_jet tensor_of(const layer_lengths<interval_jet>& h) {
 using plain_point = local_point<double>;
 using enclosed_point = local_point<interval_jet>;
 
-// A formula in both arithmetics.
+// Evaluates a formula in both arithmetics.
 struct layer_formula {
   std::function<layer_lengths<double>(const plain_point&)> at;
   std::function<layer_lengths<interval_jet>(const enclosed_point&)> over;
@@ -58,7 +58,8 @@ layer_formula in_both(const Formula& formula) {
   return {formula, formula};
 }
 
-// A formula in the frame's coordinates. Its lengths are in units of the domain times `unit`.
+// Evaluates a formula in the frame's coordinates. Its lengths are in units of the domain times
+// `unit`.
 class layered_field : public sized_field {
  public:
   layered_field(double size, layer_formula lengths, const field_frame& frame, double unit)
@@ -78,8 +79,8 @@ class layered_field : public sized_field {
   field_frame frame_;
 };
 
-// Lengths across circles about the origin; anything goes at the origin itself, where the formulas
-// that reach it are round.
+// Returns lengths across circles about the origin; anything goes at the origin itself, where the
+// formulas that reach it are round.
 layer_lengths<double> across_circles(const plain_point& p, double r, double across, double along) {
   return {r > 0 ? plain_point{p.x / r, p.y / r} : plain_point{1, 0}, across, along};
 }
@@ -95,7 +96,8 @@ layer_formula boundary_layer(double at_wall, double far) {
   });
 }
 
-// Across the curve y = 0.4 sin(2.5 x): 1/aspect on it, 1 away from it, over a width of about 0.1.
+// Makes lengths across the curve y = 0.4 sin(2.5 x) grow from 1/aspect on it to 1 away from it,
+// over a width of about 0.1.
 layer_formula curved_shock(double aspect) {
   return in_both([thinnest = 1 / aspect](const auto& p) {
     using number = std::decay_t<decltype(p.x)>;

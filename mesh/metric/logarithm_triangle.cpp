@@ -13,6 +13,7 @@
 namespace asterism::internal {
 namespace {
 
+// Bounds what roundings make corners off by; and steers: a part halved more often has no bound.
 constexpr int most_halvings = 60;
 
 enclosed_logarithm enclosed(const tensor_logarithm& l) { return {l.l11, l.l12, l.l22}; }
@@ -87,7 +88,9 @@ variation_of_part logarithm_triangle::bounds() const {
     in_middle[k] = quotient(a + b + c, rounded_interval(3));
   }
   small_part shape;
-  // The corners are off by a unit of the greatest coordinate for each halving at most.
+  // Covers, in units of 2^-52 of the greatest coordinate: at most 60 for the corner after as many
+  // halvings, 60 for the middle of three such, 3 for the sum and quotient of that, 2 for the
+  // difference from it. Together below 2^8.
   const double slack = greatest_coordinate * 0x1p-44;
   shape.middle = {(corners[0].x + corners[1].x + corners[2].x) / 3,
                   (corners[0].y + corners[1].y + corners[2].y) / 3};

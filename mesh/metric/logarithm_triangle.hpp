@@ -14,12 +14,12 @@
 
 namespace asterism::internal {
 
-// The entries of a logarithm, l11, l12 and l22, enclosed.
+// Encloses the entries of a logarithm, l11, l12 and l22.
 using enclosed_logarithm = std::array<rounded_interval, 3>;
 
 struct logarithm_triangle {
-  // Near the corners of the part, by some units in the last place, and what its coordinates are at
-  // most.
+  // Lie near the corners of the part, off by at most 2^-52 of the greatest coordinate of the whole
+  // triangle for each halving.
   std::array<point, 3> corners;
   double greatest_coordinate = 0;
   std::array<enclosed_logarithm, 3> logarithms;  // at the corners

@@ -34,7 +34,7 @@ class identity_field : public sized_field {
   }
 };
 
-// Both are I + K u u^T, round in the middle of the box, of aspect sqrt(1 + K |p|^2): `swirl`, with
+// Makes I + K u u^T, round in the middle of the box, of aspect sqrt(1 + K |p|^2): `swirl`, with
 // u = p = (q - centre) / radius, is stretched along circles, `sink`, with u = p turned by a
 // quarter, along rays.
 class rotating_field : public sized_field {

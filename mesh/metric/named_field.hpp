@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// What a maker of fields is asked.
+// Tells a maker of fields what to make.
 struct field_request {
   std::string_view specification;             // the whole, for messages
   std::optional<std::string_view> parameter;  // what follows the first colon
@@ -20,8 +20,8 @@ struct field_request {
   double size = 1;                            // divides lengths
 };
 
-// One row of the lists from which help, completion, the refusal of an unknown name and the manual
-// are made. Arguments in brackets may be left out.
+// Holds one row of the lists from which help, completion, the refusal of an unknown name and the
+// manual are made. Arguments in brackets may be left out.
 struct named_field {
   std::string_view name, arguments, sentence;
   made_field (*make)(const field_request& asked);

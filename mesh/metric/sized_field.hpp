@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Is the common base of the fields with a formula: applies the size and checks every tensor.
+// Is the common base of the fields that are no other field, changed: applies the size, checks every
+// tensor, and encloses those of a formula over boxes.
 #pragma once
 
 #include <memory>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -12,11 +11,10 @@
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/metric/interval_functions.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal {
 namespace {
-
-constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 struct interval_tensor {
   rounded_interval m11, m12, m22;
@@ -58,7 +56,7 @@ double norm_above(const interval_tensor& m) {
   const mean_and_radius s = spectrum(m);
   const double mean = std::max(-s.mean.inf(), s.mean.sup());
   const double norm = rounded_sum(mean, s.radius.sup());
-  return norm >= 0 ? norm : no_bound;  // a NaN promises nothing
+  return norm >= 0 ? norm : infinity;  // a NaN promises nothing
 }
 
 const std::array<point, variation_directions>& directions() {
@@ -99,7 +97,7 @@ std::optional<unit_displacements> frame_of(const tensor_jet& middle) {
 double quotient_above(double norm, const interval_tensor& near_identity) {
   const mean_and_radius s = spectrum(near_identity);
   const rounded_interval least = s.mean - s.radius;
-  if (!(least.inf() > 0)) return no_bound;
+  if (!(least.inf() > 0)) return infinity;
   const rounded_interval low = least.inf();
   return divided(rounded_interval(norm), rounded_interval(2) * low * root_of(low)).sup();
 }
@@ -109,14 +107,14 @@ double quotient_above(double norm, const interval_tensor& near_identity) {
 variation_of_part bound_variation_of(const small_part& part, const tensor_jet& over,
                                      const tensor_jet& in_middle) {
   const auto frame = frame_of(in_middle);
-  if (!frame) return {no_bound, 0};
+  if (!frame) return {infinity, 0};
   const auto derivative = [&](const tensor_jet& t, const point& u) {
     return in_frame(rounded_interval(u.x) * along_x(t) + rounded_interval(u.y) * along_y(t),
                     *frame);
   };
   const interval_tensor middle = in_frame(values(in_middle), *frame);
-  // The tensor anywhere is that in the middle, and what it changes by on the way; or as enclosed,
-  // which is nearer in a part that is long where nothing changes.
+  // Encloses the tensor anywhere as that in the middle and what it changes by on the way; or over
+  // the part, which is nearer in one that is long where nothing changes.
   const rounded_interval dx(-part.reach_x, part.reach_x), dy(-part.reach_y, part.reach_y);
   const interval_tensor anywhere =
       middle + dx * in_frame(along_x(over), *frame) + dy * in_frame(along_y(over), *frame);
@@ -128,8 +126,8 @@ variation_of_part bound_variation_of(const small_part& part, const tensor_jet& o
   variation_of_part found{
       std::min(quotient_above(norm, anywhere), quotient_above(norm, as_enclosed)),
       quotient_above(here, middle) / direction_slack};
-  if (!(found.above >= 0)) found.above = no_bound;
-  if (!(found.in_middle < no_bound)) found.in_middle = 0;
+  if (!(found.above >= 0)) found.above = infinity;
+  if (!(found.in_middle < infinity)) found.in_middle = 0;
   return found;
 }
 

@@ -9,19 +9,20 @@
 
 namespace asterism::internal {
 
-// Vertices of the polygon around the unit circle by which the greatest variation of all directions
-// is bounded, half of them, as one of two opposite ones will do; and their distance from the
-// centre: at least 1 / cos(pi / 32) = 1.004838...
+// Count half of the vertices of the regular polygon around the unit circle by which the greatest
+// variation of all directions is bounded, as one of two opposite ones will do, and bound their
+// distance from the centre: 1 / cos(pi / 32) = 1.004838..., and 1e-5 more for their coordinates in
+// doubles.
 inline constexpr int variation_directions = 16;
 inline constexpr double direction_slack = 1.00485;
 
-// A part of the plane: a point of it, and how far others are from it along x and y.
+// Describes a part of the plane: a point of it, and how far others are from it along x and y.
 struct small_part {
   point middle;
   double reach_x = 0, reach_y = 0;
 };
 
-// Bounds of a part: the greatest variation in it from above, and about that in its middle.
+// Bounds the greatest variation in a part from above, and tells about that in its middle.
 struct variation_of_part {
   double above = 0, in_middle = 0;
 };

@@ -19,6 +19,7 @@
 namespace asterism::internal {
 namespace {
 
+// Both steer: a bound stands wherever halving ends, and is only less tight.
 constexpr std::size_t most_parts = 200'000;
 constexpr double close_enough = 1.02;
 
@@ -38,9 +39,10 @@ class outline {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const point& n = directions[k];
       const double x = n.x * (n.x > 0 ? low.x : high.x), y = n.y * (n.y > 0 ? low.y : high.y);
-      // Of both sums and four products, each rounded once.
+      // Covers three sums, each rounded by 2^-53 of itself: x + y, the one in farthest_[k], and
+      // that of the two below. Products by 1 and 2 are exact, and so are subnormal sums.
       const double slack = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(farthest_[k]));
-      if (x + y > farthest_[k] + slack + 0x1p-1000) return true;
+      if (x + y > farthest_[k] + slack) return true;
     }
     return false;
   }
@@ -65,7 +67,7 @@ class outline {
   std::array<double, 16> farthest_{};
 };
 
-// A part of the region with its bounds; `order` makes equals come in one order.
+// Holds a part of the region with its bounds; `order` makes equals come in one order.
 template <class Part>
 struct bounded_part {
   Part part;
@@ -124,7 +126,7 @@ class halving {
   std::optional<std::string> obstacle_;
 };
 
-// A formula over boxes.
+// Encloses a formula over boxes.
 class formula_region {
  public:
   struct part {
@@ -183,11 +185,13 @@ class formula_region {
   }
 
   // True if a value in doubles is that of the enclosure, but for roundings: another way to the same
-  // number, by which neither is believed alone.
+  // number, by which neither is believed alone. No bound rests on the part allowed for roundings:
+  // it only refuses, and steers between a formula that loses digits and one that was read
+  // otherwise.
   static bool agrees(const metric_tensor& m, const tensor_jet& enclosed) {
-    const double size = std::max(m.m11, m.m22);
+    const double allowed = 0x1p-20 * std::max(m.m11, m.m22);
     const auto is_near = [&](double x, const interval_jet& j) {
-      return x >= j.value.inf() - 0x1p-20 * size && x <= j.value.sup() + 0x1p-20 * size;
+      return x >= j.value.inf() - allowed && x <= j.value.sup() + allowed;
     };
     return is_near(m.m11, enclosed.m11) && is_near(m.m12, enclosed.m12) &&
            is_near(m.m22, enclosed.m22);
@@ -214,7 +218,7 @@ class formula_region {
   const sized_field& formula_;
 };
 
-// Logarithms that are linear in each triangle of a mesh.
+// Encloses a metric whose logarithm is linear in each triangle of a mesh.
 class background_region {
  public:
   using part = logarithm_triangle;

@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// Bounds of the least sigma with H1 between any two points whose segment is in the region: a convex
+// Bounds the least sigma with H1 between any two points whose segment is in the region: a convex
 // polygon around the domain, with sixteen sides at most, for a formula; the triangles of the
 // background that meet it for a field that is given on a mesh.
 struct variation_bounds {

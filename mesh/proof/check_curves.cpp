@@ -89,7 +89,8 @@ std::optional<std::vector<vertex_index>> chain_along(const boundary_chains& chai
   return std::nullopt;
 }
 
-// "No others are required than the domain's vertices, and all are but for some on curves."
+// Checks that theorem 7's condition on required vertices holds: they are vertices of the domain,
+// and all of these but for some on curves.
 std::optional<error> check_required(const proof_question& asked, const std::vector<char>& on_curve,
                                     std::size_t given) {
   std::vector<char> required(given, 0);

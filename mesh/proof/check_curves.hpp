@@ -13,7 +13,7 @@
 
 namespace asterism::internal::proof_detail {
 
-// What of the boundary is of no curve: edges of the mesh, and segments of the domain.
+// Holds the part of the boundary that is of no curve: edges of the mesh, segments of the domain.
 struct straight_part {
   std::vector<boundary_edge> edges;
   std::vector<segment> segments;

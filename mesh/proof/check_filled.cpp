@@ -165,7 +165,7 @@ std::optional<error> check_faces(const plane& all, const domain* shape, const me
   return std::nullopt;
 }
 
-// A part of the boundary from one vertex of the domain to the next.
+// Holds a part of the boundary from one vertex of the domain to the next.
 struct boundary_chain {
   std::vector<vertex_index> vertices;
   std::optional<int> marker;
@@ -259,7 +259,7 @@ std::pair<std::vector<point>, std::vector<vertex_index>> distinct_vertices(const
   return distinct;
 }
 
-// Returns what of the boundary has to be segments.
+// Returns the part of the boundary that has to be segments.
 result<straight_part> straight_part_of(const plane& all, const proof_question& asked,
                                        const std::vector<vertex_index>& index, std::size_t given) {
   const mesh& subject = all.subject;

@@ -11,9 +11,10 @@ using integer =
     boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using rational_point = vector2<rational>;
 
-// Roots are rounded to 2^-200.
+// Rounds roots to multiples of 2^-200, outward.
 constexpr unsigned root_bits = 200;
-// Places of a cubic that are looked at for each vertex, and how often the step is halved then.
+// Count the places of a cubic that are looked at for each vertex, and how often the step is halved
+// then. Both steer: a poor place makes the distance larger.
 constexpr int samples = 1024, most_steps = 60;
 
 rational_point exact(const point& p) { return {rational(p.x), rational(p.y)}; }
@@ -39,8 +40,9 @@ rational squared_distance(const rational_point& p, const rational_point& from,
   return off * off / length;
 }
 
-// Theorem 7: each chord turns around the centre by less than half a turn, none but the first leaves
-// the direction of the start or comes to it again, but the last of a circle.
+// Bounds the distance by theorem 7: each chord turns around the centre by less than half a turn,
+// none but the first leaves the direction of the start or comes to it again, but the last of a
+// circle.
 std::optional<rational> distance_of_arc(const domain_curve& curve,
                                         const std::vector<point>& chords) {
   const rational_point centre = exact(curve.centre);
@@ -142,7 +144,7 @@ class cubic {
   std::array<rational_point, 4> exact_;
 };
 
-// Theorem 7: the parameters of the vertices increase from 0 to 1.
+// Bounds the distance by theorem 7: the parameters of the vertices increase from 0 to 1.
 std::optional<rational> distance_of_cubic(const domain_curve& curve,
                                           const std::vector<point>& chords) {
   const cubic whole(curve, chords.front(), chords.back());

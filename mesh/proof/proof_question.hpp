@@ -17,10 +17,10 @@ struct proof_question {
   const mesh& subject;
   const domain* shape = nullptr;
   double angle_bound = 0;  // degrees, from 0 to below 90
-  // Where the domain has curves, undivided as its file has them: how far they and their chords may
-  // be from each other, and the vertices that the mesh's file says must stay.
+  // Bounds how far curves of the domain, undivided as its file has them, and their chords may be
+  // from each other.
   double chord_tolerance = 0;
-  std::vector<vertex_index> required = {};
+  std::vector<vertex_index> required = {};  // vertices that the mesh's file says must stay
 };
 
 }  // namespace asterism::internal
