@@ -131,39 +131,42 @@ class formula_region {
  public:
   struct part {
     point low, high;
+    bool is_wider = false;  // see is_wider()
   };
 
   formula_region(const domain& d, const sized_field& formula)
       : outline_(d), box_(d.box()), formula_(formula) {}
 
-  std::vector<part> first_parts() const { return {{box_.low, box_.high}}; }
+  std::vector<part> first_parts() const { return {{box_.low, box_.high, false}}; }
   bool is_outside(const part& p) const { return outline_.misses(p.low, p.high); }
   static std::string place(const part& p) { return coordinates(middle_of(p)); }
 
-  result<variation_of_part> bounds_of(const part& p) const {
+  // Finds besides whether the box is wider than high.
+  result<variation_of_part> bounds_of(part& p) const {
     const point m = middle_of(p);
     const small_part shape{m, reach(p.low.x, m.x, p.high.x), reach(p.low.y, m.y, p.high.y)};
     const auto found = enclosed(p, shape);
     if (!found) return error{"its formula has a part of which no bounds are known"};
+    p.is_wider = is_wider(p, found->over);
     const auto value = formula_.at(shape.middle);
-    if (!value || !agrees(value.value(), found->second))
+    if (!value || !agrees(value.value(), found->in_middle))
       return error{"its values are not those of its formula at " + coordinates(shape.middle)};
-    return found->first;
+    return found->bounds;
   }
 
   // Returns both halves, across the side along which the tensor changes more, or the longer one;
   // nothing where the box has no middle that is another point.
   std::optional<std::array<part, 2>> halves(const part& p) const {
     const point m = middle_of(p);
-    const bool across_x = is_wider(p);
+    const bool across_x = p.is_wider;
     if (across_x ? !(p.low.x < m.x && m.x < p.high.x) : !(p.low.y < m.y && m.y < p.high.y))
       return std::nullopt;
-    if (across_x) return both({p.low, {m.x, p.high.y}}, {{m.x, p.low.y}, p.high});
-    return both({p.low, {p.high.x, m.y}}, {{p.low.x, m.y}, p.high});
+    const point cut = across_x ? point{m.x, p.high.y} : point{p.high.x, m.y};
+    const point other_cut = across_x ? point{m.x, p.low.y} : point{p.low.x, m.y};
+    return std::array<part, 2>{{{p.low, cut}, {other_cut, p.high}}};
   }
 
  private:
-  static std::array<part, 2> both(const part& first, const part& second) { return {first, second}; }
   static point middle_of(const part& p) {
     return {p.low.x / 2 + p.high.x / 2, p.low.y / 2 + p.high.y / 2};
   }
@@ -174,14 +177,17 @@ class formula_region {
     return std::max(high - middle, middle - low) * (1 + 0x1p-50);
   }
 
-  using enclosure = std::pair<variation_of_part, tensor_jet>;
+  struct enclosure {
+    variation_of_part bounds;
+    tensor_jet over, in_middle;
+  };
   [[gnu::noinline]] std::optional<enclosure> enclosed(const part& p,
                                                       const small_part& shape) const {
     const floating_point_scope scope(rounding::upward);
     const auto over = formula_.over(coordinates_over({p.low.x, p.high.x}, {p.low.y, p.high.y}));
     const auto in_middle = formula_.over(coordinates_over(shape.middle.x, shape.middle.y));
     if (!over || !in_middle) return std::nullopt;
-    return enclosure{bound_variation_of(shape, *over, *in_middle), *in_middle};
+    return enclosure{bound_variation_of(shape, *over, *in_middle), *over, *in_middle};
   }
 
   // True if a value in doubles is that of the enclosure, but for roundings: another way to the same
@@ -198,16 +204,13 @@ class formula_region {
   }
 
   // True if the box is longer along x, as its enclosure tells lengths; else by the sides.
-  [[gnu::noinline]] bool is_wider(const part& p) const {
+  static bool is_wider(const part& p, const tensor_jet& over) {
     const double width = p.high.x - p.low.x, height = p.high.y - p.low.y;
-    const floating_point_scope scope(rounding::upward);
-    const auto over = formula_.over(coordinates_over({p.low.x, p.high.x}, {p.low.y, p.high.y}));
     const auto change = [](const rounded_interval& a) { return std::max(-a.inf(), a.sup()); };
-    if (!over) return width >= height;
     const double by_x =
-        width * std::max({change(over->m11.x), change(over->m12.x), change(over->m22.x)});
+        width * std::max({change(over.m11.x), change(over.m12.x), change(over.m22.x)});
     const double by_y =
-        height * std::max({change(over->m11.y), change(over->m12.y), change(over->m22.y)});
+        height * std::max({change(over.m11.y), change(over.m12.y), change(over.m22.y)});
     const bool tells = by_x < infinity && by_y < infinity && (by_x > 0 || by_y > 0);
     if (!tells) return width >= height;
     return by_x >= by_y;
