@@ -52,21 +52,11 @@ def module_of(name, headers):
     return own if own in headers else stem(name)
 
 
-def included(top, path):
-    for name in sources.includes(top / path):
-        if name.startswith("asterism/"):
-            name = name.removeprefix("asterism/")
-        else:
-            name = (path.parent / name).as_posix()
-        if (top / name).is_file():
-            yield name
-
-
 def graph_of(top, paths, headers):
     graph = collections.defaultdict(set)
     for path in paths:
         own = module_of(path.as_posix(), headers)
-        graph[own] |= {module_of(name, headers) for name in included(top, path)} - {own}
+        graph[own] |= {module_of(name, headers) for name in sources.own_includes(top, path)} - {own}
     return graph
 
 
@@ -121,7 +111,7 @@ def foreign_headers(top, paths, headers):
             continue
         own = stem(path.as_posix())
         for name in sorted(headings(top, path, ";")):
-            by = {p for p in definers[name] if path.as_posix() in set(included(top, p))
+            by = {p for p in definers[name] if path.as_posix() in set(sources.own_includes(top, p))
                   or p.parent == path.parent}
             if by and not any(module_of(p.as_posix(), headers) in (own, INSIDE.get(path.as_posix())) for p in by):
                 yield path.as_posix(), name, sorted(p.as_posix() for p in by)

@@ -3,14 +3,15 @@
 linkage has different names, or different parameters. The first command and the Python module are built so,
 the tests are not.
 
-    check_united.py SOURCE
+    check_united.py [SOURCE]
 """
 from __future__ import annotations
 
 import collections
 import pathlib
 import re
-import sys
+
+import sources
 
 _TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)[^;{]*\{", re.MULTILINE)
 _ALIAS = re.compile(r"^using (\w+) = ([^;]*);", re.MULTILINE)
@@ -57,8 +58,8 @@ def clashes(files: list[pathlib.Path]) -> list[str]:
             if len({file for _, file in found}) > 1 and not can_meet([kind for kind, _ in found])]
 
 
-def main(source: pathlib.Path) -> None:
-    wrong = []
+def main() -> None:
+    source, wrong, checked = sources.root(), [], 0
     for folder in sorted({file.parent for top in ("mesh", "apps", "challenge", "python/src")
                           for file in (source / top).rglob("*.cpp")}):
         lists = [folder / "CMakeLists.txt", folder.parent / "CMakeLists.txt"]
@@ -66,8 +67,11 @@ def main(source: pathlib.Path) -> None:
                  for names in _ALONE.findall(file.read_text()) for name in names.split()}
         files = [file for file in sorted(folder.glob("*.cpp")) if file.name not in alone]
         wrong += clashes(files) if files else []
+        checked += len(files)
     if wrong:
-        sys.exit("\n".join(wrong) + "\nGive each a name of its own, or one home: these files are compiled as one.")
+        wrong.append("Give each a name of its own, or one home: these files are compiled as one.")
+    sources.finish(wrong, checked)
 
 
-main(pathlib.Path(sys.argv[1]))
+if __name__ == "__main__":
+    main()

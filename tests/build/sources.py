@@ -34,6 +34,17 @@ def includes(path):
     return pattern.findall(path.read_text(encoding="utf-8"))
 
 
+def own_includes(top, path):
+    """Paths relative to `top` of the project's own files that the file of this relative path includes itself."""
+    for name in includes(top / path):
+        if name.startswith("asterism/"):
+            name = name.removeprefix("asterism/")
+        else:
+            name = (path.parent / name).as_posix()
+        if (top / name).is_file():
+            yield name
+
+
 def public_headers(top):
     """The headers that are installed, by cmake/public_headers.txt."""
     lines = (top / "cmake/public_headers.txt").read_text(encoding="utf-8").splitlines()
