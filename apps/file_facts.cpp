@@ -188,12 +188,6 @@ result<file_facts> facts_of_solution(const fs::path& path) {
                fs::path(path).replace_extension(".mesh").string()};
 }
 
-bool is_domain(const std::string& name) {
-  const file_kind* const kind = kind_of_file(name);
-  if (kind != nullptr && is_domain_kind(*kind)) return true;
-  return name == "square" || name == "airfoil" || name == "naca0012";
-}
-
 result<file_facts> facts_of_certificate(const fs::path& path) {
   const auto read = read_certificate(path);
   if (!read) return read.failure();
@@ -236,7 +230,7 @@ result<file_facts> facts_of_file(const fs::path& path) {
   const bool is_drawn = kind != nullptr && kind->format && is_drawing(*kind->format);
   if (is_drawn || has_ending(name, ".ele") || has_ending(name, ".edge"))
     return error{name + ": files of this kind are written here, not read"};
-  if (!is_domain(name))
+  if (!is_domain_name(name))
     return error{name +
                  (fs::exists(path, ignored) ? ": not a file that is known here by its name: "
                                             : ": no such file; these are known here by names: ") +

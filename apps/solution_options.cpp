@@ -9,7 +9,7 @@
 #include "asterism/apps/other_names.hpp"
 #include "asterism/apps/size_options.hpp"
 #include "asterism/core/number_text.hpp"
-#include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -144,8 +144,7 @@ void add_solution_options(CLI::App& app, metric_request& request) {
 // A mesh in a file that holds fields, too, is adapted to these where nothing else is named.
 void set_defaults(metric_request& request) {
   const bool has_source = is_of_fields(request) || !request.metric.empty() || request.implied;
-  for (const char* const ending : {".msh", ".msh2", ".vtu"})
-    if (!has_source && has_ending(request.mesh, ending)) request.solution = request.mesh;
+  if (!has_source && holds_fields(request.mesh)) request.solution = request.mesh;
   if (!request.names_gradation && is_of_fields(request)) request.wishes.gradation = loop_gradation;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +13,7 @@
 #include "asterism/apps/verify_metric.hpp"
 #include "asterism/mesh/domain/cracks.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 #include "asterism/mesh/pipeline/completed_mesh.hpp"
@@ -23,12 +23,11 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// Formats that list the sides of the boundary, by numbers or names of a solver's, and no metric.
-constexpr std::array<std::string_view, 4> formats_of_solvers = {".su2", ".14", ".grd", ".2dm"};
-
+// True of the formats that are written, and list the sides of the boundary, by numbers or names of
+// a solver's, and no metric.
 bool is_of_solver(std::string_view name) {
-  return std::any_of(formats_of_solvers.begin(), formats_of_solvers.end(),
-                     [name](std::string_view ending) { return has_ending(name, ending); });
+  const file_kind* const kind = kind_of_file(name);
+  return kind != nullptr && is_mesh_kind(*kind) && is_written_kind(*kind) && !kind->keeps.metric;
 }
 
 bool is_written_alone(const std::filesystem::path& path) {

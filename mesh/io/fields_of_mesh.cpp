@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
@@ -36,8 +37,7 @@ result<solution> fields_of_mesh(const fs::path& path, const mesh_file& read) {
   const bool is_medit = has_ending(name, ".mesh") || has_ending(name, ".meshb");
   fs::path file;
   if (is_medit) file = fields_beside(path);
-  if (has_ending(name, ".msh") || has_ending(name, ".msh2") || has_ending(name, ".vtu"))
-    file = path;
+  if (holds_fields(name)) file = path;
   solution none;
   none.vertices = read.content.sites.size();
   return file.empty() ? none : read_fields(file, read.content, read.left_out);

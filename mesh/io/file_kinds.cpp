@@ -98,6 +98,17 @@ bool is_mesh_kind(const file_kind& kind) { return kind.read != nullptr; }
 
 bool is_domain_kind(const file_kind& kind) { return kind.read_domain != nullptr; }
 
+bool is_domain_name(std::string_view name) {
+  const file_kind* const kind = kind_of_file(name);
+  return name == "square" || name == "airfoil" || name == "naca0012" ||
+         (kind != nullptr && is_domain_kind(*kind));
+}
+
+bool holds_fields(std::string_view name) {
+  const file_kind* const kind = kind_of_file(name);
+  return kind != nullptr && kind->keeps.fields && !kind->place_of_metric.empty();
+}
+
 bool is_written_kind(const file_kind& kind) { return kind.format.has_value(); }
 
 std::string endings_of(bool (*is_meant)(const file_kind&), std::string_view last) {

@@ -18,8 +18,9 @@
 
 namespace asterism::internal {
 
-// What of a mesh a format has a place for, beside vertices, triangles and markers. Pictures and
-// pages show all of it and keep none, and are not asked.
+// Tells the parts of a mesh that a format has a place for, beside vertices, triangles and markers.
+// Pictures and pages show all parts, and a mesh cannot be read back from them: nobody asks for
+// theirs.
 struct kept_parts {
   bool regions = false, inner_segments = false;
   bool names_of_markers = false, names_of_regions = false;
@@ -55,6 +56,10 @@ bool is_drawing(mesh_format format);
 bool is_mesh_kind(const file_kind& kind);
 // True if they are read as domains and never as meshes.
 bool is_domain_kind(const file_kind& kind);
+// True of the name of a built-in domain, and of that of a file of such a kind.
+bool is_domain_name(std::string_view name);
+// True of the name of a mesh's file that holds fields at the vertices, too.
+bool holds_fields(std::string_view name);
 // True if a mesh is written to them.
 bool is_written_kind(const file_kind& kind);
 

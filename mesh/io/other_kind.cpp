@@ -38,10 +38,7 @@ constexpr std::array<known_kind, 8> other_kinds = {{{".obj", space_text},
 std::string what_it_is(std::string_view name) {
   for (const known_kind& kind : other_kinds)
     if (has_ending(name, kind.ending)) return "; it " + std::string(kind.what);
-  const internal::file_kind* const kind = internal::kind_of_file(name);
-  const bool is_domain =
-      name == "square" || name == "airfoil" || (kind != nullptr && is_domain_kind(*kind));
-  return is_domain ? "; it " + std::string(domain_text) : "";
+  return internal::is_domain_name(name) ? "; it " + std::string(domain_text) : "";
 }
 
 }  // namespace asterism

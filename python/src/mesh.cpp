@@ -5,7 +5,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -74,11 +74,9 @@ std::string svg_of(const py_mesh& m, int width, bool ellipses) {
   return value_or_raise(draw_picture(m.content, picture_format::svg, options));
 }
 
-// True if files of the format have fields in them or beside them.
+// True if files of the format have fields in them or beside them, or show them.
 bool holds_fields(mesh_format format) {
-  constexpr std::array holding{mesh_format::medit, mesh_format::medit_binary, mesh_format::gmsh,
-                               mesh_format::gmsh2, mesh_format::vtu,          mesh_format::html};
-  return std::find(holding.begin(), holding.end(), format) != holding.end();
+  return internal::kept_in(format).fields || format == mesh_format::html;
 }
 
 std::vector<std::string> save_unlocked(const py_mesh& m, const std::string& name,

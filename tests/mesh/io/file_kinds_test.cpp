@@ -53,6 +53,11 @@ TEST_CASE("who reads and who writes a file agree with its row") {
     REQUIRE_FALSE(loaded.ok());
     CHECK((loaded.failure().message.find("unknown domain") == std::string::npos) == is_read);
   }
+  for (const char* const name : {"a.msh", "A.MSH2", "a.vtu"}) CHECK(holds_fields(name));
+  for (const char* const name : {"a.mesh", "a.meshb", "a.vtk", "a.su2", "a.node", "a"})
+    CHECK_FALSE(holds_fields(name));
+  for (const char* const name : {"square", "naca0012", "a.poly"}) CHECK(is_domain_name(name));
+  for (const char* const name : {"a.mesh", "a.png", "circle"}) CHECK_FALSE(is_domain_name(name));
   CHECK(kind_of_file("part.obj") == nullptr);
   CHECK(kind_of_file("PART.MESHB")->format == mesh_format::medit_binary);
 }
