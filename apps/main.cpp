@@ -54,12 +54,14 @@ const known_command* find_command(std::string_view name) {
   return found != known_commands.end() ? found : nullptr;
 }
 
+bool takes_files(const known_command* known) { return known != nullptr && !known->tells_of_others; }
+
 // Adds the command that the first word names to the program and reads the words: a fourth of the
 // time that all commands take, which was a tenth of a small job. Returns whether that is all there
 // is to say. False where a message or help is wanted, or another command is named besides.
 bool is_read_by_one(CLI::App& program, const std::vector<std::string>& words, command& chosen) {
   const known_command* const named = words.empty() ? nullptr : find_command(words[0]);
-  if (named == nullptr || named->tells_of_others ||
+  if (!takes_files(named) ||
       std::any_of(words.begin() + 1, words.end(),
                   [](const std::string& word) { return find_command(word) != nullptr; }))
     return false;
@@ -99,7 +101,8 @@ int run_with_all(const std::vector<std::string>& words) {
   for (const known_command& known : known_commands) known.add(program, chosen);
   group_options(program);
   auto message = misread_help(program, words);
-  if (!message) message = misused_stream(words);
+  if (!message && !words.empty() && takes_files(find_command(words[0])))
+    message = misused_stream(words);
   if (message) {
     std::cerr << "asterism: " << without_controls(*message) << '\n';
     return refused;

@@ -31,9 +31,11 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return rows[a.size()][b.size()];
 }
 
-// The name that begins with the word, and all others that do with it; empty where there is none.
+// Returns the name that the word begins: the shortest, if all others that begin with the word begin
+// with that name; empty where there is none.
 std::string completed(const std::string& word, const std::vector<std::string>& names) {
-  constexpr std::size_t least = 3;
+  constexpr std::size_t least =
+      3;  // letters, the dashes of options included; of fewer none is meant
   std::string shortest;
   const auto begins = [](const std::string& name, const std::string& with) {
     return name.compare(0, with.size(), with) == 0;
@@ -256,8 +258,7 @@ std::optional<std::string> misused_stream(const std::vector<std::string>& words)
     if (std::find(streams.begin(), streams.end(), word) != streams.end())
       return word + ": " + words[0] +
              " wants the name of a file, whose ending says what it holds; standard input and "
-             "output "
-             "are read and written by 'asterism convert - OUT --format EXT' and by eval";
+             "output are read and written by 'asterism convert - OUT --format EXT' and by eval";
   return std::nullopt;
 }
 

@@ -154,6 +154,9 @@ MISTAKES = [
     ("transfer a.mesh u.sol part.poly -o x.sol", "is a domain.*`asterism mesh` makes one"),
     ("adapt square --solution u.sol --vertices 100 -o x.mesh", "is a domain.*`asterism mesh` makes one"),
     ("verify -", "standard input.*convert"),
+    ("frobnicate -", "there is no command 'frobnicate'"),
+    ("help -", "there is no command '-'"),
+    ("transfer a.mesh u.sol naca0012 -o x.sol", "is a domain.*`asterism mesh` makes one"),
     ("draw a.mesh -o -", "standard input.*convert"),
     # Numbers
     ("mesh square --size 0 -o x.mesh", "positive"),
