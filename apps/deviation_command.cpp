@@ -13,7 +13,6 @@
 #include "asterism/apps/option_values.hpp"
 #include "asterism/apps/surface_input.hpp"
 #include "asterism/apps/thread_limit.hpp"
-#include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/surface_audit/deviation.hpp"
 #include "asterism/mesh/surface_io/space_mesh_reader.hpp"
 
@@ -105,11 +104,10 @@ void write_json(const deviation_job& job, const deviation_report& report) {
 
 // Refuses the mesh in the surface's place, which nothing but a name tells.
 std::optional<error> check_order_of_names(const deviation_job& job) {
-  for (const char* const ending : {".obj", ".stl", ".ply", ".mesh", ".msh", ".vtu"})
-    if (internal::has_ending(job.of, ending) && !internal::has_ending(job.mesh, ending))
-      return error{job.of + ": is a mesh by its name, and the surface comes last: 'asterism " +
-                   "deviation MESH SURFACE'"};
-  return std::nullopt;
+  if (!internal::is_space_mesh_file(job.of) || internal::is_space_mesh_file(job.mesh))
+    return std::nullopt;
+  return error{job.of + ": is a mesh by its name, and the surface comes last: 'asterism " +
+               "deviation MESH SURFACE'"};
 }
 
 int run_deviation(const deviation_job& job) {
