@@ -44,10 +44,11 @@ Examples:
   echo 'orientation 0 0  1 0  0x1p-3 1' | asterism eval
   asterism eval --kernel exact --stats records.txt)";
 
-// Refuses a file of another kind, which would be answered by an error a line to its end: none of
-// its first lines is a record. Leaves the file at its beginning.
+// Refuses a file whose first lines are all no records: it is of another kind, and each of its lines
+// would be answered by an error. Blank lines and comments do not count. Leaves the file at its
+// beginning.
 std::optional<error> refuse_other_kind(const std::string& file, std::ifstream& in) {
-  constexpr int lines_looked_at = 20;
+  constexpr int lines_looked_at = 20;  // chosen: a file of records may begin with some mistakes
   int bad = 0;
   std::string first;
   for (std::string line; bad < lines_looked_at && std::getline(in, line);) {

@@ -74,7 +74,8 @@ bool goes_on(std::string_view before, std::string_view line) {
   return is_text(before) && is_text(line) && line.find("Usage:") != 0;
 }
 
-// Splits help into lines, with the lines of a paragraph, broken for some width, joined into one.
+// Splits help into lines, and joins the lines of each paragraph into one: they were broken for a
+// width other than the one at hand.
 std::vector<std::string> paragraphs_of(const std::string& help) {
   std::vector<std::string> lines;
   std::istringstream text(help);

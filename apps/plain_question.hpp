@@ -14,8 +14,8 @@
 
 namespace asterism::apps {
 
-// Whether what is wrong with a domain is to be repaired, and how far things may be moved; as little
-// as suffices where no distance is given.
+// Asks for the repair of a domain, within a distance (mesh/domain/repair_domain.hpp) or, without
+// one, the least that suffices.
 struct domain_repair {
   bool is_asked = false;
   std::optional<double> distance = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says how many threads work.
+// Limits the number of threads that work.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -19,7 +19,7 @@ namespace asterism::apps {
 // number: "the mesh is".
 void add_threads_option(CLI::App& app, std::size_t& threads, const std::string& what);
 
-// Lets no more threads work while it lives; 0: one a processor.
+// Limits the number of threads that work while it lives. 0 sets no limit: there is one a processor.
 class thread_limit {
  public:
   explicit thread_limit(std::size_t threads) {

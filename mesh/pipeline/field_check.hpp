@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the comparison of a mesh's tensors with the metric asked for.
+// Reports how far the tensors of a mesh are from the metric that was asked for.
 #pragma once
 
 #include <optional>

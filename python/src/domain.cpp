@@ -62,7 +62,7 @@ std::vector<segment> segments_of(const py::object& given, const py::object& mark
   return segments;
 }
 
-// Whether a domain is to be mended, and within which distance; 0: the least that suffices.
+// Asks for a domain to be mended, within a distance or, without one, the least that suffices.
 struct repair_wish {
   bool is_wanted = false;
   std::optional<double> distance;
