@@ -24,7 +24,7 @@ TEST_CASE("counts of common points agree with the oracle", "[property]") {
 }
 
 TEST_CASE("counts of common points agree with the oracle, at length", "[.][long]") {
-  for_each_case(200, [](const four_sites& sites, random_source&) { expect_counts_agree(sites); });
+  for_each_case(240, [](const four_sites& sites, random_source&) { expect_counts_agree(sites); });
 }
 
 }  // namespace
