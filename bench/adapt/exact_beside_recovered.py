@@ -7,16 +7,13 @@ the mesh before: errors of linear interpolation times vertices, medians of the l
 import argparse
 import os
 import pathlib
+import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import adapt  # noqa: E402
 import functions  # noqa: E402
 import solution_loop  # noqa: E402
-
-
-def median(numbers):
-    return sorted(numbers)[len(numbers) // 2]
 
 
 def main():
@@ -37,7 +34,7 @@ def main():
         folder = pathlib.Path(options.work) / name / "values"
         folder.mkdir(parents=True, exist_ok=True)
         found = solution_loop.loop(solution_loop.Asterism(options, options.vertices), name, folder, options)
-        ours, theirs = median([n * e for _, n, e, _ in found[-3:]]), median(exact[-3:])
+        ours, theirs = statistics.median(n * e for _, n, e, _ in found[-3:]), statistics.median(exact[-3:])
         print(f"| {name} | {theirs:.4g} | {ours:.4g} | {ours / theirs:.2f} |", flush=True)
 
 
