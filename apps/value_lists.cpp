@@ -44,11 +44,11 @@ std::string mesh_values() {
       "DOMAIN  square ([-1,1]^2), airfoil (NACA 0012 in a box), a domain in a file (" +
       endings_of(is_domain_kind, "or") + "), or a mesh (" + endings_of(is_mesh_kind, "or") +
       "): what it covers, with all its vertices and boundary edges. A mesh that meets what is "
-      "asked already stays as it is; to another, vertices are added.\n"
+      "asked already stays as it is; to another, vertices are added.\n\n"
       "SPEC    by name:\n" +
       metrics() + "or a mesh with its metric (" + endings_of(is_read_with_metric, "or") +
       "): the tensors at its vertices, interpolated; or a .sol, a size or a tensor for each "
-      "vertex of DOMAIN if that is a mesh, else of the mesh of the same name beside it.\n"
+      "vertex of DOMAIN if that is a mesh, else of the mesh of the same name beside it.\n\n"
       "OUT     by extension:\n" +
       written_files();
   return wrapped(text, columns);
@@ -56,7 +56,7 @@ std::string mesh_values() {
 
 std::string convert_values() {
   const std::string text = "IN      a mesh (" + endings_of(is_mesh_kind, "or") +
-                           "), with a .sol or .solb beside Medit's; or a domain, for a .poly\n"
+                           "), with a .sol or .solb beside Medit's; or a domain, for a .poly\n\n"
                            "OUT     " +
                            endings_of(is_written_kind, "or") + "; of a domain .poly\n";
   return wrapped(text, columns);

@@ -54,6 +54,13 @@ class Help(command.CommandTest):
                     if is_text:
                         self.assertGreater(len(line) + 1 + len(after.split()[0]), columns, f"{name}: {line}")
 
+    def test_each_list_of_values_begins_a_line(self):
+        for name, words in (("mesh", ("DOMAIN", "SPEC", "OUT")), ("convert", ("IN", "OUT"))):
+            for columns in (72, 100, 140):
+                text = self.run_command(name, "--help", environment={"COLUMNS": str(columns)}).stdout
+                for word in words:
+                    self.assertRegex(text, rf"(?m)^{word}  +\S", f"{name}, {columns} columns")
+
     def complete(self, *words):
         self.write("script", self.run_command("completion", "bash").stdout)
         call = (f"source ./script; COMP_WORDS=({' '.join(repr(w) for w in words)}); COMP_CWORD={len(words) - 1}; "
