@@ -75,12 +75,17 @@ std::pair<std::size_t, std::size_t> spans_in(const std::vector<double>& ends,
 
 }  // namespace
 
-plane_curve part_of_trim(const trim_piece& piece, double from, double to) {
+plane_curve part_of_trim(const trim_piece& piece, const rounded_interval& from,
+                         const rounded_interval& to) {
   const rounded_interval width = piece.high - piece.low;
-  const auto local = [&](double place) {
-    if (piece.low.inf() == place && piece.low.sup() == place) return rounded_interval(0);
-    if (piece.high.inf() == place && piece.high.sup() == place) return rounded_interval(1);
-    return quotient(rounded_interval(place) - piece.low, width);
+  if (!(width.inf() > 0)) return {};
+  const auto is_exactly = [](const rounded_interval& end, const rounded_interval& place) {
+    return end.inf() == end.sup() && place.inf() == end.inf() && place.sup() == end.inf();
+  };
+  const auto local = [&](const rounded_interval& place) {
+    if (is_exactly(piece.low, place)) return rounded_interval(0);
+    if (is_exactly(piece.high, place)) return rounded_interval(1);
+    return quotient(place - piece.low, width);
   };
   const rounded_interval a = local(from), b = local(to);
   plane_curve part;
@@ -115,6 +120,7 @@ space_curve composed(const bezier_piece& piece, const plane_curve& curve,
 
 std::vector<std::uint32_t> pieces_along(const patch_spans& spans, const plane_curve& curve) {
   constexpr std::size_t few = 4;
+  if (curve.empty()) return {};
   for (const weighted_point& p : curve)
     if (!(p.weight.inf() > 0)) return {};
   const auto u = spans_in(spans.u, range_of(curve, false)),

@@ -14,6 +14,7 @@ namespace asterism::internal {
 namespace {
 
 constexpr int deepest_part = 60;  // halvings: places are no finer
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct trim_cell {
   double from = 0, to = 1;  // places of the first curve
@@ -32,11 +33,13 @@ double squared_size(const plain_vector& a) { return dot(a, a); }
 
 interval_vector exact_origin(const plain_vector& p) { return {p.x, p.y, p.z}; }
 
-// The images of a curve of the plane: on each piece of the patch that it may reach into.
-void add_images(const curve_on_patch& on, const plane_curve& curve, const interval_vector& origin,
+// Adds the images of a curve of the plane: on each piece of the patch that it may reach into. False
+// where these are not known: a bound by the other images would not hold then.
+bool add_images(const curve_on_patch& on, const plane_curve& curve, const interval_vector& origin,
                 std::vector<space_curve>& images) {
-  for (const std::uint32_t k : pieces_along(on.spans, curve))
-    images.push_back(composed(on.pieces[k], curve, origin));
+  const std::vector<std::uint32_t> along = pieces_along(on.spans, curve);
+  for (const std::uint32_t k : along) images.push_back(composed(on.pieces[k], curve, origin));
+  return !along.empty();
 }
 
 std::vector<const trim_piece*> pieces_between(const std::vector<trim_piece>& pieces, double from,
@@ -48,7 +51,6 @@ std::vector<const trim_piece*> pieces_between(const std::vector<trim_piece>& pie
 }
 
 double greatest_difference(const std::vector<space_curve>& a, const std::vector<space_curve>& b) {
-  if (a.empty() || b.empty()) return std::numeric_limits<double>::infinity();
   double most = 0;
   for (const space_curve& x : a)
     for (const space_curve& y : b) most = std::max(most, squared_difference_above(x, y));
@@ -58,7 +60,7 @@ double greatest_difference(const std::vector<space_curve>& a, const std::vector<
 // Where a cell is divided: at a knot of a curve inside it, else in the middle.
 double cut_of(const trim_cell& cell, const std::vector<double>& knots) {
   const double middle = (cell.from + cell.to) / 2;
-  double best = middle, off = std::numeric_limits<double>::infinity();
+  double best = middle, off = infinite;
   for (const double k : knots)
     if (k > cell.from && k < cell.to && std::abs(k - middle) < off)
       best = k, off = std::abs(k - middle);
@@ -97,19 +99,21 @@ struct two_curves {
 };
 
 [[gnu::noinline]] void look_at_gap(const two_curves& two, trim_cell& cell) {
-  const auto place = [&](double x) { return two.opposite ? 1 - x : x; };
+  const auto place = [&](double x) {
+    return two.opposite ? rounded_interval(1) - rounded_interval(x) : rounded_interval(x);
+  };
   const double middle = (cell.from + cell.to) / 2;
   const plain_vector here = lifted(two.a, trim_at(two.a.curve, middle));
-  cell.below = squared_size(here - lifted(two.b, trim_at(two.b.curve, place(middle))));
+  cell.below = squared_size(here - lifted(two.b, trim_at(two.b.curve, middle_of(place(middle)))));
   const interval_vector origin = exact_origin(here);
   std::vector<space_curve> first, second;
+  bool known = true;
   for (const trim_piece* p : pieces_between(two.of_a, cell.from, cell.to))
-    add_images(two.a, part_of_trim(*p, cell.from, cell.to), origin, first);
-  const double low = std::min(place(cell.from), place(cell.to)),
-               high = std::max(place(cell.from), place(cell.to));
-  for (const trim_piece* p : pieces_between(two.of_b, low, high))
-    add_images(two.b, part_of_trim(*p, place(cell.from), place(cell.to)), origin, second);
-  cell.above = greatest_difference(first, second);
+    known = known && add_images(two.a, part_of_trim(*p, cell.from, cell.to), origin, first);
+  const rounded_interval from = place(cell.from), to = place(cell.to), range = hull(from, to);
+  for (const trim_piece* p : pieces_between(two.of_b, range.inf(), range.sup()))
+    known = known && add_images(two.b, part_of_trim(*p, from, to), origin, second);
+  cell.above = known ? greatest_difference(first, second) : infinite;
 }
 
 struct curve_and_chord {
@@ -169,12 +173,14 @@ plane_curve along_chord(const curve_and_chord& both, const trim_cell& cell,
   cell.below = squared_size(here - lifted(on, {middle_of(foot.x), middle_of(foot.y)}));
   const interval_vector origin = exact_origin(here);
   std::vector<space_curve> curves, chords;
+  bool known = true;
   for (const trim_piece* piece : pieces_between(both.pieces, cell.from, cell.to)) {
     const plane_curve part = part_of_trim(*piece, cell.from, cell.to);
-    if (chords.empty()) add_images(on, along_chord(both, cell, part), origin, chords);
-    add_images(on, part, origin, curves);
+    known =
+        known && (!chords.empty() || add_images(on, along_chord(both, cell, part), origin, chords));
+    known = known && add_images(on, part, origin, curves);
   }
-  cell.above = greatest_difference(curves, chords);
+  cell.above = known ? greatest_difference(curves, chords) : infinite;
 }
 
 [[gnu::noinline]] std::vector<trim_piece> pieces_upward(const trim_curve& c) {
