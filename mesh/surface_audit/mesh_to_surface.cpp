@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,22 +39,15 @@ double gap_above(const deviation_scene& scene, const held_triangle& held, const 
   return squared_gap_above(net, piece.is_rational, cell.corners);
 }
 
-// Sets `above` by places that certainly belong to the surface: the nearest ones may be beyond the
-// trims.
-void look_within_trims(const deviation_scene& scene, mesh_cell& cell) {
-  cell.above = std::numeric_limits<double>::infinity();
+// Returns a bound of the squared distance by places that certainly belong to the surface: the
+// nearest ones may be beyond the trims.
+double gap_within_trims(const deviation_scene& scene, const mesh_cell& cell) {
   const trim_scene& trims = *scene.trims;
-  const auto take = [&](const std::optional<held_triangle>& held) {
-    if (held) cell.above = std::min(cell.above, gap_above(scene, *held, cell));
-  };
-  if (!trims.origins.empty()) {
-    const plain_triangle whole = scene.triangle(cell.triangle);
-    take(places_in_origin(scene.pieces, trims, trims.origins[cell.triangle],
-                          {plain(whole[0]), plain(whole[1]), plain(whole[2])},
-                          {cell.corner(0), cell.corner(1), cell.corner(2)}));
-  } else {
-    take(place_at_border(scene.pieces, trims, cell.at));
-  }
+  const plain_triangle whole = scene.triangle(cell.triangle);
+  const auto held = places_in_origin(scene.pieces, trims, trims.origins[cell.triangle],
+                                     {plain(whole[0]), plain(whole[1]), plain(whole[2])},
+                                     {cell.corner(0), cell.corner(1), cell.corner(2)});
+  return held ? gap_above(scene, *held, cell) : std::numeric_limits<double>::infinity();
 }
 
 // `hint` is a place of the surface nearby, or null: all of the surface is looked through.
@@ -74,10 +66,9 @@ void look_within_trims(const deviation_scene& scene, mesh_cell& cell) {
     cell.of[k] = project(scene.pieces, here.at, cell.corner(k)).at;
   const held_triangle held{here.at.piece,
                            {corner_at(cell.of[0]), corner_at(cell.of[1]), corner_at(cell.of[2])}};
-  if (scene.trims == nullptr || is_on_surface(scene.pieces, *scene.trims, cell.of))
-    cell.above = gap_above(scene, held, cell);
-  else
-    look_within_trims(scene, cell);
+  const bool on_surface =
+      scene.trims == nullptr || is_on_surface(scene.pieces, *scene.trims, cell.of);
+  cell.above = on_surface ? gap_above(scene, held, cell) : gap_within_trims(scene, cell);
 }
 
 interval_vector point_between(const interval_vector& a, const interval_vector& b, double share) {

@@ -32,7 +32,6 @@ class trim_region {
   // floating_point_scope(rounding::upward).
   region_side side_of(const parameter_box& box) const;
   bool is_whole() const { return border_.empty(); }
-  const std::vector<parameter_segment>& border() const { return border_; }
 
  private:
   std::size_t row_of(double v) const;

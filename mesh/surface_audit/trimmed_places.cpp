@@ -2,7 +2,6 @@
 #include "asterism/mesh/surface_audit/trimmed_places.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace asterism::internal {
@@ -79,27 +78,6 @@ held_triangle one_place(const std::vector<bezier_piece>& pieces, std::uint32_t p
   return {piece, {c, c, c}};
 }
 
-// The nearest point of the border, about; where it has none, p.
-parameter_point at_border(const trim_region& region, const parameter_point& p,
-                          const parameter_point& units) {
-  parameter_point best = p;
-  double least = std::numeric_limits<double>::infinity();
-  for (const parameter_segment& s : region.border()) {
-    double along = 0, length = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double e = (s.to[k] - s.from[k]) / units[k];
-      along += (p[k] - s.from[k]) / units[k] * e;
-      length += e * e;
-    }
-    const double share = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-    const parameter_point q{s.from[0] + share * (s.to[0] - s.from[0]),
-                            s.from[1] + share * (s.to[1] - s.from[1])};
-    const double x = (q[0] - p[0]) / units[0], y = (q[1] - p[1]) / units[1];
-    if (x * x + y * y < least) least = x * x + y * y, best = q;
-  }
-  return best;
-}
-
 }  // namespace
 
 bool is_on_surface(const std::vector<bezier_piece>& pieces, const trim_scene& trims,
@@ -131,31 +109,6 @@ std::optional<held_triangle> places_in_origin(const std::vector<bezier_piece>& p
     held.corners[k] = corner_in(piece, p);
   }
   return held;
-}
-
-std::optional<held_triangle> place_at_border(const std::vector<bezier_piece>& pieces,
-                                             const trim_scene& trims, const surface_place& near) {
-  const bezier_piece& piece = pieces[near.piece];
-  const trim_region& region = trims.regions[piece.patch];
-  if (is_on_surface(pieces, trims, {near, near, near}))
-    return held_triangle{near.piece,
-                         {parameter_corner{near.s, near.t}, parameter_corner{near.s, near.t},
-                          parameter_corner{near.s, near.t}}};
-  const patch_spans& spans = trims.spans[piece.patch];
-  const parameter_point p{piece.u_low + near.s * (piece.u_high - piece.u_low),
-                          piece.v_low + near.t * (piece.v_high - piece.v_low)};
-  const parameter_point units{spans.u.back() - spans.u.front(), spans.v.back() - spans.v.front()};
-  const parameter_point edge = at_border(region, p, units);
-  // Rounding may have taken it to the other side: a few steps are tried around it.
-  for (const double step : {0x1p-40, 0x1p-30, 0x1p-22})
-    for (const double a : {0.0, 1.0, -1.0})
-      for (const double b : {1.0, 0.0, -1.0}) {
-        const parameter_point q{edge[0] + a * step * units[0], edge[1] + b * step * units[1]};
-        if (region.side_of({q, q}) != region_side::inside) continue;
-        const std::uint32_t at = place_in(pieces, spans, q[0], q[1]).piece;
-        if (is_in(pieces[at], q)) return one_place(pieces, at, q);
-      }
-  return std::nullopt;
 }
 
 }  // namespace asterism::internal

@@ -15,12 +15,12 @@
 
 namespace asterism::internal {
 
-// What is known of a surface with trimmed patches.
+// Holds what is known of a surface with trimmed patches, and of a mesh made of it.
 struct trim_scene {
   std::vector<trim_region> regions;  // by patch
   std::vector<patch_spans> spans;    // by patch
   // The patch and the triangle of its parameters that each triangle of the mesh was lifted from,
-  // all of which is in the region; none where that is not known.
+  // all of which is in the region.
   struct origin {
     std::uint32_t patch = 0;
     std::array<parameter_point, 3> at{};
@@ -48,10 +48,5 @@ std::optional<held_triangle> places_in_origin(const std::vector<bezier_piece>& p
                                               const trim_scene::origin& origin,
                                               const std::array<plain_vector, 3>& whole,
                                               const std::array<plain_vector, 3>& corners);
-
-// Returns a place that certainly belongs to the surface, three times: the one given, or near it on
-// the border of its patch. None where nothing is certain.
-std::optional<held_triangle> place_at_border(const std::vector<bezier_piece>& pieces,
-                                             const trim_scene& trims, const surface_place& near);
 
 }  // namespace asterism::internal
