@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "asterism/mesh/surface_audit/ways_to_choose.hpp"
+
 namespace asterism::internal {
 namespace {
 
@@ -25,7 +27,7 @@ space_curve sum(space_curve a, const space_curve& b) {
 }
 
 // Returns sum C(n, i) rest^(n - i) share^i c_i: de Casteljau with polynomials for shares.
-space_curve mixed(std::vector<space_curve> c, const polynomial& share, const polynomial& rest) {
+space_curve blended(std::vector<space_curve> c, const polynomial& share, const polynomial& rest) {
   for (std::size_t left = c.size() - 1; left > 0; --left)
     for (std::size_t k = 0; k < left; ++k)
       c[k] = sum(product(rest, c[k]), product(share, c[k + 1]));
@@ -39,16 +41,13 @@ struct two_shares {
 
 two_shares shares_of(const plane_curve& c, bool by_v, double low, double high) {
   const rounded_interval from = low, to = high, width = to - from;
-  const auto n = static_cast<double>(c.size() - 1);
+  const int n = static_cast<int>(c.size()) - 1;
   two_shares shares;
-  rounded_interval binomial = 1;
   for (std::size_t k = 0; k < c.size(); ++k) {
+    const rounded_interval ways = ways_to_choose(n, static_cast<int>(k));
     const rounded_interval x = by_v ? c[k].at.y : c[k].at.x;
-    shares.share.push_back(binomial * quotient(x - from * c[k].weight, width));
-    shares.rest.push_back(binomial * quotient(to * c[k].weight - x, width));
-    // Exact: binomials of degrees up to most_degree are small whole numbers.
-    const auto at = static_cast<double>(k);
-    binomial = quotient(binomial * rounded_interval(n - at), rounded_interval(at + 1));
+    shares.share.push_back(ways * quotient(x - from * c[k].weight, width));
+    shares.rest.push_back(ways * quotient(to * c[k].weight - x, width));
   }
   return shares;
 }
@@ -94,8 +93,7 @@ plane_curve part_of_trim(const trim_piece& piece, const rounded_interval& from,
     std::vector<weighted_point> c = piece.points;
     for (std::size_t r = 1; r <= n; ++r) {
       const rounded_interval at = r <= k ? b : a;
-      for (std::size_t i = 0; i + r <= n; ++i)
-        c[i] = (rounded_interval(1) - at) * c[i] + at * c[i + 1];
+      for (std::size_t i = 0; i + r <= n; ++i) c[i] = mixed(c[i], c[i + 1], at);
     }
     part.push_back(c[0]);
   }
@@ -113,9 +111,9 @@ space_curve composed(const bezier_piece& piece, const plane_curve& curve,
       const weighted_point& c = piece.net[i * piece.row() + j];
       row.push_back({{c.at - c.weight * origin, c.weight}});
     }
-    rows.push_back(mixed(std::move(row), t.share, t.rest));
+    rows.push_back(blended(std::move(row), t.share, t.rest));
   }
-  return mixed(std::move(rows), s.share, s.rest);
+  return blended(std::move(rows), s.share, s.rest);
 }
 
 std::vector<std::uint32_t> pieces_along(const patch_spans& spans, const plane_curve& curve) {

@@ -70,7 +70,7 @@ weighted_point polar_value(std::vector<weighted_point> c, const span_of_knots& s
       const rounded_interval& from = s.knots[static_cast<std::size_t>(i + r - 1)];
       const rounded_interval& to = s.knots[k + static_cast<std::size_t>(degree)];
       const rounded_interval share = quotient(at - from, to - from);
-      c[k] = (rounded_interval(1) - share) * c[k] + share * c[k + 1];
+      c[k] = mixed(c[k], c[k + 1], share);
     }
   }
   return c[0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Defines vectors of three numbers, of intervals too.
+// Defines vectors of three numbers and points with weights, in doubles, in intervals and exactly.
 // Intervals stand in a floating_point_scope(rounding::upward).
 #pragma once
 
@@ -74,17 +74,25 @@ inline rounded_interval squared_length(const interval_vector& a) {
   return squared(a.x) + squared(a.y) + squared(a.z);
 }
 
-// A point of projective space: (w x, w y, w z, w), w > 0.
-struct weighted_point {
-  interval_vector at;
-  rounded_interval weight = 1;
+// Holds a point of projective space: (w x, w y, w z, w), w > 0.
+template <class Number>
+struct weighted {
+  space_vector<Number> at;
+  Number weight = 1;
 
-  friend weighted_point operator+(const weighted_point& a, const weighted_point& b) {
+  friend weighted operator+(const weighted& a, const weighted& b) {
     return {a.at + b.at, a.weight + b.weight};
   }
-  friend weighted_point operator*(const rounded_interval& s, const weighted_point& a) {
-    return {s * a.at, s * a.weight};
-  }
+  friend weighted operator*(const Number& s, const weighted& a) { return {s * a.at, s * a.weight}; }
 };
+
+using weighted_point = weighted<rounded_interval>;
+using exact_weighted_point = weighted<dyadic>;
+
+// Returns (1 - share) a + share b: a step of de Casteljau's algorithm.
+template <class Number>
+weighted<Number> mixed(const weighted<Number>& a, const weighted<Number>& b, const Number& share) {
+  return (Number(1) - share) * a + share * b;
+}
 
 }  // namespace asterism::internal

@@ -19,32 +19,22 @@ namespace {
 // Shares of the proposed distance that are tried, in order: the proposal is rounded.
 constexpr std::array<double, 5> shares = {1 - 0x1p-48, 1 - 1e-12, 1 - 1e-9, 1 - 1e-6, 1 - 1e-3};
 
-// Returns the point of a Bezier patch with knots at its ends alone, or without, exactly.
-struct exact_point {
-  exact_vector at;
-  dyadic weight;
-};
-
-// Returns sum over k of weights' products: the polar form in exact numbers, by de Casteljau.
-exact_point between(const exact_point& a, const exact_point& b, const dyadic& share) {
-  const dyadic rest = dyadic(1) - share;
-  return {rest * a.at + share * b.at, rest * a.weight + share * b.weight};
-}
-
-exact_point along(std::vector<exact_point> c, const dyadic& share) {
+// Returns the point of a Bezier curve, by de Casteljau's algorithm.
+exact_weighted_point along(std::vector<exact_weighted_point> c, const dyadic& share) {
   for (std::size_t left = c.size() - 1; left > 0; --left)
-    for (std::size_t k = 0; k < left; ++k) c[k] = between(c[k], c[k + 1], share);
+    for (std::size_t k = 0; k < left; ++k) c[k] = mixed(c[k], c[k + 1], share);
   return c[0];
 }
 
-std::optional<exact_point> exact_at(const surface_patch& p, double s, double t) {
+// Returns the point of a Bezier patch exactly; none of a patch with inner knots.
+std::optional<exact_weighted_point> exact_at(const surface_patch& p, double s, double t) {
   const auto is_bezier = [](std::size_t count, int degree) {
     return count == static_cast<std::size_t>(degree) + 1;
   };
   if (!is_bezier(p.count_u, p.degree_u) || !is_bezier(p.count_v, p.degree_v)) return std::nullopt;
-  std::vector<exact_point> column;
+  std::vector<exact_weighted_point> column;
   for (std::size_t i = 0; i < p.count_u; ++i) {
-    std::vector<exact_point> row;
+    std::vector<exact_weighted_point> row;
     for (std::size_t j = 0; j < p.count_v; ++j) {
       const dyadic w = p.at(i, j).weight;
       row.push_back({w * vector_of<dyadic>(p.at(i, j).at), w});
@@ -57,7 +47,7 @@ std::optional<exact_point> exact_at(const surface_patch& p, double s, double t) 
 struct surface_point_proof {
   const deviation_scene& scene;
   weighted_point enclosed;
-  std::optional<exact_point> exact;
+  std::optional<exact_weighted_point> exact;
   plain_vector about;
 
   bool holds(double distance) const;

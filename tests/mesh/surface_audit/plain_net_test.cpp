@@ -25,20 +25,11 @@ using namespace asterism::internal;
 
 namespace {
 
-struct exact_weighted {
-  exact_vector at;
-  dyadic weight;
-};
-
-exact_weighted between(const exact_weighted& a, const exact_weighted& b, const dyadic& share) {
-  const dyadic rest = dyadic(1) - share;
-  return {rest * a.at + share * b.at, rest * a.weight + share * b.weight};
-}
-
-// The polar form of a Bezier curve, a step for each of its arguments.
-exact_weighted polar(std::vector<exact_weighted> c, const std::vector<double>& arguments) {
+// Returns the polar form of a Bezier curve, a step for each of its arguments.
+exact_weighted_point polar(std::vector<exact_weighted_point> c,
+                           const std::vector<double>& arguments) {
   for (const double x : arguments) {
-    for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = between(c[k], c[k + 1], dyadic(x));
+    for (std::size_t k = 0; k + 1 < c.size(); ++k) c[k] = mixed(c[k], c[k + 1], dyadic(x));
     c.pop_back();
   }
   return c[0];
@@ -78,26 +69,26 @@ random_patch patch_of(splitmix64& random, int most, double least_weight) {
 }
 
 // The net's point times the number of ways, exactly.
-exact_weighted exact_sum(const random_patch& r, const std::array<int, 3>& index) {
-  exact_weighted sum{{0, 0, 0}, 0};
+exact_weighted_point exact_sum(const random_patch& r, const std::array<int, 3>& index) {
+  exact_weighted_point sum{{0, 0, 0}, 0};
   for (int i = 0; i <= r.p; ++i)
     for (int j = 0; i + j <= r.p; ++j) {
       const std::array<int, 3> a = {i, j, r.p - i - j},
                                b = {index[0] - a[0], index[1] - a[1], index[2] - a[2]};
       if (*std::min_element(b.begin(), b.end()) < 0) continue;
-      std::vector<exact_weighted> line;
+      std::vector<exact_weighted_point> line;
       for (int m = 0; m <= r.p; ++m) {
-        std::vector<exact_weighted> row;
+        std::vector<exact_weighted_point> row;
         for (int n = 0; n <= r.q; ++n) {
           const weighted_point& c = r.control[static_cast<std::size_t>(m * (r.q + 1) + n)];
           row.push_back({{c.at.x.inf(), c.at.y.inf(), c.at.z.inf()}, c.weight.inf()});
         }
         line.push_back(polar(row, repeated(r.at[1], b)));
       }
-      const exact_weighted form = polar(line, repeated(r.at[0], a));
+      const exact_weighted_point form = polar(line, repeated(r.at[0], a));
       dyadic ways = 1;
       for (std::size_t k = 0; k < 3; ++k) ways = ways * dyadic(ways_to_choose(index[k], a[k]));
-      sum = {sum.at + ways * form.at, sum.weight + ways * form.weight};
+      sum = sum + ways * form;
     }
   return sum;
 }
@@ -159,7 +150,7 @@ TEST_CASE("a net in doubles holds the exact one, and its roundings are no more t
       const dyadic ways = ways_to_choose(n, r.p);
       for (int i = n; i >= 0; --i)
         for (int j = n - i; j >= 0; --j) {
-          const exact_weighted exact = exact_sum(r, {i, j, n - i - j});
+          const exact_weighted_point exact = exact_sum(r, {i, j, n - i - j});
           const weighted_point& found = net.points[net_index(n, i, j)];
           CHECK(holds(found.at.x, ways, exact.at.x));
           CHECK(holds(found.at.y, ways, exact.at.y));
