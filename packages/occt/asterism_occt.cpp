@@ -18,6 +18,7 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Precision.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -44,6 +45,9 @@ constexpr int most_degree = 12;  // that asterism treats
 struct refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+// Writes a number of any size with the digits that tell it.
+std::string text_of(double x) { return json(x).dump(); }
 
 bool ends_with(std::string name, const std::string& ending) {
   std::transform(name.begin(), name.end(), name.begin(),
@@ -72,7 +76,7 @@ TopoDS_Shape read_shape(const std::string& file) {
   return shape;
 }
 
-// A face with all that its output needs.
+// Holds a face with all that its output needs.
 struct face_reader {
   TopoDS_Face face;  // forward: its loops have the face on their left in (u, v)
   std::string name;
@@ -86,8 +90,8 @@ struct face_reader {
   json loop(const TopoDS_Wire& wire) const;
   json curve(const TopoDS_Edge& edge) const;
   bool is_alone() const;
-  bool is_whole_patch(const json& loops, const Geom_BSplineSurface& s) const;
-  void make_poles_points(std::vector<std::vector<gp_Pnt>>& rows, const char* which);
+  double off_sides(const json& loops, const Geom_BSplineSurface& s) const;
+  void make_poles_points(std::vector<std::vector<gp_Pnt>>& rows);
 };
 
 opencascade::handle<Geom_BSplineSurface> face_reader::surface() const {
@@ -99,12 +103,9 @@ opencascade::handle<Geom_BSplineSurface> face_reader::surface() const {
   if (s.IsNull()) s = GeomConvert::SurfaceToBSplineSurface(any);
   if (s.IsNull()) throw refusal(name + ": its surface cannot be made a B-spline");
   s = opencascade::handle<Geom_BSplineSurface>::DownCast(s->Copy());
-  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-  BRepTools::UVBounds(face, u0, u1, v0, v1);
-  // A periodic surface is cut where the face begins.
+  // Cuts a periodic surface where the face begins.
   if (s->IsUPeriodic() || s->IsVPeriodic()) {
-    if (!s->IsUPeriodic()) s->Bounds(u0, u1, v0, v1);
-    double a = 0, b = 0, c = 0, d = 0;
+    double a = 0, b = 0, c = 0, d = 0, u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     s->Bounds(a, b, c, d);
     BRepTools::UVBounds(face, u0, u1, v0, v1);
     if (!s->IsUPeriodic()) u0 = a, u1 = b;
@@ -121,17 +122,18 @@ opencascade::handle<Geom_BSplineSurface> face_reader::surface() const {
   return s;
 }
 
-// A side whose points are one but for rounding becomes one point: what is proved at a pole is
-// proved of a point.
-void face_reader::make_poles_points(std::vector<std::vector<gp_Pnt>>& rows, const char* which) {
-  const double tolerance = std::min(BRep_Tool::Tolerance(face), 1e-7);
+// Makes one point of a side whose points are one but for rounding: what is proved at a pole is
+// proved of a point. A note says by how much the surface was moved.
+void face_reader::make_poles_points(std::vector<std::vector<gp_Pnt>>& rows) {
+  // In units of length: OpenCASCADE itself takes points nearer than that to be one.
+  const double tolerance = std::min(BRep_Tool::Tolerance(face), Precision::Confusion());
   const auto settle = [&](const std::vector<gp_Pnt*>& side) {
     double far = 0;
     for (const gp_Pnt* p : side) far = std::max(far, p->Distance(*side[0]));
     if (far == 0 || far > tolerance) return;
     for (gp_Pnt* p : side) *p = *side[0];
-    notes.push_back(name + ": a side at the " + which + " of a parameter is one point but for " +
-                    std::to_string(far) + ", and became one");
+    notes.push_back(name + ": a side at the end of a parameter is one point but for " +
+                    text_of(far) + ", and became one");
   };
   for (auto* row : {&rows.front(), &rows.back()}) {
     std::vector<gp_Pnt*> side;
@@ -153,7 +155,7 @@ json face_reader::surface_members(const Geom_BSplineSurface& s) {
       points[static_cast<std::size_t>(i - 1)].push_back(s.Pole(i, j));
       weights[static_cast<std::size_t>(i - 1)].push_back(s.Weight(i, j));
     }
-  make_poles_points(points, "end");
+  make_poles_points(points);
   const std::size_t rows = swapped ? points[0].size() : points.size(),
                     columns = swapped ? points.size() : points[0].size();
   json control = json::array(), all_weights = json::array();
@@ -192,7 +194,7 @@ json face_reader::curve(const TopoDS_Edge& edge) const {
   if (c->Degree() > most_degree)
     throw refusal(where + " has a curve of degree " + std::to_string(c->Degree()) + ", and " +
                   std::to_string(most_degree) + " is the greatest that asterism treats");
-  // Reversed edges run against their curves, and so do all of a face that is seen from behind.
+  // Turns curves whose edges are reversed, or all others of a face that is seen from behind.
   const bool backward = (edge.Orientation() == TopAbs_REVERSED) != swapped;
   if (backward) c->Reverse();
   json control = json::array(), weights = json::array();
@@ -232,9 +234,9 @@ bool face_reader::is_alone() const {
   return true;
 }
 
-// True if there is one loop, of curves each of which is on one side of the patch but for rounding.
-bool face_reader::is_whole_patch(const json& loops, const Geom_BSplineSurface& s) const {
-  constexpr double rounding = 1e-12;  // of a parameter, in parts of its range
+// Returns by how much of a parameter's range the curves are off the sides of the patch: each off
+// the one that is nearest to it.
+double face_reader::off_sides(const json& loops, const Geom_BSplineSurface& s) const {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   s.Bounds(u0, u1, v0, v1);
   if (swapped) std::swap(u0, v0), std::swap(u1, v1);
@@ -244,25 +246,39 @@ bool face_reader::is_whole_patch(const json& loops, const Geom_BSplineSurface& s
   };
   const std::array<side, 4> sides = {
       side{0, u0, u1 - u0}, {0, u1, u1 - u0}, {1, v0, v1 - v0}, {1, v1, v1 - v0}};
-  const auto is_on = [](const json& curve, const side& of) {
-    return std::all_of(curve["control"].begin(), curve["control"].end(), [&](const json& point) {
-      return std::abs(point[of.parameter].get<double>() - of.at) <= rounding * of.range;
-    });
+  const auto off_side = [](const json& curve, const side& from) {
+    double most = 0;
+    for (const json& point : curve["control"])
+      most = std::max(most, std::abs(point[from.parameter].get<double>() - from.at) / from.range);
+    return most;
   };
-  return loops.size() == 1 && std::all_of(loops[0].begin(), loops[0].end(), [&](const json& curve) {
-           return std::any_of(sides.begin(), sides.end(),
-                              [&](const side& of) { return is_on(curve, of); });
-         });
+  double most = 0;
+  for (const json& loop : loops)
+    for (const json& curve : loop) {
+      double least = off_side(curve, sides[0]);
+      for (const side& from : sides) least = std::min(least, off_side(curve, from));
+      most = std::max(most, least);
+    }
+  return most;
 }
 
 // Returns the face as a patch. A ball and a ring are faces that bound themselves alone; they have
-// no loops, and their sides are joined as those of other patches, by their control points.
+// no loops, and their sides are joined as those of other patches, by their control points. A note
+// says so.
 json face_reader::patch() {
+  // In parts of a parameter's range: chosen far above what OpenCASCADE's conversions round, and far
+  // below any length that is meant. The note tells the share, so that it decides nothing unsaid.
+  constexpr double rounding = 1e-12;
   const auto s = surface();
   json members = surface_members(*s), loops = json::array();
   for (TopExp_Explorer at(face, TopAbs_WIRE); at.More(); at.Next())
     loops.push_back(loop(TopoDS::Wire(at.Current())));
-  if (!loops.empty() && !(is_alone() && is_whole_patch(loops, *s))) members["loops"] = loops;
+  const double off = off_sides(loops, *s);
+  const bool is_whole = loops.size() == 1 && is_alone() && off <= rounding;
+  if (!loops.empty() && !is_whole) members["loops"] = loops;
+  if (is_whole)
+    notes.push_back(name + ": its loop goes along the sides of its patch but for " + text_of(off) +
+                    " of a parameter's range; it was left out, and all of the patch is meant");
   return members;
 }
 
