@@ -10,6 +10,12 @@
 
 namespace asterism::internal {
 
+std::optional<error> fault_of_width(int width) {
+  if (width >= 16 && width <= largest_extent) return {};
+  return error{"a picture is 16 to 20000 wide, not " + std::to_string(width),
+               error_code::bad_option};
+}
+
 canvas::canvas(const cairo_functions& cairo, _cairo* context) : cairo_(&cairo), context_(context) {
   cairo.set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   cairo.set_line_cap(context, CAIRO_LINE_CAP_ROUND);

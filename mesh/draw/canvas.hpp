@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "asterism/core/result.hpp"
@@ -21,6 +22,12 @@ struct cairo_functions;
 struct colour {
   double red, green, blue, alpha = 1;
 };
+
+inline constexpr colour paper{1, 1, 1};
+
+inline constexpr int largest_extent = 20000;  // of a page, pixels or points
+// Returns what is wrong with the width of a page.
+std::optional<error> fault_of_width(int width);
 
 // Draws. Keeps a path, as cairo does: move_to, line_to and the like extend it; fill and
 // stroke draw it and forget it. Lines have round ends and corners. Lengths are pixels or points;

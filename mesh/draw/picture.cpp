@@ -23,9 +23,6 @@ using namespace internal;
 
 namespace {
 
-constexpr int largest_extent = 20000;
-
-constexpr colour paper{1, 1, 1};
 constexpr colour thin_ink{0.30, 0.33, 0.38};
 constexpr colour bold_ink{0.07, 0.09, 0.13};
 constexpr colour disagreeing_fill{0.84, 0.15, 0.16, 0.75};
@@ -49,9 +46,7 @@ struct page {
 };
 
 result<page> lay_out(const mesh& m, const picture_options& options, const picture_legend& legend) {
-  if (options.width < 16 || options.width > largest_extent)
-    return error{"a picture is 16 to 20000 wide, not " + std::to_string(options.width),
-                 error_code::bad_option};
+  if (auto wrong = fault_of_width(options.width)) return *wrong;
   if (m.sites.empty()) return error{"there is nothing to draw: the mesh has no sites"};
   page p;
   p.box = {m.sites[0].position, m.sites[0].position};

@@ -15,8 +15,6 @@
 namespace asterism::internal {
 namespace {
 
-constexpr int largest_extent = 20000;
-constexpr colour paper{1, 1, 1};
 constexpr double line_width = 0.5;  // pixels or points
 constexpr double least_side = 2.5;  // lines are left out where sides are shorter, in the mean
 constexpr double around = -0.6, down = -1.05;  // radians; space_page/turning.js has the same
@@ -25,7 +23,7 @@ using vector = std::array<double, 3>;
 
 double dot(const vector& a, const vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Rows of the rotation: about z, then about the axis across the page.
+// Returns the rows of the rotation: about z, then about the axis across the page.
 std::array<vector, 3> first_turn() {
   const double c = elementary::cos(around), s = elementary::sin(around);
   const double d = elementary::cos(down), e = elementary::sin(down);
@@ -54,14 +52,15 @@ seen_mesh seen(const space_mesh& m) {
   return s;
 }
 
-// Hues a golden ratio of the circle apart, one of three parts of a colour.
+// Returns one of three parts of a face's colour. Hues of faces are a golden ratio of the circle
+// apart.
 double part_of_hue(std::size_t face, int part) {
   const double turns = 0.58 + static_cast<double>(face) * 0.618034;
   const double k = std::fmod(part + 6 * (turns - std::floor(turns)), 6.0);
   return 0.78 - 0.30 * std::max(0.0, std::min({k, 4 - k, 1.0}));
 }
 
-// Lit from above on the right; the other side is darker.
+// Returns a face's colour lit from above on the right; the other side is darker.
 colour shade(const vector& normal, std::size_t face) {
   const double size = std::sqrt(dot(normal, normal));
   const vector light = {0.28, 0.466, 0.839};
@@ -76,7 +75,7 @@ vector normal_of(const vector& a, const vector& b, const vector& c) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-// The triangles from the farthest on, equally far ones by number.
+// Returns the triangles from the farthest on, equally far ones by number.
 std::vector<std::size_t> from_behind(const space_mesh& m, const seen_mesh& s) {
   std::vector<double> depth;
   for (const space_triangle& t : m.triangles)
@@ -95,9 +94,7 @@ struct page {
 };
 
 result<page> lay_out(const space_mesh& m, const seen_mesh& s, int width) {
-  if (width < 16 || width > largest_extent)
-    return error{"a picture is 16 to 20000 wide, not " + std::to_string(width),
-                 error_code::bad_option};
+  if (auto wrong = fault_of_width(width)) return *wrong;
   page p;
   p.width = width;
   p.margin = 0.03 * width;

@@ -3,8 +3,8 @@
 // Draws a mesh in space as it is first seen on its page: from above and aside, z up, each patch in
 // a colour of its own, triangles shaded by how they lie to the light.
 //
-// What is behind is hidden by what is drawn later: triangles are drawn from the farthest middle to
-// the nearest. Where long triangles pass each other closely one may be drawn over a nearer one.
+// Draws triangles in the order of their middles, the farthest first, so that nearer ones hide what
+// is behind them. Of long triangles that pass each other closely the farther may hide the nearer.
 #pragma once
 
 #include <string>
