@@ -14,9 +14,9 @@ namespace {
 
 using plain_control = std::array<double, 4>;
 
-// Above what underflow adds, relative to a weight: weights are 2^-300 at least, and fewer than 2^30
-// products lose at most 2^-1074 each. What shares lose is times |P_i|, no more than 2^600 X w, and
-// within the rounding that is counted beside.
+// Bounds what underflow adds, relative to a weight: weights are 2^-300 at least, and fewer than
+// 2^30 products lose at most 2^-1074 each. What shares lose is times |P_i|, no more than 2^600 X w,
+// and within the rounding that is counted beside.
 constexpr double lost_to_underflow = 0x1p-700;
 
 // Shares that the polar form gives to the control points of one direction, rows of degree + 1: for
@@ -48,8 +48,8 @@ void find_shares(int degree, const std::array<double, 3>& at, share_rows& rows) 
     }
 }
 
-// What bounds errors: |P_i| <= greatest w_i, half-widths of control points and weights over w_i,
-// how far true corners are from those taken, and by how much weights differ.
+// Holds the numbers that bound errors: |P_i| <= greatest w_i, half-widths of control points and
+// weights over w_i, how far true corners are from those taken, and by how much weights differ.
 struct net_facts {
   double greatest = 0, half_width = 0, weight_half_width = 0, corner_off = 0, weight_ratio = 1;
   bool usable = true;
@@ -138,6 +138,8 @@ void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) 
 [[gnu::noinline]] std::optional<plain_triangle_net> to_nearest(const tensor_net& from,
                                                                const parameter_triangle& corners,
                                                                bool is_rational) {
+  // Chosen: intervals are taken beyond. Weights known to that share differ from those computed by a
+  // factor below 1 + 2 weight_off, as the last step takes it.
   constexpr double rough = 0x1p-30;
   plain_start start;
   take_corners(corners, start);
@@ -147,7 +149,7 @@ void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) 
   // A polar form is affine in each of p + q arguments, and between 0 and 1 of two values of it at
   // the ends, so that an argument off by h changes it by at most 2 h times the greatest value.
   const double moved = 2 * (p + q) * f.corner_off * f.weight_ratio;
-  if (!f.usable || !(moved < rough)) return std::nullopt;
+  if (!f.usable || !(moved + f.weight_half_width < rough)) return std::nullopt;
   plain_triangle_net net;
   net.degree = p + q;
   net.points.assign(net_size(p + q), {0, 0, 0, 0});
@@ -157,7 +159,7 @@ void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) 
   net.off = ((rounded + moved) * f.greatest + f.half_width) * slack + lost_to_underflow;
   net.weight_off =
       is_rational ? (rounded + moved + f.weight_half_width) * slack + lost_to_underflow : 0;
-  // Both are relative to the true weight so far.
+  // Makes both relative to the computed weight; so far they are to the true one.
   net.off *= 1 + 2 * net.weight_off, net.weight_off *= 1 + 2 * net.weight_off;
   return net;
 }

@@ -21,7 +21,7 @@
 
 namespace asterism::internal {
 
-// Values x, y, z (times the weight) and the weight of each point; the true ones differ by at most
+// Holds x, y, z (times the weight) and the weight of each point; the true ones differ by at most
 // `off` and `weight_off`, each times the computed weight, and the weights by weight_off times it.
 struct plain_triangle_net {
   int degree = 0;
@@ -38,9 +38,9 @@ constexpr int roundings_of_net(int p, int q) {
   return 4 * (p + q) + static_cast<int>(net_size(p < q ? p : q)) + 5;
 }
 
-// None where a corner may be outside of the piece, a weight may not be positive, or corners are
-// known so roughly beside the ratio of the weights that intervals are narrower. In any rounding
-// mode: it has its own, and the same bits on every machine.
+// Returns none where a corner may be outside of the piece, a weight may not be positive, or corners
+// or weights are known so roughly that intervals are narrower. Works in any rounding mode: it sets
+// its own, and has the same bits on every machine.
 std::optional<plain_triangle_net> plain_net_over(const tensor_net& from,
                                                  const parameter_triangle& corners,
                                                  bool is_rational);
