@@ -32,8 +32,8 @@ class face_border {
   std::array<std::size_t, 2> ends_of(std::size_t side) const;
 
   point corner(std::size_t k) const;
-  // The point of the chart at a place from 0 to 1 of a side. What of a curve is beyond the patch is
-  // taken to its rectangle.
+  // Returns the point of the chart at a place from 0 to 1 of a side. Points of a curve beyond the
+  // patch are taken to its rectangle.
   point at(std::size_t side, double place) const;
   // The trimming curve of a side, and the number of curves in its loop.
   const trim_curve& curve(std::size_t side) const { return *trims_[side].curve; }

@@ -63,7 +63,7 @@ class face_meshing {
   void free_around(const std::vector<unsigned char>& marked);
   // The side that a site is on, and where; none inside and at corners.
   std::optional<on_side> side_of(vertex_index site) const;
-  // Where the given sites of a trimmed patch are; else none.
+  // Returns the places of the given sites of a trimmed patch; none of another.
   std::vector<border_place> border_places() const;
 
  private:

@@ -80,8 +80,8 @@ std::array<double, 2> densities(double stronger, double weaker, const surface_si
   return {first, density(weaker, height, sizes)};
 }
 
-// Where the two are nearly parallel, as in a chart that is much aslant, rounding could make them
-// so.
+// Rounds both, but where they are nearly parallel, as in a chart that is much aslant: rounding
+// could make them so.
 void round_covectors(std::array<std::array<double, 2>, 2>& covector) {
   constexpr double apart = 0x1p-10;
   std::array<double, 2> scale{};

@@ -16,16 +16,16 @@
 
 namespace asterism::internal {
 
-// What both directions look at. All must outlive it.
+// Refers to what both directions look at. All must outlive it.
 struct deviation_scene {
   const space_mesh& mesh;
   const surface& of;
   const std::vector<bezier_piece>& pieces;
   const box_tree& triangles;
   const surface_locator& locator;
-  // A place of the surface near the middle of each triangle, where one is known; else null.
+  // A place of the surface near the middle of each triangle; null: not known.
   const std::vector<surface_place>* places = nullptr;
-  // Where patches are trimmed; else null.
+  // The regions of trimmed patches; null: no patch is trimmed.
   const trim_scene* trims = nullptr;
 
   plain_triangle triangle(std::size_t t) const {

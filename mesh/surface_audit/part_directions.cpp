@@ -23,7 +23,8 @@ namespace asterism::internal {
 namespace {
 
 constexpr double unit = 0x1p-53;
-constexpr double underflow = 0x1p-1060;  // more than three products lose
+// Above what three products lose, 2^-1074 each, in a sum and times `slack`.
+constexpr double underflow = 0x1p-1060;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // A vector in doubles, off by at most `off` in each component.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds the directions of the surface over a part of a triangle, in the triangle's own frame.
+// Bounds the derivatives of the surface over a part of a triangle, by ranges of their products with
+// the triangle's longest edge, its normal, and the vector across both.
 #pragma once
 
 #include <optional>
@@ -9,13 +10,13 @@
 
 namespace asterism::internal {
 
-// A corner of a triangle, its longest edge e, its normal n = E1 x E2, and m = n x e.
+// Holds a corner of a triangle, its longest edge e, its normal n = E1 x E2, and m = n x e.
 struct triangle_frame {
   interval_vector corner, edge, across, normal;
   rounded_interval squared_edge, squared_normal;
 };
 
-// Ranges of p = e.q, r = m.q and c = n.q for vectors q of a field over a part.
+// Holds ranges of p = e.q, r = m.q and c = n.q for vectors q of a field over a part.
 struct direction_range {
   rounded_interval p, r, c;
 
@@ -27,8 +28,8 @@ struct direction_range {
   }
 };
 
-// Two vector fields over a part, whose cross product is a positive multiple of r_u x r_v, or a
-// negative one.
+// Holds two vector fields over a part, whose cross product is a positive multiple of r_u x r_v, or
+// a negative one.
 struct two_directions {
   direction_range first, second;
   bool negative = false;

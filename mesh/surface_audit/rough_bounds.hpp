@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shares what bounds of errors of doubles, made in doubles themselves, have in common.
+// Holds the steps common to bounds of errors that are computed in doubles themselves.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace asterism::internal {
 
-// More than the few roundings of a bound of an error itself, in which each changes it by 2^-53.
+// Is above (1 + 2^-53)^k for up to 2^12 roundings k: those of a bound of an error itself.
 inline constexpr double slack = 1 + 0x1p-40;
 
 struct middle_and_half {

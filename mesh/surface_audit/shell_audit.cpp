@@ -26,7 +26,9 @@ namespace {
 
 constexpr int deepest = 9;          // quarterings of a triangle
 constexpr double finite = 0x1p500;  // its square is below infinity
-// Is the share of the distance asked to which bounds of trimmed patches are not narrowed further.
+// Ends the narrowing of bounds of trimmed patches that are below this share of the distance asked:
+// places inside of trims are moved inward, and no bound comes below that. Chosen; bounds hold
+// whatever it is.
 constexpr double negligible_at_trims = 1e-6;
 
 error no_triangle() {
@@ -213,7 +215,8 @@ bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
   return true;
 }
 
-// Where the surface itself turns round within the triangle's piece, if doubles find a place.
+// Returns u and v where the surface itself turns round within the triangle's piece, if doubles find
+// such a place.
 std::optional<std::array<double, 2>> fold_over(const lifted_scene& scene, std::uint32_t t) {
   for (const lifted_cell& cell : cells_of_triangle(scene, t)) {
     const bezier_piece& piece = scene.space.pieces[cell.piece];
@@ -240,12 +243,11 @@ void audit_distances(const shell_view& view, const std::vector<lifted_cells>& fi
                                t + 1));
   narrowing_limits limits;
   limits.negligible = negligible_share * view.size();
-  // At trims places are a little inside, and bounds not below that.
   if (scene.space.trims != nullptr)
     limits.negligible = std::max(limits.negligible, negligible_at_trims * asked.chord);
   limits.at_most = asked.chord;
   limits.most_cells = 100 * scene.triangles.size() + 1'000'000;
-  // The greater of the two counts: the other need not be known better.
+  // Reports the greater of the two: the other need not be known better.
   const double of_mesh = distance_of_mesh(scene.space, limits);
   limits.negligible = std::max(limits.negligible, of_mesh);
   const auto found = narrow(joined(first), limits, [&](const lifted_cell& cell) {

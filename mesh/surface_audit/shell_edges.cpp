@@ -94,7 +94,7 @@ class face_sides {
       for (const boundary_edge& e : face.plane.boundary)
         on_.emplace(std::pair{e.a, e.b}, e.marker - 1);
   }
-  // Of the edge from a to b, the face on its left; if any.
+  // Returns the side that the edge from a to b is on, the face on its left; if any.
   std::optional<int> of(vertex_index a, vertex_index b) const {
     if (!trimmed_)
       return of_rectangle(face_.plane.sites[a].position, face_.plane.sites[b].position);

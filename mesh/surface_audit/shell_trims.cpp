@@ -78,7 +78,7 @@ void add_chords(const surface_patch& patch, const shell_face& face, std::uint32_
   }
 }
 
-// Where an edge is used: the curve of a face.
+// Names a use of an edge: a curve of a face.
 struct edge_use {
   std::size_t face = 0;
   const trim_curve* curve = nullptr;

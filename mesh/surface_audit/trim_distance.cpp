@@ -57,7 +57,8 @@ double greatest_difference(const std::vector<space_curve>& a, const std::vector<
   return most;
 }
 
-// Where a cell is divided: at a knot of a curve inside it, else in the middle.
+// Returns the place to divide a cell at: the knot inside it that is nearest to its middle, else the
+// middle.
 double cut_of(const trim_cell& cell, const std::vector<double>& knots) {
   const double middle = (cell.from + cell.to) / 2;
   double best = middle, off = infinite;

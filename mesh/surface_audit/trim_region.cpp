@@ -45,7 +45,7 @@ trim_region::trim_region(std::vector<parameter_segment> border) : border_(std::m
   rows_.resize(height_ > 0 ? count : 1);
   for (std::uint32_t k = 0; k < border_.size(); ++k) {
     const parameter_segment& s = border_[k];
-    // A row more at either end: rows are asked for in another rounding, too.
+    // Adds a row at either end: rows are asked for in another rounding, too.
     const std::size_t first = row_of(std::min(s.from[1], s.to[1])),
                       last = row_of(std::max(s.from[1], s.to[1]));
     for (std::size_t row = first > 0 ? first - 1 : 0; row <= last + 1 && row < rows_.size(); ++row)

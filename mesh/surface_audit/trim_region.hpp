@@ -28,8 +28,8 @@ class trim_region {
   // Requires closed polygons. Without any, all is inside.
   explicit trim_region(std::vector<parameter_segment> border);
 
-  // Says where a box is if no segment may come into it. In a
-  // floating_point_scope(rounding::upward).
+  // Returns the side that all of a box is on, undecided where a segment may come into it. Stands in
+  // a floating_point_scope(rounding::upward).
   region_side side_of(const parameter_box& box) const;
   bool is_whole() const { return border_.empty(); }
 
