@@ -21,7 +21,7 @@ bool is_divided(const side_curve& curve) {
   return !curve.is_point && (curve.sides.size() == 2 || curve.is_trim);
 }
 
-// The square of the length in the metric, by place.
+// Returns the square of the length in the metric, by place.
 double density_of(const patch_faces& of, const patch_side& side, double place) {
   const metric_tensor m = of.faces[side.patch].metric_at(chart_point(of, side, place));
   const surface_chart& chart = of.charts[side.patch];
@@ -47,7 +47,7 @@ double length_of(const patch_faces& of, const side_curve& curve, std::vector<dou
   return sums.back();
 }
 
-// The length up to a place.
+// Returns the length up to a place.
 double length_until(const std::vector<double>& sums, double place) {
   const double x = std::clamp(place, 0.0, 1.0) * side_samples;
   const auto k = std::min(static_cast<std::size_t>(x), sums.size() - 2);
@@ -100,7 +100,8 @@ double distance_between(const space_point& a, const space_point& b) {
                    (a.z - b.z) * (a.z - b.z));
 }
 
-// The distance in space of a part of a curve from its chord in the plane, in a few places.
+// Returns the distance in space of a part of a curve from its chord in the plane, the greatest of a
+// few places.
 double off_chord(const patch_faces& of, const patch_side& side, double from, double to) {
   const surface_chart& chart = of.charts[side.patch];
   const point a = chart_point(of, side, from), b = chart_point(of, side, to);
@@ -137,7 +138,7 @@ std::vector<double> needed_places(const patch_faces& of, const side_curve& curve
   return places;
 }
 
-// Equal parts between the places needed.
+// Returns the places needed, and equal parts between them.
 std::vector<double> parts_of_trim(const patch_faces& of, const side_curve& curve,
                                   const std::vector<double>& sums) {
   std::vector<double> needed = needed_places(of, curve), places;

@@ -22,20 +22,20 @@ class face_border {
 
   bool is_trimmed() const { return !trims_.empty(); }
   std::size_t sides() const { return is_trimmed() ? trims_.size() : 4; }
-  // The side that follows, going around counter-clockwise, or around a hole clockwise.
+  // Returns the side that follows, going around counter-clockwise, or around a hole clockwise.
   std::size_t next(std::size_t side) const {
     return is_trimmed() ? trims_[side].next : (side + 1) % 4;
   }
   bool runs_around(std::size_t side) const { return is_trimmed() || side < 2; }
-  // The corners that a side starts and ends at, as its parameter runs. Corner k is where side k
-  // starts, going around.
+  // Returns the corners that a side starts and ends at, as its parameter runs. Corner k is where
+  // side k starts, going around.
   std::array<std::size_t, 2> ends_of(std::size_t side) const;
 
   point corner(std::size_t k) const;
   // Returns the point of the chart at a place from 0 to 1 of a side. Points of a curve beyond the
   // patch are taken to its rectangle.
   point at(std::size_t side, double place) const;
-  // The trimming curve of a side, and the number of curves in its loop.
+  // Return the trimming curve of a side, and the number of curves in its loop.
   const trim_curve& curve(std::size_t side) const { return *trims_[side].curve; }
   std::size_t curves_in_loop(std::size_t side) const;
 

@@ -18,8 +18,8 @@
 namespace asterism::internal {
 namespace {
 
-// The loops with a region inside, each less all holes. Twice the area of each loop tells, in
-// doubles: what is no region is found by the auditor.
+// Returns the loops with a region inside, each less all holes. The sign of each loop's area tells
+// them apart, in doubles: a polygon that is no region is found by the auditor.
 std::vector<domain_polygon> polygons_of_loops(const domain& d, const face_border& border) {
   std::vector<domain_polygon> outer;
   std::vector<std::vector<std::uint32_t>> holes;
@@ -287,8 +287,8 @@ result<std::string> face_meshing::make(const side_places& places,
   return made;
 }
 
-// The corners, the vertices on sides in their order, and segments around. Markers count sides from
-// 1.
+// Returns the corners, the vertices on sides in their order, and segments around. Markers count
+// sides from 1.
 domain face_meshing::polygons(const std::vector<placed>& on_sides) const {
   domain d;
   const std::size_t sides = border_->sides();

@@ -44,7 +44,7 @@ double finer_by(double distance, double chord) {
   return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
 }
 
-// The planes of the patches. Charts and borders refer to what is before them.
+// Holds the planes of the patches. Charts and borders refer to what is before them.
 struct patch_planes {
   patch_planes(const surface& s, std::vector<bezier_piece> of)
       : pieces(std::move(of)), spans(spans_of(pieces, s.patches.size())) {
@@ -221,7 +221,7 @@ std::string surface_meshing::fold_text(std::size_t triangle,
       at[0], at[1], p + 1);
 }
 
-// The mesh of the present planes, before distances are looked at.
+// Returns the mesh of the present planes, before distances are looked at.
 surface_mesh surface_meshing::of_planes() const {
   surface_mesh now;
   now.complete = sides_agree_;

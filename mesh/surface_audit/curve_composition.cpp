@@ -34,7 +34,7 @@ space_curve blended(std::vector<space_curve> c, const polynomial& share, const p
   return c[0];
 }
 
-// The two shares of a parameter between two knots, times the weight.
+// Holds the two shares of a parameter between two knots, times the weight and binomials.
 struct two_shares {
   polynomial share, rest;
 };
@@ -61,7 +61,7 @@ rounded_interval range_of(const plane_curve& c, bool by_v) {
   return range;
 }
 
-// The spans from first to last that a range reaches into.
+// Returns the first and the last of the spans that a range reaches into.
 std::pair<std::size_t, std::size_t> spans_in(const std::vector<double>& ends,
                                              const rounded_interval& range) {
   std::size_t first = 0, last = 0;
@@ -144,7 +144,7 @@ double squared_difference_above(const space_curve& a, const space_curve& b) {
   for (std::size_t k = 0; k < size; ++k) {
     if (!(weight[k].inf() > 0)) return std::numeric_limits<double>::infinity();
     const double far = quotient(squared_length(difference[k]), squared(weight[k])).sup();
-    // Not a number where products left the range.
+    // Refuses what is not a number, where products left the range of doubles.
     if (!(far <= std::numeric_limits<double>::max()))
       return std::numeric_limits<double>::infinity();
     most = std::max(most, far);

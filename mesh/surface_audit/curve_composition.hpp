@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// The Bezier points (w u, w v, 0) and w of a curve in the plane, from 0 to 1.
+// Holds the Bezier points (w u, w v, 0) and w of a curve in the plane, from 0 to 1.
 using plane_curve = std::vector<weighted_point>;
 
 // Returns the part of a piece between two places of the curve. Beyond the piece its polynomials go
@@ -20,8 +20,8 @@ using plane_curve = std::vector<weighted_point>;
 plane_curve part_of_trim(const trim_piece& piece, const rounded_interval& from,
                          const rounded_interval& to);
 
-// The points of a curve in space times binomials: point k is C(n, k) times the k-th coefficient, so
-// that a product of two is a convolution.
+// Holds the points of a curve in space times binomials: point k is C(n, k) times the k-th
+// coefficient, so that a product of two is a convolution.
 using space_curve = std::vector<weighted_point>;
 
 // Returns the curve on the piece, with the origin moved. Beyond the piece its polynomials go on.

@@ -19,7 +19,8 @@ bool is_in_range(double x);
 std::optional<std::string> fault_of_knots(const std::vector<double>& knots, int degree,
                                           std::size_t count, char direction);
 
-// One row or column between two knots, as `degree` + 1 points of a curve and the knots around.
+// Holds one row or column between two knots, as `degree` + 1 points of a curve and the knots
+// around.
 struct span_of_knots {
   double low = 0, high = 1;
   std::size_t first = 0;                // its first control point

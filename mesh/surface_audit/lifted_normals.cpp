@@ -159,7 +159,8 @@ two_directions from_one_point(const triangle_frame& f, turned_piece p, const par
   return {first, last, p.negative};
 }
 
-// Differences of a piece's control points in one direction, from `origin` on times the weight.
+// Returns differences of a piece's control points in one direction, from `origin` on times the
+// weight.
 std::vector<weighted_point> differences(const bezier_piece& p, const interval_vector& origin,
                                         bool by_s) {
   const auto rows = static_cast<std::size_t>(p.degree_u) + (by_s ? 0 : 1);
@@ -174,8 +175,9 @@ std::vector<weighted_point> differences(const bezier_piece& p, const interval_ve
   return all;
 }
 
-// r_s w and r_t w but for factors that are positive. Of a part that a knot cut off so narrowly that
-// its own sides are nearly parallel these say what differences along the sides do not.
+// Returns r_s w and r_t w but for factors that are positive. Of a part that a knot cut off so
+// narrowly that its own sides are nearly parallel these say what differences along the sides do
+// not.
 two_directions along_parameters(const triangle_frame& f, const bezier_piece& p,
                                 const parameter_triangle& at, const triangle_net& net) {
   const auto by_s = differences(p, f.corner, true), by_t = differences(p, f.corner, false);
@@ -197,8 +199,8 @@ bool is_at(const parameter_corner& c, piece_side side) {
   return x.inf() == end && x.sup() == end;
 }
 
-// The squared tangent of the angle between the normals at a place of the piece, in doubles; -1
-// where the surface is folded over the triangle there.
+// Returns the squared tangent of the angle between the normals at a place of the piece, in doubles;
+// -1 where the surface is folded over the triangle there.
 double squared_tangent_at(const bezier_piece& piece, const plain_vector& own, double s, double t) {
   const plain_jet jet = evaluate(piece, s, t);
   const plain_vector normal = cross(jet.by_s, jet.by_t), across = cross(normal, own);

@@ -12,14 +12,14 @@
 
 namespace asterism::internal {
 
-// A corner in a piece's own parameters; exact corners are points, others known as intervals.
+// Holds a corner in a piece's own parameters; exact corners are points, others known as intervals.
 struct parameter_corner {
   rounded_interval s, t;
 };
 using parameter_triangle = std::array<parameter_corner, 3>;
 
-// Index of the multi-index (i, j, n - i - j) among those of sum n: by i descending, then j
-// descending. (n, 0, 0) is the first, (0, 0, n) the last.
+// Returns the index of the multi-index (i, j, n - i - j) among those of sum n: by i descending,
+// then j descending. (n, 0, 0) is the first, (0, 0, n) the last.
 inline std::size_t net_index(int n, int i, int j) {
   const auto rest = static_cast<std::size_t>(n - i);
   return rest * (rest + 1) / 2 + (rest - static_cast<std::size_t>(j));
@@ -31,7 +31,8 @@ struct triangle_net {
   std::vector<weighted_point> points;
 };
 
-// Rows of control points, (degree_u + 1)(degree_v + 1) of them: a piece's, or a derivative's.
+// Refers to rows of control points, (degree_u + 1)(degree_v + 1) of them: a piece's, or a
+// derivative's.
 struct tensor_net {
   int degree_u = 0, degree_v = 0;
   const weighted_point* points = nullptr;

@@ -27,7 +27,7 @@ constexpr double unit = 0x1p-53;
 constexpr double underflow = 0x1p-1060;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A vector in doubles, off by at most `off` in each component.
+// Holds a vector in doubles, off by at most `off` in each component.
 struct rough_vector {
   std::array<double, 3> at{};
   double off = 0;
@@ -44,7 +44,7 @@ struct rough_frame {
   std::array<rough_vector, 3> axes;  // edge, across, normal
 };
 
-// Vectors of a field with what bounds all of them.
+// Bounds the errors and the components of all vectors of a field.
 struct rough_field {
   double off = 0, greatest = 0;
 };
@@ -55,7 +55,7 @@ double error_of_products(const rough_vector& axis, const rough_field& field) {
          underflow;
 }
 
-// Ranges along the three axes.
+// Collects ranges along the three axes.
 class axis_ranges {
  public:
   void include(const rough_frame& f, const std::array<double, 3>& d) {
@@ -79,7 +79,7 @@ class axis_ranges {
   std::array<double, 3> low_{infinity, infinity, infinity}, high_{-infinity, -infinity, -infinity};
 };
 
-// A net with its points from the frame's corner on, times the weight.
+// Holds a net with its points from the frame's corner on, times the weight.
 struct moved_net {
   std::vector<std::array<double, 3>> at;
   std::vector<double> weight;
@@ -109,7 +109,7 @@ moved_net moved(const triangle_net& net, const interval_vector& corner, bool is_
   return m;
 }
 
-// The range of R / w, from the corner on.
+// Returns the range of R / w, from the corner on.
 std::optional<direction_range> places(const rough_frame& f, const moved_net& net) {
   axis_ranges ranges;
   rough_field field;
@@ -139,7 +139,8 @@ rounded_interval widened(double low, double high, double off) {
   return {low - error, high + error};
 }
 
-// Ranges of differences along two sides, and of a quotient those of the weights' and its places.
+// Holds ranges of differences along two sides, and of a quotient those of the weights' and its
+// places.
 struct side_ranges {
   direction_range first, second, place;
   std::array<rounded_interval, 2> weight;

@@ -39,8 +39,8 @@ side_key key_of(const surface_patch& p, int side, bool backward) {
   return key;
 }
 
-// The sides that are the same curve as another, by face and side, and those that are one point. The
-// sides of a trimmed patch are its curves.
+// Holds the sides that are the same curve as another, by face and side, and those that are one
+// point. The sides of a trimmed patch are its curves.
 struct side_facts {
   std::set<std::pair<std::size_t, int>> shared, points;
 };
@@ -84,7 +84,7 @@ side_facts facts_of(const surface& s, const surface_shell& shell) {
   return facts;
 }
 
-// The sides that edges of the plane mesh of a face are on.
+// Finds the sides that edges of the plane mesh of a face are on.
 class face_sides {
  public:
   face_sides(const surface_patch& patch, const shell_face& face)

@@ -23,7 +23,7 @@ struct placed_site {
 
 error fault(std::string what) { return {std::move(what), error_code::invalid_mesh}; }
 
-// The given sites of each curve by place; the first is the curve's start.
+// Returns the given sites of each curve by place; the first is the curve's start.
 result<std::vector<std::vector<placed_site>>> sites_along(const std::vector<trim_link>& trims,
                                                           const shell_face& face) {
   const mesh& m = face.plane;
@@ -55,7 +55,7 @@ parameter_point parameters_of(const shell_face& face, vertex_index site) {
   return {std::ldexp(p.x, -face.scale_u), std::ldexp(p.y, -face.scale_v)};
 }
 
-// A chord of a face, by its curve.
+// Holds a chord of a face, by its curve.
 struct face_chord {
   std::uint32_t face = 0, curve = 0;
   trim_chord chord;

@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// About the nearest triangle to a point, in doubles; `hint` is a triangle to begin with.
+// Returns about the nearest triangle to a point, in doubles; `hint` is a triangle to begin with.
 struct nearest_triangle {
   std::uint32_t triangle = 0;
   double squared_distance = 0;

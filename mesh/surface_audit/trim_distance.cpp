@@ -123,7 +123,7 @@ struct curve_and_chord {
   std::array<double, 2> units;
   std::vector<trim_piece> pieces;
 
-  // The share of the chord that is held against a point of the plane: its foot, about.
+  // Returns the share of the chord that is held against a point of the plane: about its foot.
   double share_at(const plane_point& p) const {
     double along = 0, length = 0;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -148,8 +148,8 @@ struct curve_and_chord {
   }
 };
 
-// The way along the chord that is held against a part of the curve: the shares at its ends are
-// those of the parts beside it, so that all of the chord is gone through.
+// Returns the way along the chord that is held against a part of the curve: the shares at its ends
+// are those of the parts beside it, so that all of the chord is gone through.
 plane_curve along_chord(const curve_and_chord& both, const trim_cell& cell,
                         const plane_curve& part) {
   plane_curve chord;

@@ -16,7 +16,7 @@
 
 namespace asterism::internal {
 
-// A curve on its patch. All must outlive it.
+// Refers to a curve on its patch. All must outlive it.
 struct curve_on_patch {
   const std::vector<bezier_piece>& pieces;
   const patch_spans& spans;  // of the patch
@@ -29,7 +29,7 @@ struct curve_on_patch {
 double trim_gap_above(const curve_on_patch& a, const curve_on_patch& b, bool opposite,
                       double negligible);
 
-// A chord in the plane of the parameters.
+// Holds a chord in the plane of the parameters.
 struct trim_chord {
   double from = 0, to = 0;  // places of the curve
   std::array<double, 2> start{}, end{};

@@ -18,7 +18,7 @@ namespace asterism::internal {
 // above the greatest, numbers and weights as of patches.
 std::optional<std::string> fault_of_trims(const surface_patch& p, int greatest_degree);
 
-// A curve of a patch, and the number of the one that follows it in its loop.
+// Refers to a curve of a patch, and has the number of the one that follows it in its loop.
 struct trim_link {
   const trim_curve* curve = nullptr;
   std::size_t next = 0;
@@ -32,15 +32,16 @@ std::array<double, 2> trim_at(const trim_curve& c, double place);
 // Returns the places of the inner knots, rounded.
 std::vector<double> knot_places(const trim_curve& c);
 
-// A part of a curve that is one polynomial, or one quotient, from place `low` to `high`. Its Bezier
-// points are (w u, w v, 0) and w.
+// Holds a part of a curve that is one polynomial, or one quotient, from place `low` to `high`. Its
+// Bezier points are (w u, w v, 0) and w.
 struct trim_piece {
   rounded_interval low, high;
   std::vector<weighted_point> points;
 
   int degree() const { return static_cast<int>(points.size()) - 1; }
 };
-// In a floating_point_scope(rounding::upward). Requires a curve without fault.
+// Returns the parts of a curve between its knots. Requires a curve without fault. Stands in a
+// floating_point_scope(rounding::upward).
 std::vector<trim_piece> trim_pieces(const trim_curve& c);
 
 }  // namespace asterism::internal

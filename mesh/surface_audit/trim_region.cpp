@@ -10,7 +10,7 @@
 namespace asterism::internal {
 namespace {
 
-// Twice the area of a, b, p: positive if p is on the left of the line from a to b.
+// Returns twice the area of a, b, p: positive if p is on the left of the line from a to b.
 rounded_interval turn(const parameter_point& a, const parameter_point& b,
                       const parameter_point& p) {
   const auto less = [](double x, double y) { return rounded_interval(x) - rounded_interval(y); };

@@ -28,7 +28,7 @@ struct trim_scene {
   std::vector<origin> origins;
 };
 
-// A triangle of parameters of one piece, all of which belongs to the surface.
+// Holds a triangle of parameters of one piece, all of which belongs to the surface.
 struct held_triangle {
   std::uint32_t piece = 0;
   parameter_triangle corners;

@@ -33,7 +33,7 @@ void append_member(std::string& text, const char* name, std::size_t x) {
   append_integer(text += fmt::format(",\n \"{}\": ", name), x);
 }
 
-// An infinite bound is null.
+// Writes an infinite bound as null.
 void append_bound(std::string& text, const char* name, double x) {
   if (std::isfinite(x))
     append_member(text, name, x);
