@@ -14,7 +14,7 @@ namespace asterism::internal {
 namespace {
 
 constexpr int deepest_part = 60;  // halvings: places are no finer
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unproved = std::numeric_limits<double>::infinity();  // no bound
 
 struct trim_cell {
   double from = 0, to = 1;  // places of the first curve
@@ -61,7 +61,7 @@ double greatest_difference(const std::vector<space_curve>& a, const std::vector<
 // middle.
 double cut_of(const trim_cell& cell, const std::vector<double>& knots) {
   const double middle = (cell.from + cell.to) / 2;
-  double best = middle, off = infinite;
+  double best = middle, off = std::numeric_limits<double>::infinity();
   for (const double k : knots)
     if (k > cell.from && k < cell.to && std::abs(k - middle) < off)
       best = k, off = std::abs(k - middle);
@@ -114,7 +114,7 @@ struct two_curves {
   const rounded_interval from = place(cell.from), to = place(cell.to), range = hull(from, to);
   for (const trim_piece* p : pieces_between(two.of_b, range.inf(), range.sup()))
     known = known && add_images(two.b, part_of_trim(*p, from, to), origin, second);
-  cell.above = known ? greatest_difference(first, second) : infinite;
+  cell.above = known ? greatest_difference(first, second) : unproved;
 }
 
 struct curve_and_chord {
@@ -181,7 +181,7 @@ plane_curve along_chord(const curve_and_chord& both, const trim_cell& cell,
         known && (!chords.empty() || add_images(on, along_chord(both, cell, part), origin, chords));
     known = known && add_images(on, part, origin, curves);
   }
-  cell.above = known ? greatest_difference(curves, chords) : infinite;
+  cell.above = known ? greatest_difference(curves, chords) : unproved;
 }
 
 [[gnu::noinline]] std::vector<trim_piece> pieces_upward(const trim_curve& c) {
