@@ -17,7 +17,7 @@
 namespace asterism::internal::adapting {
 namespace {
 
-constexpr std::size_t faces_at_once = 2048;  // for a thread
+constexpr std::size_t faces_checked_at_once = 2048;  // for a thread
 // Degrees above the bound that mending an angle aims at.
 constexpr double degrees_above = 4;
 // Longest edge that a merge may make, in units: twice the shortest that stay.
@@ -88,7 +88,7 @@ void agreement::find_clear_edges() {
     if (!is_active(t) && !is_active(s)) return false;
     return tests_.worst_clearance(tests_.quad_at(t, i)) > least_clearance;
   };
-  parallel_chunks(m_.faces().size(), faces_at_once,
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
                     for (std::size_t t = begin; t < end; ++t)
                       for (unsigned i = 0; i < 3 && m_.faces()[t].exists(); ++i)
@@ -101,7 +101,7 @@ void agreement::find_clear_edges() {
 void agreement::find_fine_faces() {
   is_fine_.assign(m_.faces().size(), 0);
   if (options_.angle_bound <= 0) return;
-  parallel_chunks(m_.faces().size(), faces_at_once,
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
                     for (std::size_t i = begin; i < end; ++i) {
                       const auto t = static_cast<vertex_index>(i);
