@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "asterism/apps/commands.hpp"
-#include "asterism/apps/complain.hpp"
-#include "asterism/apps/freed_memory.hpp"
-#include "asterism/apps/help_text.hpp"
-#include "asterism/apps/surface_command.hpp"
-#include "asterism/apps/usage_message.hpp"
+#include "asterism/apps/base/commands.hpp"
+#include "asterism/apps/base/complain.hpp"
+#include "asterism/apps/commands/surface_command.hpp"
+#include "asterism/apps/help/help_text.hpp"
+#include "asterism/apps/help/usage_message.hpp"
+#include "asterism/apps/run/freed_memory.hpp"
 #include "asterism/core/version.h"
 
 namespace {

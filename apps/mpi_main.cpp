@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "asterism/apps/commands.hpp"
-#include "asterism/apps/complain.hpp"
-#include "asterism/apps/freed_memory.hpp"
-#include "asterism/apps/piece_team.hpp"
-#include "asterism/apps/usage_message.hpp"
+#include "asterism/apps/base/commands.hpp"
+#include "asterism/apps/base/complain.hpp"
+#include "asterism/apps/help/usage_message.hpp"
+#include "asterism/apps/pieces/piece_team.hpp"
+#include "asterism/apps/run/freed_memory.hpp"
 #include "asterism/core/version.h"
 
 namespace {

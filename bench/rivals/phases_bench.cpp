@@ -91,7 +91,7 @@ std::size_t stars_at_once(const adopted_mesh& adopted) {
   const star_predicates_on<filtered_kernel> kernel(decided);
   const auto edges = boundary::build(adopted.shape, kernel);
   if (!edges) return 0;
-  const neighbourhood near(adopted.subject.sites, edges.value());
+  const proximity near(adopted.subject.sites, edges.value());
   const site_oracle oracle(adopted.subject.sites, edges.value(), kernel, nullptr, &near);
   star_set stars;
   stars.construct_all(oracle);

@@ -145,7 +145,7 @@ result<std::unique_ptr<asterism::metric_field>> make_field(const std::string& sp
     return asterism::make_metric_field(specification, box, size);
   const auto given = asterism::read_medit(specification);
   if (!given) return given.failure();
-  return asterism::make_sampled_field(given.value(), size);
+  return asterism::make_interpolated_field(given.value(), size);
 }
 
 metric_tensor metric::at(const point& p) const {

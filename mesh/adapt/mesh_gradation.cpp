@@ -84,8 +84,8 @@ void look_up_anew(working_mesh& m, const background_metric& field) {
   });
 }
 
-void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
-                   const std::function<void(vertex_index, vertex_index)>& changed) {
+void clip_distortion_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
+                        const std::function<void(vertex_index, vertex_index)>& changed) {
   double most = 0;
   for (const vertex_index v : nodes)
     for (const vertex_index w : nodes)
@@ -99,7 +99,7 @@ void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, doub
     for (const vertex_index w : nodes) {
       if (v >= w) continue;
       metric_tensor p = m.at(v).metric, q = m.at(w).metric;
-      if (!make_alike(p, q, part * most)) continue;
+      if (!clip_distortion(p, q, part * most)) continue;
       m.set_metric(v, p);
       m.set_metric(w, q);
       changed(v, w);

@@ -24,7 +24,7 @@ void look_up_anew(working_mesh& m, const background_metric& field);
 
 // Makes all pairs of these nodes' tensors alike, to a part of the greatest distortion they have.
 // Calls changed(v, w) for each pair to which other tensors were given.
-void make_alike_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
-                   const std::function<void(vertex_index, vertex_index)>& changed);
+void clip_distortion_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
+                        const std::function<void(vertex_index, vertex_index)>& changed);
 
 }  // namespace asterism::internal::adapting

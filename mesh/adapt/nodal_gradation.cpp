@@ -19,8 +19,8 @@ bool is_metric(const metric_tensor& m) {
          std::fma(m.m11, m.m22, -m.m12 * m.m12) > 0;
 }
 
-// True if the reduced pair is within this limit, as make_alike_by() measures it. Needs no logarithm
-// for most pairs, since |ln x| <= |x - 1| / root x. False says nothing.
+// True if the reduced pair is within this limit, as clip_distortion_by() measures it. Needs no
+// logarithm for most pairs, since |ln x| <= |x - 1| / root x. False says nothing.
 bool are_surely_alike(const simultaneous_reduction& r, double most) {
   // Part of the limit that is used. The rest of 2 most, 2e-9 of it, exceeds the error of quick_log,
   // 1e-13, and roundings of some 1e-16 for limits of 1e-4 and more; those of meshes are above 0.05.
@@ -33,8 +33,8 @@ bool are_surely_alike(const simultaneous_reduction& r, double most) {
   return is_within(r.high) && is_within(r.low);
 }
 
-bool make_alike_by(const simultaneous_reduction& r, double most, double coarser_part,
-                   metric_tensor& a, metric_tensor& b) {
+bool clip_distortion_by(const simultaneous_reduction& r, double most, double coarser_part,
+                        metric_tensor& a, metric_tensor& b) {
   const double high = quick_log(r.high), low = quick_log(r.low);
   if (!(std::max(std::abs(high), std::abs(low)) > 2 * most)) return false;
   // Part of the limit that a clipped pair is brought to, so that rounds do not creep up to the
@@ -75,9 +75,9 @@ double log_variation(const site& a, const site& b) {
          logarithmic_mean(plain_length(a.metric, d), plain_length(b.metric, d), quick_log);
 }
 
-bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part) {
+bool clip_distortion(metric_tensor& a, metric_tensor& b, double most, double coarser_part) {
   const simultaneous_reduction r = reduce(a, b);
-  return !are_surely_alike(r, most) && make_alike_by(r, most, coarser_part, a, b);
+  return !are_surely_alike(r, most) && clip_distortion_by(r, most, coarser_part, a, b);
 }
 
 namespace {
@@ -146,7 +146,7 @@ class graph_grading {
     const simultaneous_reduction r = reduce(tensors_[e.a], tensors_[e.b]);
     if (are_surely_alike(r, most_at(std::sqrt(at_a * at_b)))) return false;
     const double most = most_at(logarithmic_mean(at_a, at_b, quick_log));
-    return make_alike_by(r, most, coarser_part, tensors_[e.a], tensors_[e.b]);
+    return clip_distortion_by(r, most, coarser_part, tensors_[e.a], tensors_[e.b]);
   }
 
   const std::vector<point>& places_;

@@ -48,7 +48,7 @@ double log_variation(const site& a, const site& b);
 
 // Clips the pair to this log distortion; true if that changed anything. `coarser_part` of the
 // excess is taken from the coarser side, in each of the two directions of the reduction.
-bool make_alike(metric_tensor& a, metric_tensor& b, double most, double coarser_part = 0.5);
+bool clip_distortion(metric_tensor& a, metric_tensor& b, double most, double coarser_part = 0.5);
 
 // Grades the tensors to the limit. Returns the rounds it took; most_rounds + 1 if some edge is
 // still above its limit, as the rounds were over or `stop` ended it, whose account is charged.

@@ -45,9 +45,9 @@ inline double units_left(const audit_context& context) {
 }
 
 // Says when a part of a check is to end early. For one thread.
-class audit_patience {
+class audit_work_guard {
  public:
-  audit_patience(const audit_context& context, audit_tally& tally)
+  audit_work_guard(const audit_context& context, audit_tally& tally)
       : stop_(context.options.stop), tally_(tally) {}
 
   // Adds work that is counted nowhere else.

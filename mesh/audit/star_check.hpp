@@ -156,7 +156,7 @@ class star_check {
 
   const audit_context& context_;
   audit_tally& tally_;
-  audit_patience patience_;
+  audit_work_guard patience_;
   const star_surroundings& around_;
   visibility_test sight_;
   // Scratch for the present vertices; members, so that they are not allocated each time.

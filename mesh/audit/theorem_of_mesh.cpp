@@ -27,8 +27,8 @@ namespace asterism::internal {
 namespace {
 
 using audit_detail::audit_context;
-using audit_detail::audit_patience;
 using audit_detail::audit_tally;
+using audit_detail::audit_work_guard;
 using audit_detail::greatest_bound;
 using audit_detail::site_tree;
 
@@ -165,7 +165,7 @@ struct ordered_sites {
 // Measures the pairs of the sites from `first` to before `last` with those after them in the
 // order. What is near all of them is looked for once.
 void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t first,
-                        std::size_t last, double radius, audit_patience& patience,
+                        std::size_t last, double radius, audit_work_guard& patience,
                         measured_part& part) {
   const std::vector<vertex_index>& order = sites.tree.order();
   std::vector<site_tree::reaching> centres;
@@ -207,7 +207,7 @@ bool is_clearly_beside(const mesh& m, const boundary_edge& subsegment, vertex_in
 
 // Tests the site w against a subsegment.
 void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w, double farthest,
-                  audit_patience& patience, measured_part& part) {
+                  audit_work_guard& patience, measured_part& part) {
   patience.count(work_weights::theorem_pair);
   if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over()) return;
   if (is_clearly_beside(m, subsegment, w, farthest)) return;
@@ -220,7 +220,7 @@ void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w
 // Checks some subsegments, of which neighbours in the list are often neighbours in the plane: what
 // is near all of them is looked for once.
 void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, std::size_t last,
-                       audit_patience& patience, measured_part& part) {
+                       audit_work_guard& patience, measured_part& part) {
   std::vector<site_tree::reaching> starts;
   std::vector<double> farthest;
   for (std::size_t i = first; i < last; ++i) {
@@ -255,7 +255,7 @@ measured_part measure_all(audit_context& context, std::size_t count, std::size_t
   std::vector<measured_part> parts(chunk_count(count, chunk));
   const auto measure_chunk = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     measured_part& part = parts[begin / chunk];
-    audit_patience patience(context, tally);
+    audit_work_guard patience(context, tally);
     for (std::size_t i = begin; i < end && part.failure.empty() && !tally.unfinished;
          i += at_a_time)
       measure(i, std::min(end, i + at_a_time), patience, part);
@@ -352,7 +352,7 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
   const site_tree& tree = made != nullptr ? *made : context.plant();
   const measured_part subsegments = measure_all(
       context, subject.boundary.size(), looked_for_together,
-      [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
+      [&](std::size_t first, std::size_t last, audit_work_guard& patience, measured_part& part) {
         check_subsegments(subject, tree, first, last, patience, part);
       });
   h.longest_subsegment = subsegments.longest_subsegment;
@@ -362,7 +362,7 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
     const ordered_sites sites(tree);
     near = measure_all(
         context, tree.order().size(), looked_for_together,
-        [&](std::size_t first, std::size_t last, audit_patience& patience, measured_part& part) {
+        [&](std::size_t first, std::size_t last, audit_work_guard& patience, measured_part& part) {
           measure_near_pairs(subject, sites, first, last, radius, patience, part);
         });
   }

@@ -217,7 +217,7 @@ class cell_check {
  private:
   const audit_context& context_;
   audit_tally& tally_;
-  audit_patience patience_;
+  audit_work_guard patience_;
   const voronoi_vertices& vertices_;
   const site_tree& sites_;
   std::vector<arc_check> arcs_;  // of the cell at hand; a member to spare allocations
@@ -233,7 +233,7 @@ void check_voronoi(audit_context& context) {
   voronoi_vertices vertices(context.subject.triangles.size());
   const auto check_vertices = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     vertex_check part(context, tally, vertices);
-    audit_patience patience(context, tally);
+    audit_work_guard patience(context, tally);
     for (std::size_t t = begin; t < end && !patience.is_over(); ++t)
       part.run(static_cast<vertex_index>(t));
   };

@@ -111,7 +111,7 @@ made_field sampled_field(const asterism_metric& metric, double size) {
   const audit_report found = audit(background.value().subject, options);
   if (!found.certified)
     return error{"the metric's mesh is no triangulation: " + found.findings.at(0).witness};
-  return make_sampled_field(background.value().subject, size);
+  return make_interpolated_field(background.value().subject, size);
 }
 
 // Adds the curves. What is wrong with one as a curve is for divide_curves to refuse.

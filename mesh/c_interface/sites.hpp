@@ -18,9 +18,9 @@
 
 struct asterism_sites {
   std::vector<asterism::site> all;
-  std::set<std::pair<double, double>> places;  // of all of them
-  asterism::internal::boundary edges;          // without subsegments the domain is the plane
-  std::optional<asterism::internal::neighbourhood> near;  // without it answers are the same, slower
+  std::set<std::pair<double, double>> places;         // of all of them
+  asterism::internal::boundary edges;                 // without subsegments the domain is the plane
+  std::optional<asterism::internal::proximity> near;  // without it answers are the same, slower
   std::size_t splits = 0;
   bool broken = false;  // memory ran out in the middle of a change
 

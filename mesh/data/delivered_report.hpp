@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Says how far the metric a mesh is delivered in is from the one wanted. Plain data: the mesher
-// fills it in, certificates hold it, verify measures it again (pipeline/delivered_metric.hpp).
+// fills it in, certificates hold it, verify measures it again (delivery/delivered_metric.hpp).
 #pragma once
 
 #include <cstddef>

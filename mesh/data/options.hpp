@@ -30,8 +30,8 @@ struct mesh_options {
   // around length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
   // Number of vertices to come out, within some percent, with edges as long as that takes. Met
-  // where the metric is given on a mesh (pipeline/adaptation.hpp); elsewhere the metric decides
-  // alone.
+  // where the metric is given on a mesh (delivery/metric_delivery.hpp); elsewhere the metric
+  // decides alone.
   std::optional<std::size_t> vertices = {};
   std::size_t max_sites = 100000;
   // Keeps the domain's vertices as the only sites, and its segments whole, if no triangle of their

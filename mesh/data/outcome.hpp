@@ -129,7 +129,7 @@ struct close_vertices {
   double length = 0;  // between them, in the plane
 };
 
-// Last resort of a run: one metric for all sites (pipeline/last_resort.hpp).
+// Last resort of a run: one metric for all sites (delivery/constant_metric_fallback.hpp).
 struct last_resort_report {
   refinement_ending as_given;  // how refinement ended in the metric as given
   // Two given vertices there that are a rounding apart, which leaves no room for triangles.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/fill/approximate_star_store.hpp"
 #include "asterism/mesh/fill/placed_sites.hpp"
-#include "asterism/mesh/fill/plain_star_store.hpp"
 #include "asterism/mesh/fill/relaxation.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/fill/segment_intervals.hpp"
@@ -234,7 +234,7 @@ class filling {
   field_sampler sampler_;
   work_meter work_;
   placed_sites sites_;
-  plain_star_store stars_;
+  approximate_star_store stars_;
   segment_intervals segments_;
   fill_parts parts_;
   site_proposals proposals_;

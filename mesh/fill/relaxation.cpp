@@ -130,7 +130,7 @@ bool relaxation::may_go(const filtered_kernel& kernel, vertex_index v, double di
   }
   constexpr double part = 0.998;  // what metrics vary on the way seldom is more than the rest
   if (!keeps_distances(v, ways, distance) || !keep_small(m, ways, part * distance)) return false;
-  const plain_star& star = parts_.stars[v];
+  const approximate_star& star = parts_.stars[v];
   const bool is_at_segment = std::any_of(star.begin(), star.end(), [this](const plain_gap& gap) {
     return parts_.sites.is_on_segment(gap.neighbour);
   });

@@ -107,7 +107,7 @@ void site_proposals::propose(const filtered_kernel& kernel, vertex_index v, doub
 // set.
 std::optional<site_proposal> site_proposals::vertex_of_gap(vertex_index v, std::size_t i,
                                                            double distance) const {
-  const plain_star& star = parts_.stars[v];
+  const approximate_star& star = parts_.stars[v];
   const plain_gap& gap = star[i];
   const double squared = distance * distance;
   const bool found = gap.squared_radius < infinity;

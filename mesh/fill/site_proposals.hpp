@@ -12,9 +12,9 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/fill/approximate_star_store.hpp"
 #include "asterism/mesh/fill/domain_locator.hpp"
 #include "asterism/mesh/fill/placed_sites.hpp"
-#include "asterism/mesh/fill/plain_star_store.hpp"
 #include "asterism/mesh/fill/segment_intervals.hpp"
 #include "asterism/mesh/fill/work_meter.hpp"
 
@@ -32,7 +32,7 @@ struct fill_parts {
   const metric_field& field;
   placed_sites& sites;
   const segment_intervals& segments;
-  const plain_star_store& stars;
+  const approximate_star_store& stars;
   work_meter& work;
 };
 

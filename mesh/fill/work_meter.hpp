@@ -37,7 +37,7 @@ class work_meter {
   // have hundreds of gaps. Finding the gap of a site costs less than one test a gap, as it is a
   // bisection; making such a star costs more than two microseconds.
   double units() const {
-    return work_weights::plain_star * static_cast<double>(disturbed_) +
+    return work_weights::approximate_star * static_cast<double>(disturbed_) +
            work_weights::plain_candidate * static_cast<double>(candidates_) +
            work_weights::plain_gap * static_cast<double>(gaps_);
   }

@@ -9,7 +9,7 @@
 
 namespace asterism::internal {
 
-// Interpolates logarithms of tensors in the triangles of a mesh, as make_sampled_field says
+// Interpolates logarithms of tensors in the triangles of a mesh, as make_interpolated_field says
 // (interpolated_field.hpp).
 class background_field final : public sized_field {
  public:

@@ -5,7 +5,7 @@
 
 namespace asterism {
 
-std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size) {
+std::unique_ptr<metric_field> make_interpolated_field(const mesh& m, double size) {
   return std::make_unique<internal::background_field>(m, size);
 }
 

@@ -19,6 +19,12 @@ namespace asterism {
 // first. Keeps its own copy. Requires what adopt_mesh does; triangles that are flat or clockwise
 // are left out, and there must be one that is not. All tensors are divided by size^2, as
 // make_metric_field does.
-ASTERISM_EXPORT std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size = 1);
+ASTERISM_EXPORT std::unique_ptr<metric_field> make_interpolated_field(const mesh& m,
+                                                                      double size = 1);
+
+// The same, by the name that the function had before.
+inline std::unique_ptr<metric_field> make_sampled_field(const mesh& m, double size = 1) {
+  return make_interpolated_field(m, size);
+}
 
 }  // namespace asterism

@@ -24,7 +24,7 @@ struct metric_part {
 };
 
 // Returns the part around the window, with a margin of an eighth of its longer side. Nothing where
-// the field is not one of make_sampled_field.
+// the field is not one of make_interpolated_field.
 std::optional<metric_part> part_of(const metric_field& field, const bounding_box& window);
 
 // Returns the field of the part: at points of the window, bit for bit what the whole field has. It

@@ -163,7 +163,8 @@ bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_ga
 }
 
 // Compares squares of the sine, as v measures it, but for its sign.
-bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v, const plain_star& star) {
+bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
+                       const approximate_star& star) {
   constexpr double least_sine = 0x1p-10, least = least_sine * least_sine;
   const metric_tensor& m = sites[v].metric;
   const double determinant = m.m11 * m.m22 - m.m12 * m.m12;
@@ -230,27 +231,27 @@ bool stands_out_with_care(const std::vector<site>& sites, vertex_index v, const 
 
 }  // namespace
 
-plain_star build_careful_star(const std::vector<site>& sites, vertex_index v,
-                              const std::vector<vertex_index>& candidates) {
+approximate_star build_careful_star(const std::vector<site>& sites, vertex_index v,
+                                    const std::vector<vertex_index>& candidates) {
   std::vector<candidate>& all = order_candidates(sites, v, candidates);
   leave_nearest_on_rays(all);
   const auto& hull =
       those_that_stand(all, [&](const candidate& y, const candidate& w, const candidate& x) {
         return stands_out_with_care(sites, v, y, w, x);
       });
-  plain_star star(hull.size());
+  approximate_star star(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) star[i].neighbour = hull[i]->who;
   for (std::size_t i = 0; i < star.size(); ++i)
     close_gap(sites, v, star[i], star[following(star, i)].neighbour);
   return star;
 }
 
-plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
-                            const std::vector<vertex_index>& candidates, const plain_star& before,
-                            const known_vertex& known) {
+approximate_star build_approximate_star(const std::vector<site>& sites, vertex_index v,
+                                        const std::vector<vertex_index>& candidates,
+                                        const approximate_star& before, const known_vertex& known) {
   const std::vector<candidate>& all = order_candidates(sites, v, candidates);
   const std::vector<const candidate*>& hull = those_that_stand(all, stands_out);
-  plain_star star(hull.size());
+  approximate_star star(hull.size());
   for (std::size_t i = 0; i < hull.size(); ++i) star[i].neighbour = hull[i]->who;
   for (std::size_t i = 0; i < star.size(); ++i) {
     const std::size_t next = following(star, i), then = hull[i]->number;
@@ -267,7 +268,7 @@ namespace {
 // Directions from the centre of a star to its neighbours, in their order.
 class star_directions {
  public:
-  star_directions(const std::vector<site>& sites, vertex_index v, const plain_star& star)
+  star_directions(const std::vector<site>& sites, vertex_index v, const approximate_star& star)
       : sites_(sites), star_(star), centre_(sites[v].position) {}
 
   displacement<double> operator[](std::size_t i) const {
@@ -325,13 +326,13 @@ class star_directions {
   }
 
   const std::vector<site>& sites_;
-  const plain_star& star_;
+  const approximate_star& star_;
   const point& centre_;
 };
 
 }  // namespace
 
-bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
+bool disturbs(const std::vector<site>& sites, vertex_index v, const approximate_star& star,
               vertex_index w) {
   if (star.size() < 3) return true;
   const auto to_w = between(sites[v].position, sites[w].position);

@@ -33,10 +33,10 @@ struct plain_gap {
   double squared_radius = 0;
 };
 
-using plain_star = boost::container::small_vector<plain_gap, 8>;
+using approximate_star = boost::container::small_vector<plain_gap, 8>;
 
 // Returns the number of the gap after gap i.
-inline std::size_t following(const plain_star& star, std::size_t i) {
+inline std::size_t following(const approximate_star& star, std::size_t i) {
   return i + 1 < star.size() ? i + 1 : 0;
 }
 
@@ -47,16 +47,17 @@ using known_vertex = std::function<bool(plain_gap& gap, vertex_index next)>;
 // Returns the star of v among the candidates; v itself and repetitions are passed over. `before`
 // may be an earlier star of v whose neighbours are the first candidates, in its order: gaps that
 // are in both are taken from there. `known`, where given, is asked before a vertex is computed.
-plain_star build_plain_star(const std::vector<site>& sites, vertex_index v,
-                            const std::vector<vertex_index>& candidates,
-                            const plain_star& before = {}, const known_vertex& known = {});
+approximate_star build_approximate_star(const std::vector<site>& sites, vertex_index v,
+                                        const std::vector<vertex_index>& candidates,
+                                        const approximate_star& before = {},
+                                        const known_vertex& known = {});
 
-// Returns the star of v among the candidates as build_plain_star does, but with more care, at
+// Returns the star of v among the candidates as build_approximate_star does, but with more care, at
 // several times the cost: where the hull leaves it in doubt whether a candidate is a neighbour, the
 // Voronoi vertex of those beside it says so, which all stars that have it agree on; and of sites on
 // one ray the nearest is taken alone.
-plain_star build_careful_star(const std::vector<site>& sites, vertex_index v,
-                              const std::vector<vertex_index>& candidates);
+approximate_star build_careful_star(const std::vector<site>& sites, vertex_index v,
+                                    const std::vector<vertex_index>& candidates);
 
 // Fills in the vertex of a gap of v's star between gap.neighbour and `next`, which the star of w,
 // one of these two, has as `found`. False where that one is not known, or not one of v's.
@@ -73,10 +74,11 @@ bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_ga
 
 // True if each neighbour is plainly one: the Voronoi vertices to both sides of it are known, and v
 // sees the edge between them at an angle that is far beyond what roundings do.
-bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v, const plain_star& star);
+bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
+                       const approximate_star& star);
 
 // True if w, which is not in the star of v, would change it.
-bool disturbs(const std::vector<site>& sites, vertex_index v, const plain_star& star,
+bool disturbs(const std::vector<site>& sites, vertex_index v, const approximate_star& star,
               vertex_index w);
 
 }  // namespace asterism::internal

@@ -9,8 +9,8 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/delivery/metric_complexity.hpp"
 #include "asterism/mesh/pipeline/make_mesh.hpp"
-#include "asterism/mesh/pipeline/metric_complexity.hpp"
 #include "asterism/mesh/refine/coarser_mesh.hpp"
 
 namespace asterism::internal {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/delivery/assign_regions.hpp"
+#include "asterism/mesh/delivery/normalised_problem.hpp"
 #include "asterism/mesh/pipeline/star_refusal.hpp"
-#include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 
@@ -27,7 +27,7 @@ result<mesh_outcome> make(const piece_shape& piece, const metric_field& field,
   mesh_options bounded = options;
   bounded.stop = with_run_work(options.stop);
   bounded.stop.expect(piece.shape.vertices.size());
-  const unit_image image(piece.shape, field, bounded);
+  const normalised_problem image(piece.shape, field, bounded);
   const prescribed_divisions divisions = inward(image.frame(), piece.divisions);
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);

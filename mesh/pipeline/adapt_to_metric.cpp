@@ -99,7 +99,7 @@ mesh_options options_for(const mesh& m, const mesh_adaptation_options& asked) {
 result<domain> divided_for(const mesh& m, const domain& exact,
                            const mesh_adaptation_options& options) {
   constexpr std::size_t part = 4;
-  const auto field = make_sampled_field(m, 1);
+  const auto field = make_interpolated_field(m, 1);
   curve_division chords;
   chords.chord_tolerance = options.chord_tolerance;
   chords.field = field.get();
@@ -169,7 +169,7 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     compare_boundaries(done);
     return done;
   }
-  const auto field = make_sampled_field(background, 1);
+  const auto field = make_interpolated_field(background, 1);
   const mesh_options how = options_for(background, options);
   const domain& shape = for_new ? for_new->shape : done.shape;
   auto made = make_periodic_mesh(shape, *field, how, options.periodic, progress);

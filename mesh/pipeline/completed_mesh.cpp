@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/delivery/assign_regions.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 
 namespace asterism::internal {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "asterism/mesh/pipeline/count_search.hpp"
+#include "asterism/mesh/delivery/count_search.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 
 namespace asterism {

@@ -97,7 +97,7 @@ void compare_with_stars(const adopted_mesh& adopted, const cancellation& stop,
   const star_predicates_on<filtered_kernel> kernel(decided);
   const auto edges = boundary::build(adopted.shape, kernel);
   if (!edges) return;
-  const neighbourhood near(m.sites, edges.value());
+  const proximity near(m.sites, edges.value());
   const site_oracle oracle(m.sites, edges.value(), kernel, nullptr, &near);
   star_set stars;
   constexpr double share = 0.4;  // of the work for a mesh: the verdict does not depend on this

@@ -11,13 +11,13 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 #include "asterism/mesh/audit/theorem_table.hpp"
+#include "asterism/mesh/delivery/assign_regions.hpp"
+#include "asterism/mesh/delivery/normalised_problem.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
-#include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "asterism/mesh/pipeline/guarantee_hypotheses.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/pipeline/shorter_field.hpp"
-#include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 #include "asterism/mesh/support/size_ladder.hpp"
@@ -80,7 +80,7 @@ result<mesh_outcome> mesh_of_step(const domain& d, const metric_field& field,
   const mesh_options options = options_of_step(asked);
   options.stop.expect(d.vertices.size());
   const shorter_field finer(field, ladder_factor(step));
-  const unit_image image(d, finer, options);
+  const normalised_problem image(d, finer, options);
   const auto divisions = even_divisions(image.shape(), image.field(), options.max_sites);
   if (!divisions) return divisions.failure();
   tier_counters decided;

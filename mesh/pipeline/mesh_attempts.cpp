@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/pipeline/adaptation.hpp"
-#include "asterism/mesh/pipeline/assign_regions.hpp"
+#include "asterism/mesh/delivery/assign_regions.hpp"
+#include "asterism/mesh/delivery/constant_metric_fallback.hpp"
+#include "asterism/mesh/delivery/metric_delivery.hpp"
+#include "asterism/mesh/delivery/normalised_problem.hpp"
+#include "asterism/mesh/delivery/tolerated_metric.hpp"
 #include "asterism/mesh/pipeline/attempt_rules.hpp"
 #include "asterism/mesh/pipeline/improved_mesh.hpp"
-#include "asterism/mesh/pipeline/last_resort.hpp"
-#include "asterism/mesh/pipeline/tolerated_metric.hpp"
-#include "asterism/mesh/pipeline/unit_image.hpp"
 #include "asterism/mesh/pipeline/vertex_renumbering.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
@@ -235,7 +235,7 @@ class attempts_at_mesh {
   const metric_field& field_;
   const star_confirmation confirmed_;  // in the metric wanted
   metric_delivery delivery_;
-  const unit_image image_;
+  const normalised_problem image_;
   const bool is_first_;         // is a metric delivered what is tried first?
   const bool may_deliver_;      // or is it known that none leads to a mesh?
   bool wants_few_ = false;      // are few sites wanted, so that it costs little to try?

@@ -9,8 +9,8 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/delivery/shortest_given_edge.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
-#include "asterism/mesh/pipeline/shortest_given_edge.hpp"
 
 namespace asterism {
 namespace {

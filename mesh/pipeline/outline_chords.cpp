@@ -35,7 +35,7 @@ chorded_outline with_chords_for(const mesh& m, const mesh_outline& found) {
   chorded_outline made{found.shape, found.former};
   if (found.keeps_all || found.shape.curves.empty()) return made;
   constexpr double part = 0.25;
-  const auto field = make_sampled_field(m, 1);
+  const auto field = make_interpolated_field(m, 1);
   curve_division chords;
   chords.field = field.get();
   chords.is_even = false;  // pieces are at most as long as an edge wanted

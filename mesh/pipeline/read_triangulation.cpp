@@ -96,7 +96,7 @@ result<std::vector<metric_tensor>> read_metric_at_vertices(const std::string& me
   }
   const auto background = read_triangulation(metric, true);
   if (!background) return background.failure();
-  const auto field = make_sampled_field(background.value().subject);
+  const auto field = make_interpolated_field(background.value().subject);
   for (const site& s : read.value().sites) {
     const auto there = field->at(s.position);
     if (!there) return there.failure().at(metric);

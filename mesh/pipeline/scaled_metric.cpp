@@ -9,8 +9,8 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/delivery/metric_complexity.hpp"
 #include "asterism/mesh/metric/local_sizes.hpp"
-#include "asterism/mesh/pipeline/metric_complexity.hpp"
 
 namespace asterism {
 namespace {

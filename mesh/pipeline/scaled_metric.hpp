@@ -23,8 +23,8 @@
 
 namespace asterism {
 
-// Makes the metric for edges of this length, as make_metric_field and make_sampled_field do. Called
-// several times.
+// Makes the metric for edges of this length, as make_metric_field and make_interpolated_field do.
+// Called several times.
 using field_of_size = std::function<result<std::unique_ptr<metric_field>>(double size)>;
 
 // Demands on the scale of a metric. At most one of `size` and `complexity`.

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/mesh/adapt/agreement.hpp"
+#include "asterism/mesh/adapt/consistency_repair.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/audit/split_edges.hpp"
-#include "asterism/mesh/pipeline/audited_mesh.hpp"
-#include "asterism/mesh/pipeline/delivered_metric.hpp"
-#include "asterism/mesh/pipeline/giving_back.hpp"
-#include "asterism/mesh/pipeline/tolerated_metric.hpp"
+#include "asterism/mesh/delivery/audited_mesh.hpp"
+#include "asterism/mesh/delivery/delivered_metric.hpp"
+#include "asterism/mesh/delivery/restore_tensors.hpp"
+#include "asterism/mesh/delivery/tolerated_metric.hpp"
 #include "asterism/mesh/stars/work_limit.hpp"
 
 namespace asterism::internal {
@@ -105,7 +105,7 @@ class across_splitter {
   // Splits and makes stars agree by turns, as flips may make new ones, until there are none.
   bool split_and_agree(working_mesh& m) const {
     constexpr int most_rounds = 40;
-    agreement agreeing(m, agree_);
+    consistency_repair agreeing(m, agree_);
     for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
       const auto added = split_all(m);
       if (!added) return false;
@@ -130,7 +130,7 @@ class across_splitter {
     }
     working_mesh given = m;
     if (give_back(given, std::move(wanted), options_, agree_, made_)) return true;
-    agreement agreeing(m, agree_);
+    consistency_repair agreeing(m, agree_);
     for (int repair = 0; repair < most_repairs && !is_stopped(); ++repair) {
       made_.take(m);
       made_.judge(std::numeric_limits<std::size_t>::max());
@@ -146,7 +146,7 @@ class across_splitter {
   const domain& domain_;
   const metric_field& field_;
   mesh_options options_;
-  agreement_options agree_;
+  repair_options agree_;
   audited_mesh made_;
 };
 

@@ -71,7 +71,7 @@ tolerance_range choose_tolerance(const refine_state& state, vertex_index vertice
   // With a size limit edges will be about 1 long, however far apart the given sites are.
   const double most = options.limit_size ? 1 : std::numeric_limits<double>::infinity();
   const auto all = static_cast<vertex_index>(state.sites().size());
-  const neighbourhood& near = *state.oracle().near();
+  const proximity& near = *state.oracle().near();
   const double shortest = shortest_distance(state.sites(), all, state.edges(), near, most);
   if (darts) {
     const double start = dart_fraction * median_distance(state.sites(), near, most);

@@ -82,7 +82,7 @@ void refine_state::ask_of_few(const star_predicates& kernel, std::span<const sit
   bounding_box box{few[0].position, few[0].position};
   for (const site& s : few) box.include(s.position);
   const auto stop_at_first = [](std::uint32_t) { return false; };
-  const neighbourhood& near = std::as_const(*sites_).near();
+  const proximity& near = std::as_const(*sites_).near();
   if (near.subsegments().visit(box, stop_at_first) && near.influences().visit(box, stop_at_first)) {
     out.insert(out.end(), few.size(), strictly_inside_near(kernel, few[0].position));
     return;

@@ -139,7 +139,7 @@ class refine_state {
   split_boundary segments_;
   star_set stars_;
   neighbour_lists guesses_;  // by site; until the stars are made
-  std::unique_ptr<edge_test_memory> memory_ = std::make_unique<edge_test_memory>();
+  std::unique_ptr<edge_test_cache> memory_ = std::make_unique<edge_test_cache>();
   cancellation cancelled_;
   split_listener on_split_;
   bool has_stars_ = false;

@@ -13,7 +13,7 @@
 #include "asterism/mesh/metric/feature_size_field.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/refine/coarser_mesh.hpp"
-#include "asterism/mesh/refine/plain_refinement.hpp"
+#include "asterism/mesh/refine/delaunay_prerefinement.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -32,9 +32,9 @@ class site_set {
   void limit(std::size_t most_sites) { most_sites_ = std::min(most_sites_, most_sites); }
   // Returns the index of sites and subsegments by place. The boundary, which splits subsegments,
   // keeps these up to date.
-  const neighbourhood& near() const { return near_; }
-  neighbourhood& near() { return near_; }
-  void index(const boundary& edges) { near_ = neighbourhood(sites_, edges); }
+  const proximity& near() const { return near_; }
+  proximity& near() { return near_; }
+  void index(const boundary& edges) { near_ = proximity(sites_, edges); }
   // Frees the index. No site is added, and nothing looked for, from then on.
   void forget_index() { near_ = {}; }
   // Makes room for so many more sites, and for the few that refinement adds to them: where these
@@ -71,7 +71,7 @@ class site_set {
 
   std::vector<site> sites_;
   bool has_one_metric_ = true;
-  neighbourhood near_;
+  proximity near_;
   std::optional<error> field_failure_;
 };
 

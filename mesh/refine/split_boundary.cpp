@@ -294,7 +294,7 @@ bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m
 void split_boundary::put_on_subsegment(std::size_t subsegment, const site& m, bool on_curve) {
   const auto twin = edges_.twin(subsegment);
   std::size_t new_subsegment = edges_.subsegments().size();
-  neighbourhood& near = sites_->near();
+  proximity& near = sites_->near();
   near.before_split(sites_->all(), edges_, subsegment);
   const vertex_index added = sites_->add(m);
   wedges_.note_split(added, edges_.subsegments()[subsegment].segment);

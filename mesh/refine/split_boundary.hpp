@@ -94,7 +94,7 @@ class split_boundary {
       : kernel_(&kernel), sites_(&sites) {}
 
   const std::vector<site>& sites() const { return sites_->all(); }
-  const neighbourhood& near() const { return std::as_const(*sites_).near(); }
+  const proximity& near() const { return std::as_const(*sites_).near(); }
   // A sharp corner at an end of a segment; its subsegment there leaves the corner or enters it.
   struct segment_corner {
     vertex_index vertex;

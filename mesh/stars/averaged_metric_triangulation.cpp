@@ -43,7 +43,7 @@ std::optional<averaged_metric_triangulation> averaged_metric_triangulation::make
   averaged_metric_triangulation made(std::move(questions), *std::move(from), std::move(inside));
   for (vertex_index v = 0; v < oracle.size(); ++v)
     made.sites_[v] = oracle.sites()[made.from_.original[v]];
-  made.from_.net.flip_towards(made.better(), flips_for_each * oracle.size());
+  made.from_.delaunay.flip_towards(made.better(), flips_for_each * oracle.size());
   return made;
 }
 
@@ -52,7 +52,7 @@ averaged_metric_triangulation::averaged_metric_triangulation(std::unique_ptr<ask
                                                              std::vector<char> inside)
     : questions_(std::move(questions)),
       from_(std::move(from)),
-      sites_(from_.net.all_sites()),
+      sites_(from_.delaunay.all_sites()),
       inside_(std::move(inside)) {
   inside_.resize(faces(), 0);
   // Skips the numbers of the frame's corners, which are not sites.
@@ -60,7 +60,7 @@ averaged_metric_triangulation::averaged_metric_triangulation(std::unique_ptr<ask
 }
 
 triangle averaged_metric_triangulation::corners(std::uint32_t face) const {
-  const auto& [a, b, c] = from_.net.faces()[face].corner;
+  const auto& [a, b, c] = from_.delaunay.faces()[face].corner;
   return canonical({from_.original[a], from_.original[b], from_.original[c]});
 }
 
@@ -90,7 +90,7 @@ bool averaged_metric_triangulation::is_better_in_stars(vertex_index a, vertex_in
                                                        vertex_index c, vertex_index d) {
   constexpr double most_for_each = 2;
   for (const vertex_index v : {a, b, c, d})
-    if (from_.net.is_frame(v)) return false;
+    if (from_.delaunay.is_frame(v)) return false;
   const auto ask = [&](vertex_index v, vertex_index w, vertex_index x, vertex_index y) {
     return filtered_edge_test(sites_[v], sites_[w], sites_[x], sites_[y], questions_->counted);
   };
@@ -108,7 +108,8 @@ bool averaged_metric_triangulation::is_better_in_stars(vertex_index a, vertex_in
 // of 30,000 equal segments was left to stars with thousands of neighbours, and took 62,000 sites in
 // place of 52,000.
 std::size_t averaged_metric_triangulation::flips_left() const {
-  const std::size_t in_all = most_flips * sites_.size(), done = from_.net.flips_of_insertions();
+  const std::size_t in_all = most_flips * sites_.size(),
+                    done = from_.delaunay.flips_of_insertions();
   return std::max(most_flips, in_all - std::min(in_all, done));
 }
 
@@ -120,11 +121,11 @@ void averaged_metric_triangulation::number_last(vertex_index v) {
 // Leaves out faces outside of the domain.
 void averaged_metric_triangulation::collect_faces(vertex_index v,
                                                   std::vector<std::uint32_t>& around) const {
-  const delaunay_triangulation::place first = from_.net.at(v);
+  const delaunay_triangulation::place first = from_.delaunay.at(v);
   delaunay_triangulation::place p = first;
   do {
     if (is_inside(p.face)) around.push_back(p.face);
-    p = from_.net.next_around(p);
+    p = from_.delaunay.next_around(p);
   } while (p.face != first.face);
 }
 
@@ -132,7 +133,7 @@ void averaged_metric_triangulation::insert(const site& s,
                                            const delaunay_triangulation::location& at,
                                            std::vector<std::uint32_t>& around) {
   sites_.push_back(s);
-  const vertex_index v = from_.net.insert_towards(s, at, better(), flips_left());
+  const vertex_index v = from_.delaunay.insert_towards(s, at, better(), flips_left());
   number_last(v);
   inside_.resize(faces(), 1);
   collect_faces(v, around);
@@ -140,9 +141,9 @@ void averaged_metric_triangulation::insert(const site& s,
 
 bool averaged_metric_triangulation::split(const site& s, vertex_index a, vertex_index b,
                                           std::vector<std::uint32_t>& around) {
-  const auto at = from_.net.find_edge(from_.numbers[a], from_.numbers[b]);
+  const auto at = from_.delaunay.find_edge(from_.numbers[a], from_.numbers[b]);
   if (!at) return false;
-  const delaunay_triangulation::face& left = from_.net.faces()[at->face];
+  const delaunay_triangulation::face& left = from_.delaunay.faces()[at->face];
   const std::uint32_t other = left.across[at->corner];
   if (other == delaunay_triangulation::none) return false;
   const auto is_beside = [&](vertex_index from, vertex_index to, vertex_index apex) {
@@ -151,14 +152,14 @@ bool averaged_metric_triangulation::split(const site& s, vertex_index a, vertex_
            questions_->kernel->orientation(s.position, q, r) == sign::positive;
   };
   const vertex_index from = from_.numbers[a], to = from_.numbers[b];
-  const auto& [p, q, r] = from_.net.faces()[other].corner;
+  const auto& [p, q, r] = from_.delaunay.faces()[other].corner;
   const vertex_index behind = p != from && p != to ? p : q != from && q != to ? q : r;
   const bool is_internal = is_inside(other);
   if (!is_inside(at->face) || !is_beside(from, to, left.corner[at->corner]) ||
       (is_internal && !is_beside(to, from, behind)))
     return false;
   sites_.push_back(s);
-  const vertex_index v = from_.net.split_towards(s, *at, is_internal, better(), flips_left());
+  const vertex_index v = from_.delaunay.split_towards(s, *at, is_internal, better(), flips_left());
   number_last(v);
   inside_.push_back(1);
   inside_.push_back(is_internal ? 1 : 0);
@@ -177,13 +178,13 @@ void averaged_metric_triangulation::renumber(const std::vector<vertex_index>& to
 void averaged_metric_triangulation::collect_ring(vertex_index v,
                                                  std::vector<vertex_index>& ring) const {
   ring.clear();
-  const delaunay_triangulation::place first = from_.net.at(v);
+  const delaunay_triangulation::place first = from_.delaunay.at(v);
   delaunay_triangulation::place p = first;
   double least = 0;
   std::size_t nearest = 0;
   do {
-    const vertex_index w = from_.net.faces()[p.face].corner[(p.corner + 1) % 3];
-    if (!from_.net.is_frame(w)) {
+    const vertex_index w = from_.delaunay.faces()[p.face].corner[(p.corner + 1) % 3];
+    if (!from_.delaunay.is_frame(w)) {
       const double distance = squared_distance(sites_[v], sites_[w].position);
       if (ring.empty() || distance < least) {
         least = distance;
@@ -191,7 +192,7 @@ void averaged_metric_triangulation::collect_ring(vertex_index v,
       }
       ring.push_back(from_.original[w]);
     }
-    p = from_.net.next_around(p);
+    p = from_.delaunay.next_around(p);
   } while (p.face != first.face && p.face != delaunay_triangulation::none);
   std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(nearest), ring.end());
 }
@@ -199,9 +200,9 @@ void averaged_metric_triangulation::collect_ring(vertex_index v,
 neighbour_lists averaged_metric_triangulation::settled_neighbours() {
   doubtful_.assign(sites_.size(), 0);
   const bool is_settled =
-      from_.net.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
-                                    vertex_index d) { return is_better_in_stars(a, b, c, d); },
-                             from_.numbers.size());
+      from_.delaunay.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
+                                         vertex_index d) { return is_better_in_stars(a, b, c, d); },
+                                  from_.numbers.size());
   neighbour_lists lists;
   lists.reserve(from_.numbers.size());
   std::vector<vertex_index> ring;

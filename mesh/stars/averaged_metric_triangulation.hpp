@@ -29,7 +29,7 @@ class averaged_metric_triangulation {
                                                            const cancellation& cancelled);
 
   // Returns the number of faces, some of which are outside of the domain.
-  std::size_t faces() const { return from_.net.faces().size(); }
+  std::size_t faces() const { return from_.delaunay.faces().size(); }
   bool is_inside(std::uint32_t face) const { return inside_[face] != 0; }
   // Returns the corners of a face inside by the numbers of the sites, the least first.
   triangle corners(std::uint32_t face) const;
@@ -37,7 +37,7 @@ class averaged_metric_triangulation {
   // Walks over inside faces to the place of q among the faces; none where q is on or beyond a
   // subsegment, or the walk is long.
   std::optional<delaunay_triangulation::location> locate(const point& q, std::uint32_t from) const {
-    return from_.net.locate_near(q, from);
+    return from_.delaunay.locate_near(q, from);
   }
   // Inserts the mesh's next site at a place found by locate; adds the faces at it to
   // `around`.
@@ -45,7 +45,7 @@ class averaged_metric_triangulation {
               std::vector<std::uint32_t>& around);
   // Does so with one that splits the subsegment from a to b, as the sites are numbered. Returns
   // false, with nothing changed, where the place of the site, which is rounded, is on the wrong
-  // side of something: then the net is of no use.
+  // side of something: then the triangulation is of no use.
   bool split(const site& s, vertex_index a, vertex_index b, std::vector<std::uint32_t>& around);
 
   // Follows a renumbering: what was site v of the mesh is site to[v] from now on.
@@ -88,9 +88,9 @@ class averaged_metric_triangulation {
 
   std::unique_ptr<asked> questions_;
   site_triangulation from_;
-  std::vector<site> sites_;  // by number in the net
+  std::vector<site> sites_;  // by number in the triangulation
   std::vector<char> inside_;
-  std::vector<char> doubtful_;  // by number in the net: is an edge at it in doubt?
+  std::vector<char> doubtful_;  // by number in the triangulation: is an edge at it in doubt?
 };
 
 // Returns the neighbours that the star of each site is likely to have, counter-clockwise from the

@@ -41,7 +41,7 @@ class delaunay_triangulation {
   };
 
   // Starts with the frame alone. Requires at least one site, all of the same metric. The kernel
-  // must outlive the net.
+  // must outlive the triangulation.
   delaunay_triangulation(std::vector<site> sites, const star_predicates& kernel);
 
   // Each of the following returns false, and leaves a triangulation of no use, where the sites are

@@ -19,12 +19,12 @@
 
 namespace asterism::internal {
 
-class edge_test_memory {
+class edge_test_cache {
  public:
   // Takes many places for a whole refinement, few for the stars of a chunk. Allocates at the first
   // question.
   enum class extent : unsigned { few = 1U << 10, many = 1U << 14 };
-  explicit edge_test_memory(extent places = extent::many) : extent_(places) {}
+  explicit edge_test_cache(extent places = extent::many) : extent_(places) {}
 
   // Returns the answer for v, w, x, y; calls `ask` if it is not known. Exchanging v and w, or x and
   // y, leaves the question the same. Requires four distinct indices.

@@ -66,13 +66,13 @@ class star_reader {
   // Fills in the sector between its ends, or all around, beginning with the nearest neighbour.
   bool fill(vertex_index v, sector& s) {
     const vertex_index centre = from_.numbers[v];
-    place p = from_.net.at(centre);
+    place p = from_.delaunay.at(centre);
     if (!s.closed && !turn_to(p, from_.numbers[s.neighbours.front()])) return false;
     const std::uint32_t first = p.face;
     ring_.clear();
     do {
       if (!take(p)) return false;
-      const face& f = from_.net.faces()[p.face];
+      const face& f = from_.delaunay.faces()[p.face];
       ring_.push_back(from_.original[f.corner[after(p.corner)]]);
       const vertex_index next = from_.original[f.corner[after(after(p.corner))]];
       if (!s.closed && next == s.neighbours.back()) {
@@ -80,7 +80,7 @@ class star_reader {
         s.neighbours.assign(ring_.begin(), ring_.end());
         return true;
       }
-      p = from_.net.next_around(p);
+      p = from_.delaunay.next_around(p);
     } while (p.face != first);
     if (!s.closed) return false;
     std::rotate(ring_.begin(), nearest(v), ring_.end());
@@ -98,8 +98,8 @@ class star_reader {
   bool turn_to(place& p, vertex_index end) const {
     const std::uint32_t first = p.face;
     do {
-      if (from_.net.faces()[p.face].corner[after(p.corner)] == end) return true;
-      p = from_.net.next_around(p);
+      if (from_.delaunay.faces()[p.face].corner[after(p.corner)] == end) return true;
+      p = from_.delaunay.next_around(p);
       if (p.face == delaunay_triangulation::none) return false;
     } while (p.face != first);
     return false;
@@ -108,13 +108,13 @@ class star_reader {
   // Adds the face to the star; false if it is not proved Delaunay, or reaches out of the domain.
   // The reach becomes infinite where a subsegment closes the gap, as a split opens it.
   bool take(const place& p) {
-    const face& f = from_.net.faces()[p.face];
+    const face& f = from_.delaunay.faces()[p.face];
     for (const vertex_index corner : f.corner)
-      if (from_.net.is_frame(corner)) return false;
+      if (from_.delaunay.is_frame(corner)) return false;
     const vertex_index v = f.corner[p.corner];
     const bool is_first = v == *std::min_element(f.corner.begin(), f.corner.end());
-    if (is_first && !from_.net.is_sound(p.face, kernel_)) return false;
-    const auto& sites = from_.net.all_sites();
+    if (is_first && !from_.delaunay.is_sound(p.face, kernel_)) return false;
+    const auto& sites = from_.delaunay.all_sites();
     const double radius =
         f.fixed[p.corner] ? infinity
                           : circumradius_above(sites[v], sites[f.corner[after(p.corner)]].position,
@@ -147,11 +147,12 @@ std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_tria
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         for (std::size_t f = begin; f < end; ++f) {
           if (inside[f] == 0) continue;
-          const auto& corner = from.net.faces()[f].corner;
-          const bool framed = std::any_of(corner.begin(), corner.end(),
-                                          [&](vertex_index v) { return from.net.is_frame(v); });
+          const auto& corner = from.delaunay.faces()[f].corner;
+          const bool framed = std::any_of(corner.begin(), corner.end(), [&](vertex_index v) {
+            return from.delaunay.is_frame(v);
+          });
           const bool is_sound = confirmed == star_confirmation::by_auditor ||
-                                from.net.is_sound(static_cast<std::uint32_t>(f), *kernel);
+                                from.delaunay.is_sound(static_cast<std::uint32_t>(f), *kernel);
           if (framed || !is_sound) return;
           out.push_back(canonical(
               {from.original[corner[0]], from.original[corner[1]], from.original[corner[2]]}));

@@ -81,7 +81,7 @@ double least_of_pairs(const std::vector<site>& sites, const site_index& near, do
 // Returns the least squared distance of v and a subsegment near the box that is not at v; at most
 // `least`.
 double least_to_subsegments(const std::vector<site>& sites, vertex_index v, const boundary& edges,
-                            const neighbourhood& near, const bounding_box& around, double least) {
+                            const proximity& near, const bounding_box& around, double least) {
   near.subsegments().visit(around, [&](std::uint32_t i) {
     const boundary_edge& p = edges.subsegments()[i];
     if (p.a != v && p.b != v)
@@ -93,8 +93,8 @@ double least_to_subsegments(const std::vector<site>& sites, vertex_index v, cons
 }
 
 // Returns the same of all sites, group by group: most are not near any subsegment.
-double shortest_of_all(const std::vector<site>& sites, const boundary& edges,
-                       const neighbourhood& near, double most) {
+double shortest_of_all(const std::vector<site>& sites, const boundary& edges, const proximity& near,
+                       double most) {
   const double at_first = std::min(most * most, least_along(near.order(), sites));
   double least = least_of_pairs(sites, near.sites(), at_first);
   near.sites().visit_groups([&](const bounding_box& box, const point& extent, const auto& each) {
@@ -112,7 +112,7 @@ double shortest_of_all(const std::vector<site>& sites, const boundary& edges,
 }  // namespace
 
 double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
-                         const neighbourhood& near, double most) {
+                         const proximity& near, double most) {
   if (count == sites.size()) return shortest_of_all(sites, edges, near, most);
   // Along the curve each search finds what it looks at in the cache, as the one before did.
   std::vector<vertex_index> order = near.order();
@@ -129,7 +129,7 @@ double shortest_distance(const std::vector<site>& sites, vertex_index count, con
   return std::sqrt(least);
 }
 
-double median_distance(const std::vector<site>& sites, const neighbourhood& near, double most) {
+double median_distance(const std::vector<site>& sites, const proximity& near, double most) {
   std::vector<double> nearest(sites.size());
   for (vertex_index v = 0; v < sites.size(); ++v)
     nearest[v] = nearest_other(sites, near.sites(), v, most * most);

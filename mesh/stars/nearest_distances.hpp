@@ -18,11 +18,11 @@ namespace asterism::internal {
 // site or to a subsegment that it is not an end of; at most `most`. `near` must know all sites and
 // subsegments.
 double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
-                         const neighbourhood& near, double most);
+                         const proximity& near, double most);
 
 // Returns the median over all sites of the distance to the nearest other site, each at most `most`.
 // The distance of two sites is the lesser of what both measure. Requires at least one site. Half
 // the sites are crowded no more than this, so darts that far apart can land.
-double median_distance(const std::vector<site>& sites, const neighbourhood& near, double most);
+double median_distance(const std::vector<site>& sites, const proximity& near, double most);
 
 }  // namespace asterism::internal

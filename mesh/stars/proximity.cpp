@@ -20,7 +20,7 @@ bounding_box subsegment_box(const std::vector<site>& sites, const boundary_edge&
 
 }  // namespace
 
-neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edges)
+proximity::proximity(const std::vector<site>& sites, const boundary& edges)
     : box_(box_of_sites(sites)),
       order_(order_along_curve(sites, box_)),
       along_curve_(order_.size()),
@@ -36,36 +36,36 @@ neighbourhood::neighbourhood(const std::vector<site>& sites, const boundary& edg
     insert_subsegment(sites, edges, subsegment);
 }
 
-std::vector<vertex_index> neighbourhood::order_anew(const std::vector<site>& sites) const {
+std::vector<vertex_index> proximity::order_anew(const std::vector<site>& sites) const {
   constexpr std::size_t few = 16;  // one in so many
   std::vector<vertex_index> order = order_;
   if (few * (order.size() - along_curve_) > order.size()) sort_along_curve(order, sites, box_);
   return order;
 }
 
-void neighbourhood::insert_subsegment(const std::vector<site>& sites, const boundary& edges,
-                                      std::size_t subsegment) {
+void proximity::insert_subsegment(const std::vector<site>& sites, const boundary& edges,
+                                  std::size_t subsegment) {
   const boundary_edge& e = edges.subsegments()[subsegment];
   subsegments_.insert(static_cast<std::uint32_t>(subsegment), subsegment_box(sites, e));
   influences_.insert(static_cast<std::uint32_t>(subsegment), influence_box(sites[e.a], sites[e.b]));
 }
 
-void neighbourhood::remove_subsegment(const std::vector<site>& sites, const boundary& edges,
-                                      std::size_t subsegment) {
+void proximity::remove_subsegment(const std::vector<site>& sites, const boundary& edges,
+                                  std::size_t subsegment) {
   const boundary_edge& e = edges.subsegments()[subsegment];
   subsegments_.remove(static_cast<std::uint32_t>(subsegment), subsegment_box(sites, e));
   influences_.remove(static_cast<std::uint32_t>(subsegment), influence_box(sites[e.a], sites[e.b]));
 }
 
-void neighbourhood::before_split(const std::vector<site>& sites, const boundary& edges,
-                                 std::size_t subsegment) {
+void proximity::before_split(const std::vector<site>& sites, const boundary& edges,
+                             std::size_t subsegment) {
   remove_subsegment(sites, edges, subsegment);
   if (const auto twin = edges.twin(subsegment)) remove_subsegment(sites, edges, *twin);
 }
 
-void neighbourhood::after_split(const std::vector<site>& sites, const boundary& edges,
-                                std::size_t subsegment, std::optional<std::size_t> twin,
-                                std::size_t first_new) {
+void proximity::after_split(const std::vector<site>& sites, const boundary& edges,
+                            std::size_t subsegment, std::optional<std::size_t> twin,
+                            std::size_t first_new) {
   insert_subsegment(sites, edges, subsegment);
   if (twin) insert_subsegment(sites, edges, *twin);
   for (; first_new < edges.subsegments().size(); ++first_new)

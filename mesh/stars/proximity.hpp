@@ -17,11 +17,11 @@
 
 namespace asterism::internal {
 
-class neighbourhood {
+class proximity {
  public:
-  neighbourhood() = default;
+  proximity() = default;
   // Indexes all sites and subsegments.
-  neighbourhood(const std::vector<site>& sites, const boundary& edges);
+  proximity(const std::vector<site>& sites, const boundary& edges);
 
   const site_index& sites() const { return sites_; }
   const box_index& subsegments() const { return subsegments_; }

@@ -54,32 +54,32 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
     numbers[v] = static_cast<vertex_index>(sites.size());
     sites.push_back({oracle.sites()[v].position, metric});
   }
-  delaunay_triangulation net(std::move(sites), kernel);
+  delaunay_triangulation delaunay(std::move(sites), kernel);
   constexpr vertex_index polled_after = 1024;
   for (vertex_index v = 0; v < order.size(); ++v) {
     if (v % polled_after == 0 && cancelled.is_requested()) return std::nullopt;
-    if (!net.insert(v)) return std::nullopt;
+    if (!delaunay.insert(v)) return std::nullopt;
   }
   for (const boundary_edge& e : oracle.edges().subsegments())
-    if (!net.insert_segment(numbers[e.a], numbers[e.b])) return std::nullopt;
-  if (!net.settle()) return std::nullopt;
-  return site_triangulation{std::move(net), std::move(order), std::move(numbers)};
+    if (!delaunay.insert_segment(numbers[e.a], numbers[e.b])) return std::nullopt;
+  if (!delaunay.settle()) return std::nullopt;
+  return site_triangulation{std::move(delaunay), std::move(order), std::move(numbers)};
 }
 
 // Floods from each subsegment over the edges that are not fixed.
 std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
-  std::vector<char> inside(from.net.faces().size(), 0);
+  std::vector<char> inside(from.delaunay.faces().size(), 0);
   std::vector<std::uint32_t> open;
   const auto enter = [&](std::uint32_t f) {
     if (inside[f] == 0) open.push_back(f);
     inside[f] = 1;
   };
   for (const boundary_edge& e : edges.subsegments()) {
-    const auto left = from.net.find_edge(from.numbers[e.a], from.numbers[e.b]);
+    const auto left = from.delaunay.find_edge(from.numbers[e.a], from.numbers[e.b]);
     if (!left) return {};
     enter(left->face);
     while (!open.empty()) {
-      const delaunay_triangulation::face& f = from.net.faces()[open.back()];
+      const delaunay_triangulation::face& f = from.delaunay.faces()[open.back()];
       open.pop_back();
       for (std::size_t i = 0; i < 3; ++i)
         if (!f.fixed[i] && f.across[i] != delaunay_triangulation::none) enter(f.across[i]);

@@ -14,9 +14,9 @@ namespace asterism::internal {
 
 // Knows the sites in the order in which they were put in.
 struct site_triangulation {
-  delaunay_triangulation net;
-  std::vector<vertex_index> original;  // by number in the net
-  std::vector<vertex_index> numbers;   // in the net, by original number
+  delaunay_triangulation delaunay;
+  std::vector<vertex_index> original;  // by number in the triangulation
+  std::vector<vertex_index> numbers;   // in the triangulation, by original number
 };
 
 // Returns the constrained Delaunay triangulation of the oracle's sites as this metric measures

@@ -20,7 +20,7 @@ bool is_in(const bounding_box& box, const point& q) {
 }  // namespace
 
 bool leaves_others_in_place(const star_predicates& kernel, const std::vector<site>& sites,
-                            const boundary& edges, const neighbourhood& near,
+                            const boundary& edges, const proximity& near,
                             const boundary_edge& subsegment, const point& m, bool on_curve) {
   const point &a = sites[subsegment.a].position, &b = sites[subsegment.b].position;
   bounding_box box = box_of(a, b);

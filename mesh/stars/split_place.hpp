@@ -19,7 +19,7 @@ namespace asterism::internal {
 // Where segments meet in a sharp corner, or a few ulps apart, m may be rounded onto another one.
 // Exact.
 bool leaves_others_in_place(const star_predicates& kernel, const std::vector<site>& sites,
-                            const boundary& edges, const neighbourhood& near,
+                            const boundary& edges, const proximity& near,
                             const boundary_edge& subsegment, const point& m, bool on_curve = false);
 
 }  // namespace asterism::internal

@@ -176,7 +176,7 @@ std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_i
   return constructed_star{*std::move(s), true, false, reach};
 }
 
-std::vector<vertex_index> ring_of(const plain_star& guess) {
+std::vector<vertex_index> ring_of(const approximate_star& guess) {
   std::vector<vertex_index> ring;
   ring.reserve(guess.size());
   for (const plain_gap& gap : guess) ring.push_back(gap.neighbour);
@@ -186,7 +186,7 @@ std::vector<vertex_index> ring_of(const plain_star& guess) {
 // Returns the star to begin with: the neighbours guessed that v sees and that pass their tests.
 // Most stay. A star begun without neighbours takes many in far directions first, which only exact
 // numbers remove.
-star begun_star(const site_oracle& oracle, vertex_index v, const plain_star& guess) {
+star begun_star(const site_oracle& oracle, vertex_index v, const approximate_star& guess) {
   auto s = ring_star(oracle, v, ring_of(guess));
   if (!s) return empty_star(oracle.edges(), v);
   for (sector& part : s->sectors)
@@ -201,7 +201,7 @@ star begun_star(const site_oracle& oracle, vertex_index v, const plain_star& gue
 // there are, or else against the given ones. A search of what is near leaves gaps to which far
 // sites matter to a thorough one: where they are many, most stars with them are soon changed.
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
-                                                star_search search, const plain_star& guess,
+                                                star_search search, const approximate_star& guess,
                                                 const std::vector<vertex_index>& order) {
   auto s = standing_star(oracle, v, ring_of(guess));
   if (!s) return std::nullopt;
@@ -280,7 +280,7 @@ struct gathered {
 };
 
 gathered gather(const site_oracle& oracle, vertex_index v, double reach) {
-  const neighbourhood& near = *oracle.near();
+  const proximity& near = *oracle.near();
   const bounding_box box = box_around(oracle.sites()[v], reach);
   const bool covers = box.low.x <= near.box().low.x && box.low.y <= near.box().low.y &&
                       box.high.x >= near.box().high.x && box.high.y >= near.box().high.y;
@@ -296,7 +296,8 @@ gathered gather(const site_oracle& oracle, vertex_index v, double reach) {
 
 // Constructs the star of v from these sites. `guess` is their star in plain doubles.
 constructed_star construct_from(const site_oracle& oracle, vertex_index v, star_search search,
-                                const plain_star& guess, const std::vector<vertex_index>& order) {
+                                const approximate_star& guess,
+                                const std::vector<vertex_index>& order) {
   if (auto confirmed = confirmed_guess(oracle, v, search, guess, order))
     return std::move(*confirmed);
   return settle(oracle, v, begun_star(oracle, v, guess), order);
@@ -312,7 +313,7 @@ struct local_star {
   star_extent extent;  // of a star that is not final
 };
 
-star_extent extent_of(const site_oracle& oracle, vertex_index v, const plain_star& guess) {
+star_extent extent_of(const site_oracle& oracle, vertex_index v, const approximate_star& guess) {
   star_extent extent;
   for (std::size_t i = 0; i < guess.size(); ++i) {
     const vertex_index next = guess[following(guess, i)].neighbour;
@@ -349,7 +350,7 @@ local_star construct_near(const site_oracle& oracle, vertex_index v, star_search
     star_extent found;
     found.radius = infinity;
     if (last || among.order.size() >= fewest) {
-      const plain_star guess = build_plain_star(oracle.sites(), v, among.order);
+      const approximate_star guess = build_approximate_star(oracle.sites(), v, among.order);
       const star_extent guessed = extent_of(oracle, v, guess);
       if (interior) found = guessed;
       if (!interior || will_do(guessed)) {
@@ -396,8 +397,9 @@ bool take_missed(const site_oracle& oracle, vertex_index v, star_search search,
   for (const auto* list : {&from.among.order, &missed})
     for (const vertex_index w : *list) all.push_back({oracle.squared_distance(v, w), w});
   from.among.order = from_near_to_far(oracle, std::move(all));
-  from.built = construct_from(
-      oracle, v, search, build_plain_star(oracle.sites(), v, from.among.order), from.among.order);
+  from.built =
+      construct_from(oracle, v, search, build_approximate_star(oracle.sites(), v, from.among.order),
+                     from.among.order);
   from.built.repaired = true;
   from.extent = extent_of(oracle, v, from.built.content);
   return true;

@@ -11,8 +11,8 @@
 #include "asterism/mesh/stars/boundary.hpp"
 #include "asterism/mesh/stars/edge_test_cache.hpp"
 #include "asterism/mesh/stars/proximity.hpp"
-#include "asterism/mesh/stars/star_patience.hpp"
 #include "asterism/mesh/stars/star_predicates.hpp"
+#include "asterism/mesh/stars/star_work_guard.hpp"
 
 namespace asterism::internal {
 
@@ -23,26 +23,26 @@ namespace asterism::internal {
 class site_oracle {
  public:
   site_oracle(const std::vector<site>& sites, const boundary& edges, const star_predicates& kernel,
-              edge_test_memory* memory = nullptr, const neighbourhood* near = nullptr)
+              edge_test_cache* memory = nullptr, const proximity* near = nullptr)
       : sites_(&sites), boundary_(&edges), kernel_(&kernel), memory_(memory), near_(near) {}
 
   vertex_index size() const { return static_cast<vertex_index>(sites_->size()); }
   const boundary& edges() const { return *boundary_; }
   const std::vector<site>& sites() const { return *sites_; }
-  const neighbourhood* near() const { return near_; }
+  const proximity* near() const { return near_; }
   const star_predicates& kernel() const { return *kernel_; }
   // Returns an oracle for another thread, which asks this kernel and has a memory of its own, or
   // none.
-  site_oracle with_kernel(const star_predicates& kernel, edge_test_memory* memory = nullptr) const {
+  site_oracle with_kernel(const star_predicates& kernel, edge_test_cache* memory = nullptr) const {
     return {*sites_, *boundary_, kernel, memory, near_};
   }
   // Returns the same oracle with a patience, which must outlive it.
-  site_oracle with_patience(star_patience& patience) const {
+  site_oracle with_patience(star_work_guard& patience) const {
     site_oracle other = *this;
     other.patience_ = &patience;
     return other;
   }
-  // True once the work allowed was done: the star is left as it is (stars/star_patience.hpp).
+  // True once the work allowed was done: the star is left as it is (stars/star_work_guard.hpp).
   bool is_over() const { return patience_ != nullptr && patience_->is_over(*kernel_); }
 
   // Returns the orientation of u, v, w: positive when they turn counter-clockwise.
@@ -67,9 +67,9 @@ class site_oracle {
   const std::vector<site>* sites_;
   const boundary* boundary_;
   const star_predicates* kernel_;
-  edge_test_memory* memory_;
-  const neighbourhood* near_;
-  star_patience* patience_ = nullptr;
+  edge_test_cache* memory_;
+  const proximity* near_;
+  star_work_guard* patience_ = nullptr;
 };
 
 }  // namespace asterism::internal

@@ -35,7 +35,7 @@ std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_inde
   // and a tenth more holds most where they vary (docs/results/constants.md).
   constexpr double reach_of_candidates = 2.2;
   std::vector<vertex_index> candidates;
-  const neighbourhood* near = oracle.near();
+  const proximity* near = oracle.near();
   const double reach = near == nullptr
                            ? std::numeric_limits<double>::infinity()
                            : reach_of_candidates * farthest_known_vertex(oracle, w, own);
@@ -218,8 +218,8 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         // Uses the common cache if stars are few: this thread makes them alone then.
-        star_patience patience(cancelled_, few ? done + part : part);
-        edge_test_memory memory(edge_test_memory::extent::few);
+        star_work_guard patience(cancelled_, few ? done + part : part);
+        edge_test_cache memory(edge_test_cache::extent::few);
         const site_oracle own =
             (few ? oracle : oracle.with_kernel(*kernel, &memory)).with_patience(patience);
         for (std::size_t i = begin; i < end; ++i) {
@@ -366,7 +366,7 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
   std::vector<vertex_index> disturbed = collect_chunks<vertex_index>(
       added.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
-        star_patience patience(cancelled_, part);
+        star_work_guard patience(cancelled_, part);
         const site_oracle own = oracle.with_kernel(*kernel).with_patience(patience);
         // A star that was not tested, for want of work, is made anew like one that accepts a site.
         for (std::size_t i = begin; i < end; ++i)
@@ -412,7 +412,7 @@ void star_set::accept(const site_oracle& oracle, vertex_index v, constructed_sta
 }
 
 bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search search) {
-  star_patience patience(cancelled_, most_units(oracle));
+  star_work_guard patience(cancelled_, most_units(oracle));
   constructed_star built = construct_star(oracle.with_patience(patience), v, search);
   const bool changed = is_news(v, built);
   accept(oracle, v, std::move(built));

@@ -10,7 +10,7 @@ namespace asterism::internal {
 // Counts crossings of a ray to the right, or upwards where the sites' box is wider than it is high:
 // a ray along a flat domain would meet half of its subsegments.
 bool strictly_inside(const boundary& b, const std::vector<site>& sites,
-                     const star_predicates& kernel, const point& q, const neighbourhood* near) {
+                     const star_predicates& kernel, const point& q, const proximity* near) {
   const bool upwards = near != nullptr && near->box().high.x - near->box().low.x >
                                               near->box().high.y - near->box().low.y;
   const auto along = [&](const point& p) { return upwards ? p.y : p.x; };

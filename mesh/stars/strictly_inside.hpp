@@ -17,6 +17,6 @@ namespace asterism::internal {
 // number of those that a ray from q meets.
 bool strictly_inside(const boundary& b, const std::vector<site>& sites,
                      const star_predicates& kernel, const point& q,
-                     const neighbourhood* near = nullptr);
+                     const proximity* near = nullptr);
 
 }  // namespace asterism::internal

@@ -33,7 +33,7 @@ bool properly_cross(const star_predicates& kernel, const point& p, const point& 
 }
 
 bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
-          vertex_index v, vertex_index w, const neighbourhood* near) {
+          vertex_index v, vertex_index w, const proximity* near) {
   const point &p = sites[v].position, &q = sites[w].position;
   std::uint64_t looked_at = 0;
   const auto lets_through = [&](const boundary_edge& subsegment) {

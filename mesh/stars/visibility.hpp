@@ -19,7 +19,7 @@ namespace asterism::internal {
 // v. Exact. Takes time linear in the number of subsegments, or, with a neighbourhood, of those near
 // the segment.
 bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
-          vertex_index v, vertex_index w, const neighbourhood* near = nullptr);
+          vertex_index v, vertex_index w, const proximity* near = nullptr);
 
 // True if the open segments p q and r s cross in one point interior to both. Exact.
 bool properly_cross(const star_predicates& kernel, const point& p, const point& q, const point& r,

@@ -3,7 +3,7 @@
 // Gives blocks that fill a large page of the system to what is read all over, as the stars of a
 // fill are: at ten million triangles every star is on another page, and most of the time would go
 // into finding pages. Only aligns the blocks; that they are on large pages is for the program's
-// operator new to ask (apps/memory_account.cpp).
+// operator new to ask (apps/run/memory_account.cpp).
 #pragma once
 
 #include <cstddef>

@@ -337,7 +337,7 @@ result<std::string> face_meshing::make_once(const side_places& places, bool keep
         error_code::invalid_input};
   if (!shape) return shape.failure();
   const mesh wanted = background();
-  const auto field = make_sampled_field(wanted);
+  const auto field = make_interpolated_field(wanted);
   mesh_options how;
   how.angle_bound = options.angle_bound;
   how.limit_size = true;

@@ -3,10 +3,10 @@
 // Makes the next mesh of an adaptation loop in one call: metric, mesh, and fields brought to it.
 #include <pybind11/stl.h>
 
+#include "asterism/mesh/claims/adaptation_words.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 #include "asterism/mesh/pipeline/adaptation_target.hpp"
-#include "asterism/mesh/pipeline/adaptation_words.hpp"
 #include "asterism/mesh/pipeline/periodic_continuation.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"

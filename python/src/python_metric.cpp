@@ -90,7 +90,7 @@ std::unique_ptr<metric_field> sampled(const py::object& background, const py::ob
   const audit_report found = audit(adopted.subject, options);
   if (!found.certified)
     throw input_error("metric: its mesh is no triangulation: " + found.findings.at(0).witness);
-  return make_sampled_field(adopted.subject, size);
+  return make_interpolated_field(adopted.subject, size);
 }
 
 std::unique_ptr<metric_field> called(called_field& callable, const bounding_box& box, double size) {
@@ -112,7 +112,7 @@ python_metric::python_metric(const py::object& metric, const std::string& file,
       return;
     }
     const auto read = value_or_raise(internal::read_metric_on_mesh(name_, file));
-    field_ = make_sampled_field(read.subject, size);
+    field_ = make_interpolated_field(read.subject, size);
     fingerprint_ = std::to_string(mesh_fingerprint(*field_->background()));
     return;
   }

@@ -16,7 +16,7 @@ CIRCLES = set()
 # Headers that are a list of functions of one kind, each in a source of its own, and whoever includes them
 # calls most of what they list.
 CONTENTS = {
-    "apps/commands.hpp": "the commands, which the program adds one after another",
+    "apps/base/commands.hpp": "the commands, which the program adds one after another",
     "mesh/audit/checks.hpp": "the checks, which the auditor goes through",
     "mesh/io/listed_readers.hpp": "the readers of meshes, of which the table of kinds of files has a row each",
 }

@@ -8,8 +8,11 @@ import sys
 LAYERS = ["core", "predicates", "kernels", "challenge", "mesh/support", "mesh/data", "mesh/search",
           "mesh/numerics", "mesh/domain", "mesh/metric", "mesh/stars", "mesh/fill", "mesh/refine",
           "mesh/adapt", "mesh/solution", "mesh/transfer",
-          "mesh/audit", "mesh/surface_audit", "mesh/proof", "mesh/draw", "mesh/io", "mesh/surface_io", "mesh/pipeline",
-          "mesh/surface", "mesh/pieces", "mesh/c_interface", "mesh", "apps"]
+          "mesh/audit", "mesh/surface_audit", "mesh/proof", "mesh/draw", "mesh/io", "mesh/surface_io", "mesh/delivery",
+          "mesh/pipeline", "mesh/claims",
+          "mesh/surface", "mesh/pieces", "mesh/c_interface", "mesh",
+          "apps/base", "apps/help", "apps/options", "apps/run", "apps/text", "apps/job", "apps/pieces", "apps/verify", "apps/commands",
+          "apps"]
 FOLDERS = ["core", "predicates", "kernels", "challenge", "mesh", "apps"]  # with all that is below them
 CODE = {".hpp", ".cpp", ".h", ".c"}
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/apps/job_input.hpp"
-#include "asterism/apps/job_words.hpp"
+#include "asterism/apps/job/job_input.hpp"
+#include "asterism/apps/job/job_words.hpp"
 #include "asterism/core/version.h"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/audit/verify.hpp"

@@ -48,14 +48,14 @@ TEST_CASE("a pair is clipped to the distortion asked for, with the product of it
     const metric_tensor p = tensors.next(), q = tensors.next();
     metric_tensor a = p, b = q;
     const double before = log_distortion(p, q), most = 0.3 * before;
-    REQUIRE(make_alike(a, b, most));
+    REQUIRE(clip_distortion(a, b, most));
     CHECK(log_distortion(a, b) <= most);
     CHECK(log_distortion(a, b) >= 0.97 * most);
     CHECK(determinant(a) * determinant(b) == Approx(determinant(p) * determinant(q)).epsilon(1e-6));
     // Half from each side: neither end moves farther than the whole excess.
     CHECK(log_distortion(a, p) <= 0.51 * (before - 0.98 * most) + 1e-6);
     CHECK(log_distortion(b, q) <= 0.51 * (before - 0.98 * most) + 1e-6);
-    CHECK_FALSE(make_alike(a, b, most));
+    CHECK_FALSE(clip_distortion(a, b, most));
   }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("the coarser end of an edge takes its part of the excess, in each dire
   // The first is finer in x, the second in y.
   metric_tensor a{1e4, 0, 1}, b{1, 0, 1e4};
   const double whole = std::log(100), most = std::log(2), excess = whole - 0.98 * most;
-  REQUIRE(make_alike(a, b, most, 0.7));
+  REQUIRE(clip_distortion(a, b, most, 0.7));
   CHECK(std::log(1e4 / a.m11) / 2 == Approx(0.3 * excess).epsilon(1e-9));
   CHECK(std::log(a.m22) / 2 == Approx(0.7 * excess).epsilon(1e-9));
   CHECK(std::log(b.m11) / 2 == Approx(0.7 * excess).epsilon(1e-9));

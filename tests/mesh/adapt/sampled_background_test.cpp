@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/delivery/background.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
-#include "asterism/mesh/pipeline/background.hpp"
 #include "fixtures/domain_kinds.hpp"
 
 using namespace asterism;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/delivery/assign_regions.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/mesher.hpp"
-#include "asterism/mesh/pipeline/assign_regions.hpp"
 #include "fixtures/domain_kinds.hpp"
 
 using namespace asterism;

@@ -29,7 +29,7 @@ outcome check_items(std::size_t count, double units_of_fifth, double units_there
   audit_context context(subject, options, report);
   outcome done{false, 0, std::vector<int>(count, 0)};
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-    audit_patience patience(context, tally);
+    audit_work_guard patience(context, tally);
     for (std::size_t i = begin; i < end; ++i) {
       const double units = i == 5 ? units_of_fifth : 1;
       for (double spent = 0; spent < units && !patience.is_over(); spent += 0.01)

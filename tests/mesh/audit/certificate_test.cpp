@@ -11,10 +11,10 @@
 
 #include "asterism/mesh/audit/certificate_options.hpp"
 #include "asterism/mesh/audit/verify.hpp"
+#include "asterism/mesh/claims/measured_claims.hpp"
 #include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/certificate_writer.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
-#include "asterism/mesh/pipeline/measured_claims.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/temporary_directory.hpp"
 

@@ -28,7 +28,7 @@ TEST_CASE("a vertex has its own tensor, bit for bit") {
   patch p = make_patch(6);
   splitmix64 random(3);
   for (site& s : p.m.sites) s.metric = {random.real(1, 9), random.real(-1, 1), 2};
-  const auto field = make_sampled_field(p.m);
+  const auto field = make_interpolated_field(p.m);
   for (const site& s : p.m.sites) {
     const auto m = field->at(s.position);
     REQUIRE(m.ok());
@@ -37,7 +37,7 @@ TEST_CASE("a vertex has its own tensor, bit for bit") {
 }
 
 TEST_CASE("between vertices logarithms are interpolated") {
-  const auto field = make_sampled_field(two_triangles());
+  const auto field = make_interpolated_field(two_triangles());
   const auto m = field->at({0.5, 0});
   REQUIRE(m.ok());
   CHECK(m.value().m11 == Approx(4));  // the geometric mean of 1 and 16
@@ -49,7 +49,7 @@ TEST_CASE("between vertices logarithms are interpolated") {
 }
 
 TEST_CASE("outside of all triangles it goes on as on the rim") {
-  const auto field = make_sampled_field(two_triangles());
+  const auto field = make_interpolated_field(two_triangles());
   for (const double away : {1e-16, 1e-9, 0.1, 30.0}) {
     CAPTURE(away);
     const auto m = field->at({0.5, -away});
@@ -61,6 +61,6 @@ TEST_CASE("outside of all triangles it goes on as on the rim") {
 TEST_CASE("a flat or clockwise triangle has no say") {
   mesh m = two_triangles();
   m.triangles.push_back({0, 2, 1});
-  const auto field = make_sampled_field(m), plain = make_sampled_field(two_triangles());
+  const auto field = make_interpolated_field(m), plain = make_interpolated_field(two_triangles());
   CHECK(identical(field->at({0.6, 0.3}).value(), plain->at({0.6, 0.3}).value()));
 }

@@ -36,7 +36,7 @@ bounding_box box_of_background(const mesh& m) {
 TEST_CASE("a part has the tensors of the whole field in its window, also as bytes") {
   const mesh background = random_background();
   const bounding_box whole = box_of_background(background);
-  const auto field = make_sampled_field(background, 0.3);
+  const auto field = make_interpolated_field(background, 0.3);
   splitmix64 random(5);
   INFO("splitmix64 5");
   for (int turn = 0; turn < 40; ++turn) {
@@ -67,7 +67,7 @@ TEST_CASE("a part fails where no triangle is within its margin") {
   const mesh background = random_background();
   const bounding_box whole = box_of_background(background);
   const double width = whole.high.x - whole.low.x;
-  const auto field = make_sampled_field(background);
+  const auto field = make_interpolated_field(background);
   bounding_box window = whole;
   window.high.x += width;  // as far beyond the mesh as the mesh is wide; the margin is a quarter
   const auto part = part_of(*field, window);
@@ -86,7 +86,7 @@ TEST_CASE("a part fails where no triangle is within its margin") {
 }
 
 TEST_CASE("bytes of a part that were cut off or changed are refused") {
-  const auto field = make_sampled_field(random_background());
+  const auto field = make_interpolated_field(random_background());
   const auto part = part_of(*field, {{0, 0}, {1, 1}});
   REQUIRE(part.has_value());
   const std::string bytes = bytes_of(*part);

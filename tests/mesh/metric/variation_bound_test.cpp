@@ -124,7 +124,7 @@ TEST_CASE("a field on a mesh is bounded in each triangle") {
           {{i / 4.0, j / 4.0}, {wide * c * c + s * s, (wide - 1) * c * s, wide * s * s + c * c}});
     }
   add_grid_triangles(m, n);
-  const auto given = make_sampled_field(m, 0.2);
+  const auto given = make_interpolated_field(m, 0.2);
   const domain d = box(0, 0, 1, 1);
   const variation_bounds found = bound_variation(d, *given);
   REQUIRE(found.above);
@@ -152,7 +152,7 @@ TEST_CASE("a field on a mesh that changes across its triangles alone is bounded 
       m.sites.push_back({{i / 3.0, j / 3.0}, {scale, 0, 1.2 * scale}});
     }
   add_grid_triangles(m, n);
-  const variation_bounds found = bound_variation(box(0, 0, 1, 1), *make_sampled_field(m, 0.5));
+  const variation_bounds found = bound_variation(box(0, 0, 1, 1), *make_interpolated_field(m, 0.5));
   INFO(found.obstacle);
   REQUIRE(found.above);
   CHECK(*found.above <= 1.03 * found.seen);

@@ -23,7 +23,7 @@ point at(double radius, double angle) {
 // A site in the middle of so many others on a circle, and its star.
 struct wheel {
   std::vector<site> sites{{{0, 0}, {1, 0, 1}}};
-  plain_star star;
+  approximate_star star;
 
   explicit wheel(std::size_t spokes, double turned) {
     for (std::size_t i = 0; i < spokes; ++i)
@@ -32,7 +32,7 @@ struct wheel {
                        {1, 0, 1}});
     std::vector<vertex_index> others(spokes);
     std::iota(others.begin(), others.end(), vertex_index{1});
-    star = build_plain_star(sites, 0, others);
+    star = build_approximate_star(sites, 0, others);
   }
 };
 
@@ -102,8 +102,9 @@ std::size_t disagreeing(const std::vector<site>& sites, int n, const Build& buil
 TEST_CASE("careful stars agree where those of the hull do not", "[star]") {
   constexpr int n = 20;
   const std::vector<site> sites = sites_in_turning_metric(n);
-  const std::size_t by_hull = disagreeing(
-      sites, n, [&](vertex_index v, const auto& near) { return build_plain_star(sites, v, near); });
+  const std::size_t by_hull = disagreeing(sites, n, [&](vertex_index v, const auto& near) {
+    return build_approximate_star(sites, v, near);
+  });
   const std::size_t with_care = disagreeing(sites, n, [&](vertex_index v, const auto& near) {
     return build_careful_star(sites, v, near);
   });
@@ -120,12 +121,12 @@ TEST_CASE("of sites on one ray a careful star has the nearest alone", "[star]") 
   }
   std::vector<vertex_index> others(sites.size() - 1);
   std::iota(others.begin(), others.end(), vertex_index{1});
-  const auto on_line = [&](const plain_star& star) {
+  const auto on_line = [&](const approximate_star& star) {
     return std::count_if(star.begin(), star.end(), [&](const plain_gap& gap) {
       return sites[gap.neighbour].position.y == 0;
     });
   };
-  CHECK(on_line(build_plain_star(sites, 0, others)) > 2);
+  CHECK(on_line(build_approximate_star(sites, 0, others)) > 2);
   CHECK(on_line(build_careful_star(sites, 0, others)) == 2);
 }
 
@@ -136,7 +137,7 @@ TEST_CASE("a star is plain where doubles leave no doubt, and not where four site
   const std::vector<site> grid{{{0, 0}, {1, 0, 1}},  {{1, 0}, {1, 0, 1}},  {{1, 1}, {1, 0, 1}},
                                {{0, 1}, {1, 0, 1}},  {{-1, 0}, {1, 0, 1}}, {{0, -1}, {1, 0, 1}},
                                {{-1, -1}, {1, 0, 1}}};
-  plain_star on_circle = build_plain_star(grid, 0, {1, 3, 4, 5});
+  approximate_star on_circle = build_approximate_star(grid, 0, {1, 3, 4, 5});
   CHECK(is_plainly_a_star(grid, 0, on_circle));
   // (1, 1) is on the circle around (0, 0), (1, 0) and (0, 1).
   on_circle.insert(std::find_if(on_circle.begin(), on_circle.end(),

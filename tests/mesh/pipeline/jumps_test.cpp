@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cstddef>
 
-#include "asterism/mesh/pipeline/background.hpp"
+#include "asterism/mesh/delivery/background.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;

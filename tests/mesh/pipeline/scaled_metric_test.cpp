@@ -6,9 +6,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "asterism/mesh/delivery/metric_complexity.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
-#include "asterism/mesh/pipeline/metric_complexity.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -62,7 +62,7 @@ TEST_CASE("a metric is scaled to the complexity in one turn") {
 TEST_CASE("grading and scaling by turns meet a complexity that grading changes") {
   const mesh given = with_jump();
   const field_of_size make = [&given](double size) -> result<std::unique_ptr<metric_field>> {
-    return make_sampled_field(given, size);
+    return make_interpolated_field(given, size);
   };
   scale_demand wanted;
   wanted.complexity = 3000;

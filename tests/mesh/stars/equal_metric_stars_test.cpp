@@ -164,9 +164,9 @@ TEST_CASE("a net refuses a segment through a site, and one across another") {
   const std::vector<site> sites = {
       {{0, 0}, one}, {{2, 0}, one}, {{1, 0}, one}, {{1, 3}, one}, {{1.5, -2}, one}};
   const auto with_sites = [&] {
-    delaunay_triangulation net(sites, kernel);
-    for (vertex_index v = 0; v < sites.size(); ++v) REQUIRE(net.insert(v));
-    return net;
+    delaunay_triangulation delaunay(sites, kernel);
+    for (vertex_index v = 0; v < sites.size(); ++v) REQUIRE(delaunay.insert(v));
+    return delaunay;
   };
   delaunay_triangulation through = with_sites();
   CHECK_FALSE(through.insert_segment(0, 1));
@@ -184,29 +184,29 @@ TEST_CASE(
   star_setting now(d);
   tier_counters decided;
   const star_predicates_on<filtered_kernel> kernel(decided);
-  delaunay_triangulation net(now.sites, kernel);
-  for (vertex_index v = 0; v < now.sites.size(); ++v) REQUIRE(net.insert(v));
-  for (const boundary_edge& e : now.edges.subsegments()) REQUIRE(net.insert_segment(e.a, e.b));
-  REQUIRE(net.settle());
+  delaunay_triangulation delaunay(now.sites, kernel);
+  for (vertex_index v = 0; v < now.sites.size(); ++v) REQUIRE(delaunay.insert(v));
+  for (const boundary_edge& e : now.edges.subsegments()) REQUIRE(delaunay.insert_segment(e.a, e.b));
+  REQUIRE(delaunay.settle());
   const auto is_better = [&](vertex_index a, vertex_index b, vertex_index x, vertex_index y) {
-    const auto& all = net.all_sites();
+    const auto& all = delaunay.all_sites();
     return !kernel.edge_test(all[a], all[b], all[x], all[y]);
   };
-  std::uint32_t at = net.find_edge(0, 1).value().face;
+  std::uint32_t at = delaunay.find_edge(0, 1).value().face;
   std::size_t added = 0;
   for (int i = 1; i < 16; ++i)
     for (int j = 1; j < 16; ++j) {
       const point q{-1 + i / 8.0, -1 + j / 8.0};  // some on edges, one on a segment
-      const auto found = net.locate_near(q, at);
+      const auto found = delaunay.locate_near(q, at);
       if (!found) continue;  // beyond a segment, or at a site
-      at = net.at(net.insert_towards({q, {1, 0, 1}}, *found, is_better, 1000)).face;
+      at = delaunay.at(delaunay.insert_towards({q, {1, 0, 1}}, *found, is_better, 1000)).face;
       ++added;
     }
   CHECK(added > 40);
-  for (std::uint32_t f = 0; f < net.faces().size(); ++f) CHECK(net.is_sound(f, kernel));
+  for (std::uint32_t f = 0; f < delaunay.faces().size(); ++f) CHECK(delaunay.is_sound(f, kernel));
   for (const boundary_edge& e : now.edges.subsegments()) {
-    const auto left = net.find_edge(e.a, e.b);
+    const auto left = delaunay.find_edge(e.a, e.b);
     REQUIRE(left);
-    CHECK(net.faces()[left->face].fixed[left->corner]);
+    CHECK(delaunay.faces()[left->face].fixed[left->corner]);
   }
 }

@@ -109,7 +109,7 @@ TEST_CASE("given distances are those of all pairs, bit for bit") {
           tier_counters decided;
           const star_predicates_on<filtered_kernel> kernel(decided);
           const boundary edges = boundary::build(now.shape, kernel).value();
-          const neighbourhood near(sites, edges);
+          const proximity near(sites, edges);
           for (const double most : {std::numeric_limits<double>::infinity(), 1.0, 1e-3}) {
             for (const std::size_t count : {sites.size(), sites.size() / 3})
               CHECK(shortest_distance(sites, static_cast<vertex_index>(count), edges, near, most) ==
@@ -123,9 +123,9 @@ TEST_CASE("given distances of one site and of none") {
   tier_counters decided;
   const star_predicates_on<filtered_kernel> kernel(decided);
   const std::vector<site> one = {{{0.5, 0.5}, {1, 0, 1}}};
-  const neighbourhood near(one, boundary());
+  const proximity near(one, boundary());
   CHECK(shortest_distance(one, 1, boundary(), near, 2) == 2);
   CHECK(median_distance(one, near, 2) == 2);
   CHECK(std::isinf(median_distance(one, near, INFINITY)));
-  CHECK(shortest_distance({}, 0, boundary(), neighbourhood({}, boundary()), 2) == 2);
+  CHECK(shortest_distance({}, 0, boundary(), proximity({}, boundary()), 2) == 2);
 }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// Ends a command with a status, and says why.
+#pragma once
+
+#include <iostream>
+
+#include "asterism/apps/base/terminal.hpp"
+#include "asterism/core/result.hpp"
+
+namespace asterism::apps {
+
+// 0: done. 1: not reached; what is certain was written. 2: bad usage or input; nothing was written.
+enum exit_status : int { done = 0, not_reached = 1, refused = 2 };
+
+// Writes the failure to standard error and returns the status.
+inline int complain(const error& failure, exit_status status) {
+  std::cerr << in_colour("asterism:", ink::red, 2) << ' ' << without_controls(failure.message)
+            << '\n';
+  return status;
+}
+
+}  // namespace asterism::apps

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/base/notes.hpp"
+
+#include <iostream>
+
+#include "asterism/apps/base/terminal.hpp"
+
+namespace asterism::apps {
+
+std::optional<error> say_notes(const std::vector<std::string>& notes, const note_options& how) {
+  if (how.strict && !notes.empty()) return error{"--strict: " + notes.front()};
+  if (how.quiet) return std::nullopt;
+  for (const std::string& note : notes)
+    std::cerr << "asterism: note: " << without_controls(note) << '\n';
+  return std::nullopt;
+}
+
+}  // namespace asterism::apps

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes manual pages.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "asterism/apps/help/command_tree.hpp"
+
+namespace asterism::apps {
+
+// Returns the manual page, in the macros of man(7), of the entry `which`.
+std::string manual_page(const std::vector<command_entry>& tree, std::size_t which);
+
+}  // namespace asterism::apps

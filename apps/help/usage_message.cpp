@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/apps/help/usage_message.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <numeric>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace asterism::apps {
+namespace {
+
+// Returns how many letters must be changed, added, taken away or exchanged with their neighbour to
+// make one word of the other (optimal string alignment).
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  std::iota(rows[0].begin(), rows[0].end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    rows[i][0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      rows[i][j] = std::min({rows[i - 1][j] + 1, rows[i][j - 1] + 1,
+                             rows[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      const bool is_exchanged = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (is_exchanged) rows[i][j] = std::min(rows[i][j], rows[i - 2][j - 2] + 1);
+    }
+  }
+  return rows[a.size()][b.size()];
+}
+
+// Returns the name that the word begins: the shortest, if all others that begin with the word begin
+// with that name; empty where there is none.
+std::string completed(const std::string& word, const std::vector<std::string>& names) {
+  constexpr std::size_t least =
+      3;  // letters, the dashes of options included; of fewer none is meant
+  std::string shortest;
+  const auto begins = [](const std::string& name, const std::string& with) {
+    return name.compare(0, with.size(), with) == 0;
+  };
+  for (const std::string& name : names)
+    if (begins(name, word) && (shortest.empty() || name.size() < shortest.size())) shortest = name;
+  const bool is_one = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return !begins(name, word) || begins(name, shortest);
+  });
+  return word.size() >= least && is_one ? shortest : "";
+}
+
+// "; did you mean --size?" where a name was begun, or is at most two letters off, and less than
+// half of it.
+std::string meant(const std::string& word, const std::vector<std::string>& names) {
+  const std::string whole = completed(word, names);
+  if (!whole.empty()) return "; did you mean " + whole + "?";
+  const auto nearest = std::min_element(
+      names.begin(), names.end(),
+      [&](const auto& a, const auto& b) { return distance(word, a) < distance(word, b); });
+  if (nearest == names.end()) return "";
+  const std::size_t off = distance(word, *nearest);
+  return off <= 2 && 2 * off < word.size() ? "; did you mean " + *nearest + "?" : "";
+}
+
+std::vector<std::string> options_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+struct foreign_option {
+  std::string_view name;  // without dashes
+  std::string_view ours, what;
+};
+
+// Options of other meshers, and what they are called here.
+constexpr std::array<foreign_option, 40> foreign_options = {{
+    {"hmax", "--size", "the length of an edge of metric length 1"},
+    {"hsiz", "--size", "the length of an edge of metric length 1"},
+    {"clmax", "--size", "the length of an edge of metric length 1"},
+    {"lc", "--size", "the length of an edge of metric length 1"},
+    {"hmin", "--size", "the length of an edge of metric length 1"},
+    {"hgrad", "--gradation", "the greatest ratio of neighbouring sizes"},
+    {"min-angle", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"minangle", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"ar", "--corner-angle", "beyond which the boundary has a corner"},
+    {"nbvx", "--max-sites", "the greatest number of vertices"},
+    {"err", "--error", "the interpolation error wanted"},
+    {"out", "-o", "the file to write"},
+    {"nt", "--threads", "how many threads work"},
+    {"j", "--threads", "how many threads work"},
+    {"q", "--angle-bound", "the least angle in degrees, in the metric; --quiet says nothing"},
+    {"a", "--size", "the length of an edge; a triangle of it has 0.433 of its square as area"},
+    {"p", "-o", "the file to write; a .poly is read without an option"},
+    {"f", "-o", "the file to write; its ending names the format"},
+    {"format", "-o", "the file to write; its ending names the format"},
+    {"force", "-o", "the file to write; one that is there is replaced"},
+    {"overwrite", "-o", "the file to write; one that is there is replaced"},
+    {"y", "-o", "the file to write; one that is there is replaced"},
+    {"nosurf", "-o",
+     "the file to write; edges of the domain are kept, and divided where they must be"},
+    {"Y", "-o", "the file to write; edges of the domain are kept, and divided where they must be"},
+    {"v", "--json", "all that is known of the run"},
+    {"verbose", "--json", "all that is known of the run"},
+    {"V", "--help", "`asterism --version` says which this is"},
+    {"nv", "--vertices", "how many vertices are wanted"},
+    {"target", "--vertices", "how many vertices are wanted"},
+    {"npoints", "--vertices", "how many vertices are wanted"},
+    {"how", "--transfer", "the way in which a solution goes over"},
+    {"method", "--transfer", "the way in which a solution goes over"},
+    {"size", "--hmax", "about the longest edge; a surface's own sizes follow from --chord"},
+    {"tolerance", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"tol", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"deflection", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"hausd", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"error", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"max", "--at-most", "the distance that is to be proved"},
+    {"chord", "--at-most", "the distance that is to be proved"},
+}};
+
+// Returns what an unknown option is called here, as the end of a message; empty if that is not
+// known. Triangle and others write a value right behind the letter: -q30.
+std::string hint_for(const std::string& word, const std::vector<std::string>& known) {
+  std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+  if (word[1] != '-' && name.size() > 1 && std::isalpha(static_cast<unsigned char>(name[1])) == 0)
+    name.resize(1);
+  if (std::find(known.begin(), known.end(), "--" + name) != known.end())
+    return "; did you mean --" + name + "?";
+  for (const foreign_option& other : foreign_options) {  // the first that is an option here
+    const bool is_ours = std::find(known.begin(), known.end(), other.ours) != known.end();
+    if (other.name == name && is_ours)
+      return "; here it is " + std::string(other.ours) + " (" + std::string(other.what) + ")";
+  }
+  return "";
+}
+
+// The first word that looks like an option and is none of them; empty if all are.
+std::string unknown_option(const std::vector<std::string>& words,
+                           const std::vector<std::string>& known) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::string name = words[i].substr(0, words[i].find('='));
+    const bool looks_so = name.size() > 1 && name[0] == '-' &&
+                          (name[1] == '-' || std::isalpha(static_cast<unsigned char>(name[1])));
+    // -oFILE
+    if (looks_so && name.size() > 2 && name[1] != '-' && name[1] != 'h' &&
+        std::find(known.begin(), known.end(), name.substr(0, 2)) != known.end())
+      continue;
+    if (looks_so && std::find(known.begin(), known.end(), name) == known.end()) return name;
+  }
+  return "";
+}
+
+// "usage: asterism check MESH PROOF --angle-bound B --metric SOL": what cannot be left out.
+std::string shortest_use(const CLI::App& app) {
+  std::string arguments, options;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional())
+      arguments += " " + (option->get_required() ? option->get_name(true)
+                                                 : "[" + option->get_name(true) + "]");
+    else if (option->get_required() && !option->get_snames().empty())
+      options += " -" + option->get_snames().front() + " " + option->get_type_name();
+    else if (option->get_required())
+      options += " --" + option->get_lnames().front() + " " + option->get_type_name();
+  }
+  return "usage: asterism " + app.get_name() + arguments + options + " ...";
+}
+
+std::string no_such_option(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string> known = options_of(app);
+  const std::string hint = hint_for(word, known);
+  const std::string instead = hint.empty() ? meant(word, known) : hint;
+  return app.get_name() + " has no option " + word + instead +
+         (instead.empty() ? "\n" + shortest_use(app) : "") + "\n'asterism " + app.get_name() +
+         " --help' lists the options.";
+}
+
+}  // namespace
+
+std::string usage_message(const CLI::App& program, const std::vector<std::string>& words,
+                          const CLI::ParseError& failure) {
+  const CLI::App* app = nullptr;
+  for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; }))
+    if (!words.empty() && words[0] == one->get_name()) app = one;
+  if (app == nullptr) {
+    const std::string help = "\n'asterism --help' lists the commands.";
+    if (words.empty() || words[0][0] == '-') return failure.what() + help;
+    return no_such_command(program, words[0]);
+  }
+  const std::string help = "\n'asterism " + app->get_name() + " --help' lists the options.";
+  const std::vector<std::string> known = options_of(*app);
+  const std::string unknown = unknown_option(words, known);
+  // A required argument may have been given under a wrong name.
+  const bool may_be_name = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
+                           dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
+  if (!may_be_name) return failure.what() + help;
+  if (unknown.empty()) return std::string(failure.what()) + "\n" + shortest_use(*app) + help;
+  return no_such_option(*app, unknown);
+}
+
+// Commands of other programs, and what they are called here.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> foreign_commands = {
+    {{"plot", "draw"},
+     {"view", "draw"},
+     {"show", "draw"},
+     {"render", "draw"},
+     {"generate", "mesh"},
+     {"triangulate", "mesh"},
+     {"create", "mesh"},
+     {"make", "mesh"},
+     {"refine", "adapt"},
+     {"remesh", "adapt"},
+     {"optimize", "adapt"},
+     {"interpolate", "transfer"},
+     {"check-mesh", "certify"},
+     {"quality", "certify"}}};
+
+// Suggests a command line for a first word that is no command: a domain, a file, or a command of
+// another program.
+std::string meant_instead(const std::string& word) {
+  for (const auto& [theirs, ours] : foreign_commands)
+    if (theirs == word) return "; here it is " + std::string(ours);
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(word, ignored);
+  if (word == "square" || word == "airfoil") return "; did you mean asterism mesh " + word + "?";
+  return is_file ? "; did you mean asterism info " + word + ", or mesh, certify or draw?" : "";
+}
+
+std::string no_such_command(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> commands;
+  for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(one->get_name());
+  const std::string instead = meant_instead(word);
+  return "there is no command '" + word + "'" +
+         (instead.empty() ? meant(word, commands) : instead) +
+         "\n'asterism --help' lists the commands.";
+}
+
+std::optional<std::string> misread_help(const CLI::App& program,
+                                        const std::vector<std::string>& words) {
+  if (words.empty() || words[0] == "challenge") return std::nullopt;
+  for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (app->get_name() != words[0]) continue;
+    for (const std::string& word : words)
+      if (word.size() > 2 && word.compare(0, 2, "-h") == 0 && word != "-help")
+        return no_such_option(*app, word);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> misused_stream(const std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 3> taken_by = {"eval", "challenge", "convert"};
+  constexpr std::array<std::string_view, 3> streams = {"-", "/dev/stdin", "/dev/stdout"};
+  if (words.empty() || std::find(taken_by.begin(), taken_by.end(), words[0]) != taken_by.end())
+    return std::nullopt;
+  for (const std::string& word : words)
+    if (std::find(streams.begin(), streams.end(), word) != streams.end())
+      return word + ": " + words[0] +
+             " wants the name of a file, whose ending says what it holds; standard input and "
+             "output are read and written by 'asterism convert - OUT --format EXT' and by eval";
+  return std::nullopt;
+}
+
+}  // namespace asterism::apps

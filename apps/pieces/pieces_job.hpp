@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs a mesh job in pieces: cuts the domain, meshes the pieces in rounds until their seams agree,
+// and writes each with its certificate, the index last.
+#pragma once
+
+#include "asterism/apps/base/mesh_job.hpp"
+#include "asterism/apps/pieces/piece_team.hpp"
+
+namespace asterism::apps {
+
+// Returns the exit status, the same for all members of the team; null: a team of one. What is
+// written does not depend on the team.
+int run_pieces_job(const mesh_job& job, piece_team* team);
+
+}  // namespace asterism::apps

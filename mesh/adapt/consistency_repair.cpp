@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/consistency_repair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+constexpr std::size_t faces_checked_at_once = 2048;  // for a thread
+// Degrees above the bound that mending an angle aims at.
+constexpr double degrees_above = 4;
+// Longest edge that a merge may make, in units: twice the shortest that stay.
+constexpr double longest_edge = std::numbers::sqrt2;
+// Directions in which a node is moved, an equal part of a turn apart.
+constexpr std::size_t direction_count = 8;
+
+std::array<point, direction_count> find_directions() {
+  std::array<point, direction_count> all;
+  for (std::size_t k = 0; k < direction_count; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / direction_count;
+    all[k] = {elementary::cos(angle), elementary::sin(angle)};
+  }
+  return all;
+}
+
+}  // namespace
+
+consistency_repair::consistency_repair(working_mesh& m, const repair_options& options)
+    : m_(m),
+      options_(options),
+      tests_(m, options.angle_bound),
+      aim_(cotangent_of(options.angle_bound + degrees_above)) {
+  active_.assign(m_.nodes().size(), 1);
+}
+
+void consistency_repair::run() {
+  for (std::size_t i = 0; i < options_.most_rounds; ++i) {
+    if (options_.stop.is_requested()) return;
+    const bool is_mended = !round();
+    m_.charge_work(options_.stop);
+    if (is_mended) return;
+    ++report_.rounds;
+  }
+}
+
+bool consistency_repair::is_active(vertex_index t) const {
+  const face& f = m_.faces()[t];
+  return active_[f.v[0]] + active_[f.v[1]] + active_[f.v[2]] > 0;
+}
+
+// Checks and mends once all that is active; true if there was anything to mend.
+bool consistency_repair::round() {
+  next_.assign(m_.nodes().size(), 0);
+  report_.disagreeing = report_.low = 0;
+  find_clear_edges();
+  for (vertex_index t = 0; t < m_.faces().size(); ++t)
+    for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) {
+      const vertex_index s = m_.faces()[t].next[i];
+      if (s == none || s < t || m_.faces()[t].segment[i] != none) continue;
+      if (is_active(t) || is_active(s)) check_edge(t, i);
+    }
+  find_fine_faces();
+  for (vertex_index t = 0; t < m_.faces().size(); ++t)
+    if (m_.faces()[t].exists() && is_active(t)) check_angles(t);
+  active_ = next_;
+  return report_.disagreeing + report_.low > 0;
+}
+
+// Finds the edges that agree: nearly all, and what takes time in a round. Several threads do it, as
+// nothing changes meanwhile.
+void consistency_repair::find_clear_edges() {
+  clear_edges_.assign(m_.faces().size(), 0);
+  const auto is_clear = [this](vertex_index t, std::size_t i) {
+    const face& f = m_.faces()[t];
+    const vertex_index s = f.next[i];
+    if (s == none || s < t || f.segment[i] != none) return false;
+    if (!is_active(t) && !is_active(s)) return false;
+    return tests_.worst_clearance(tests_.quad_at(t, i)) > least_clearance;
+  };
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t)
+                      for (unsigned i = 0; i < 3 && m_.faces()[t].exists(); ++i)
+                        if (is_clear(static_cast<vertex_index>(t), i))
+                          clear_edges_[t] |= static_cast<unsigned char>(1U << i);
+                  });
+}
+
+// Finds the faces whose angles are in order, in the same way.
+void consistency_repair::find_fine_faces() {
+  is_fine_.assign(m_.faces().size(), 0);
+  if (options_.angle_bound <= 0) return;
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                      const auto t = static_cast<vertex_index>(i);
+                      if (m_.faces()[t].exists() && is_active(t) && !tests_.is_low(t))
+                        is_fine_[t] = 1;
+                    }
+                  });
+}
+
+void consistency_repair::disagreed_at(const std::vector<vertex_index>& nodes) {
+  constexpr double part = 0.5;
+  next_.assign(m_.nodes().size(), 0);
+  clip_distortion_at(nodes, part);
+  for (const vertex_index v : nodes) active_[v] = 1;
+}
+
+void consistency_repair::changed_at(const std::vector<vertex_index>& nodes) {
+  active_.resize(m_.nodes().size(), 0);
+  for (const vertex_index v : nodes) active_[v] = 1;
+}
+
+void consistency_repair::check_edge(vertex_index t, std::size_t i) {
+  m_.note_looked_at(work_weights::faces_for_edge_test);
+  const edge_quad q = tests_.quad_at(t, i);
+  const bool is_as_found =
+      !is_touched(q.a) && !is_touched(q.b) && !is_touched(q.c) && !is_touched(q.d);
+  if (is_as_found && (clear_edges_[t] >> i & 1U) != 0) return;
+  const double now = tests_.worst_clearance(q);
+  if (now > least_clearance) return;
+  ++report_.disagreeing;
+  for (const vertex_index v : {q.a, q.b, q.c, q.d}) next_[v] = 1;
+  if (m_.can_flip(t, i)) {
+    const double then = tests_.worst_clearance({q.d, q.c, q.a, q.b});
+    if (then > now) {
+      m_.flip(t, i);
+      ++report_.flips;
+      if (then > least_clearance) return;
+    }
+  }
+  constexpr double part = 0.7;
+  clip_distortion_at({q.a, q.b, q.c, q.d}, part);
+}
+
+void consistency_repair::check_angles(vertex_index t) {
+  const std::array<vertex_index, 3> at = m_.faces()[t].v;
+  if (is_fine_[t] != 0 && !is_touched(at[0]) && !is_touched(at[1]) && !is_touched(at[2])) return;
+  if (options_.angle_bound <= 0 || !tests_.is_low(t) || tests_.is_exempt(t)) return;
+  ++report_.low;
+  for (const vertex_index v : at) next_[v] = 1;
+  constexpr double part = 0.7;
+  if (report_.rounds % 2 == 1)
+    clip_distortion_at({at[0], at[1], at[2]}, part);
+  else
+    for (const vertex_index v : at) move_away(v);
+  constexpr std::size_t patience = 6;
+  if (report_.rounds < patience || m_.faces()[t].v != at) return;
+  if (report_.rounds % 3 == 0 && merge_away(t)) return;
+  follow_shape(t);
+}
+
+double consistency_repair::excess(const node& a, const node& b, const node& c) const {
+  if (!turns_left(a.position, b.position, c.position)) return infinity;
+  double sum = 0;
+  for (const node* n : {&a, &b, &c}) {
+    const double beyond = std::max(0.0, greatest_cotangent(n->metric, n->root, a, b, c) - aim_);
+    sum += beyond * beyond;
+  }
+  return sum;
+}
+
+// Merges a node of a low triangle into the neighbour that leaves the least defect, if that is much
+// less than now; true if it did.
+bool consistency_repair::merge_away(vertex_index t) {
+  constexpr double enough = 0.5;
+  const double longest = longest_edge * options_.unit;
+  // A node with more neighbours stays, since trying it costs their square.
+  constexpr std::size_t most_neighbours = 64;
+  double best = 0;
+  vertex_index from = none, into = none;
+  face_list at, ring;
+  for (const vertex_index v : m_.faces()[t].v) {
+    m_.around(v, at);
+    const double now = defect_at(at, infinity);
+    m_.neighbours(v, ring);
+    if (ring.size() > most_neighbours) continue;
+    for (const vertex_index w : ring) {
+      if (!m_.can_merge(v, w)) continue;
+      if (std::any_of(ring.begin(), ring.end(),
+                      [&](vertex_index u) { return u != w && m_.length(w, u) > longest; }))
+        continue;
+      double then = 0;
+      for (const vertex_index s : at) {
+        const face& f = m_.faces()[s];
+        const std::size_t i = f.corner_of(v);
+        const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+        if (a != w && b != w) then += excess(m_.at(w), m_.at(a), m_.at(b));
+      }
+      if (!(then < enough * now && now - then > best)) continue;
+      best = now - then;
+      from = v;
+      into = w;
+    }
+  }
+  if (from == none) return false;
+  m_.neighbours(from, ring);
+  m_.merge(from, into);
+  ++report_.merges;
+  for (const vertex_index u : ring) next_[u] = 1;
+  return true;
+}
+
+// Moves the tensors of a low triangle's nodes towards the tensor in which it is equilateral, until
+// they differ from it by no more than `enough`.
+void consistency_repair::follow_shape(vertex_index t) {
+  constexpr double enough = 0.5;  // log 1.65: angles of 23 degrees and more
+  const face& f = m_.faces()[t];
+  const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
+  const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
+  const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
+  const double vx = wx - ux, vy = wy - uy;
+  // The inverse of the sum of e e^T over the edges is that tensor but for a factor.
+  const metric_tensor shape{uy * uy + wy * wy + vy * vy, -(ux * uy + wx * wy + vx * vy),
+                            ux * ux + wx * wx + vx * vx};
+  const double root = plain_root_of_determinant(shape);
+  if (!(root > 0)) return;
+  for (const vertex_index v : f.v) {
+    const double factor = m_.at(v).root / root;
+    metric_tensor goal{factor * shape.m11, factor * shape.m12, factor * shape.m22},
+        own = m_.at(v).metric;
+    const double apart = log_distortion(own, goal);
+    if (!(apart > enough)) continue;
+    // Takes half of the excess from each side. Only this side counts, so the excess is doubled.
+    if (!clip_distortion(own, goal, std::max(0.0, 2 * enough - apart))) continue;
+    m_.set_metric(v, own);
+    next_[v] = 1;
+    ++report_.alike;
+  }
+}
+
+// Returns the defect of these faces: how far their angles are below a few degrees above the bound.
+// Stops adding at `most` and returns some number that is no less.
+double consistency_repair::defect_at(const face_list& at, double most) const {
+  double sum = 0;
+  for (const vertex_index t : at) {
+    const face& f = m_.faces()[t];
+    sum += excess(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
+    if (!(sum < most)) break;
+  }
+  return sum;
+}
+
+double consistency_repair::longest_around(vertex_index v) const {
+  face_list ring;
+  m_.neighbours(v, ring);
+  double longest = 0;
+  for (const vertex_index u : ring) longest = std::max(longest, m_.length(v, u));
+  return longest;
+}
+
+// Moves v to the place, of several around it, with the least defect.
+void consistency_repair::move_away(vertex_index v) {
+  const node here = m_.at(v);
+  if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;
+  face_list at;
+  m_.around(v, at);
+  double least = defect_at(at, infinity);
+  const double most = std::max(longest_edge * options_.unit, longest_around(v));
+  node best = here;
+  const auto asked = options_.wanted(here.position);
+  const bool is_wanted = asked && identical(*asked, here.metric);
+  const unit_displacements unit = unit_circle(here.metric);
+  static const std::array<point, direction_count> directions = find_directions();
+  for (const double step : {0.3, 0.12, 0.04})
+    for (const point& direction : directions) {
+      const double length = options_.unit * step;
+      const double x = length * direction.x, y = length * direction.y;
+      point to{here.position.x + x * unit.first.x + y * unit.second.x,
+               here.position.y + x * unit.first.y + y * unit.second.y};
+      m_.at(v) = here;
+      if (here.kind == node_kind::sliding) to = m_.on_segment(v, to);
+      m_.move(v, to);
+      if (is_wanted)
+        if (const auto there = options_.wanted(to)) m_.set_metric(v, *there);
+      const double defect = defect_at(at, least);
+      if (!(defect < least)) continue;
+      if (longest_around(v) > most) continue;
+      least = defect;
+      best = m_.at(v);
+    }
+  m_.at(v) = best;
+  if (best.position == here.position) return;
+  ++report_.moves;
+  face_list ring;
+  m_.neighbours(v, ring);
+  for (const vertex_index u : ring) next_[u] = 1;
+}
+
+// Makes all pairs of these alike, to a part of the greatest distortion they have now.
+void consistency_repair::clip_distortion_at(const std::vector<vertex_index>& nodes, double part) {
+  adapting::clip_distortion_at(m_, nodes, part,
+                               [this](vertex_index, vertex_index) { ++report_.alike; });
+}
+
+}  // namespace asterism::internal::adapting

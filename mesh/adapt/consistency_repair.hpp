@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes the metric delivered: tensors of the nodes of a triangulation, changed as little as makes
+// their stars agree about it, as far as doubles can tell.
+//
+// Checks at a triangle's Voronoi vertex, from which its three sites are equally far, that the site
+// across each edge is farther, and that no angle is below the bound as any of the three measures
+// it. Failing that, edges are flipped, tensors of the nodes around it made more alike
+// (nodal_gradation.hpp), nodes moved, and all is checked again. Equal tensors give the edges of one
+// Delaunay triangulation, so making alike cannot go on for ever: docs/math/delivered-metric.md. The
+// rounds are bounded besides. Internal to mesh/adapt.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal::adapting {
+
+struct repair_options {
+  double angle_bound = 20;
+  double unit = 1;  // length wanted of an edge
+  std::size_t most_rounds = 60;
+  // Metric wanted at a place, for a node that has moved.
+  std::function<std::optional<metric_tensor>(const point&)> wanted;
+  cancellation stop;
+};
+
+struct repair_report {
+  std::size_t rounds = 0, flips = 0, alike = 0, moves = 0, merges = 0;  // alike: pairs
+  std::size_t disagreeing = 0, low = 0;                                 // edges and triangles left
+};
+
+class consistency_repair {
+ public:
+  // Starts from the tensors of the nodes as the ones wanted; they become the ones delivered. Both
+  // references must outlive the object.
+  consistency_repair(working_mesh& m, const repair_options& options);
+
+  // Mends until nothing is left to mend where something has changed, or the rounds are over.
+  void run();
+  // Makes the tensors of these nodes more alike, where stars disagree that run() did not see to.
+  void disagreed_at(const std::vector<vertex_index>& nodes);
+  // Adds the triangles of these nodes, which are new, to those that run() examines.
+  void changed_at(const std::vector<vertex_index>& nodes);
+  // Returns the report so far.
+  const repair_report& report() const { return report_; }
+
+ private:
+  bool round();
+  bool is_active(vertex_index t) const;
+  // True if a node was changed in this round, or is beside a change.
+  bool is_touched(vertex_index v) const { return next_[v] != 0; }
+  void find_clear_edges();
+  void find_fine_faces();
+  void check_edge(vertex_index t, std::size_t i);
+  void check_angles(vertex_index t);
+  double excess(const node& a, const node& b, const node& c) const;
+  bool merge_away(vertex_index t);
+  void follow_shape(vertex_index t);
+  double defect_at(const face_list& at, double most) const;
+  double longest_around(vertex_index v) const;
+  void move_away(vertex_index v);
+  void clip_distortion_at(const std::vector<vertex_index>& nodes, double part);
+
+  working_mesh& m_;
+  const repair_options& options_;
+  local_tests tests_;
+  double aim_;  // cotangent of the angle aimed at
+  std::vector<char> active_, next_;
+  // Findings for each face, made before the round changes it: a bit for each edge that agrees, and
+  // 1 if its angles meet the bound.
+  std::vector<unsigned char> clear_edges_, is_fine_;
+  repair_report report_;
+};
+
+}  // namespace asterism::internal::adapting

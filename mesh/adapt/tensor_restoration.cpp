@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/tensor_restoration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+// True if an edge has the room wanted, or at least half of what it had.
+bool has_room(double now, double before) {
+  return now >= std::min(clearance_kept, before > 0 ? before / 2 : before);
+}
+
+// Returns the tensor that is `share` of the way from a to b, by logarithms.
+metric_tensor between(const metric_tensor& a, const metric_tensor& b, double share) {
+  const tensor_logarithm from = logarithm(a), to = logarithm(b);
+  const double rest = 1 - share;
+  return exponential({rest * from.l11 + share * to.l11, rest * from.l12 + share * to.l12,
+                      rest * from.l22 + share * to.l22});
+}
+
+bool is_usable(const metric_tensor& m) {
+  return std::isfinite(m.m11) && std::isfinite(m.m22) && plain_root_of_determinant(m) > 0;
+}
+
+}  // namespace
+
+tensor_restoration::tensor_restoration(working_mesh& m, double angle_bound,
+                                       std::vector<metric_tensor> wanted)
+    : m_(m),
+      tests_(m, angle_bound),
+      edges_(m, tests_),
+      has_angles_(angle_bound > 0),
+      wanted_(std::move(wanted)),
+      awake_(m.nodes().size(), 1),
+      kept_(m.nodes().size(), 0) {
+  for (const node& n : m.nodes()) before_.push_back(n.metric);
+}
+
+void tensor_restoration::run(const cancellation& stop) {
+  constexpr int most_sweeps = 8;
+  // Least part of nodes, one in this many, that can have the tensor wanted. Below it the metric
+  // turns nearly everywhere, and steps towards the tensors wanted would mostly be taken back, audit
+  // after audit.
+  constexpr std::size_t few = 10;
+  bool any = true;
+  for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
+    const bool is_first = sweep == 0;
+    any = give_once(is_first);
+    m_.charge_work(stop);
+    if (!is_first) continue;
+    if (few * wanted_count() < m_.count()) return;
+    any = true;
+    awake_.assign(awake_.size(), 1);
+  }
+}
+
+// Tries each node that may still change; true if any changed.
+bool tensor_restoration::give_once(bool whole_alone) {
+  bool any = false;
+  for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
+    if (!awake_[v] || kept_[v] || m_.at(v).kind == node_kind::gone) continue;
+    awake_[v] = 0;
+    if (identical(m_.at(v).metric, wanted_[v]) || !give(v, whole_alone)) continue;
+    wake_around(v);
+    any = true;
+  }
+  return any;
+}
+
+// Returns how many nodes have the tensor wanted.
+std::size_t tensor_restoration::wanted_count() const {
+  std::size_t count = 0;
+  for (vertex_index v = 0; v < m_.nodes().size(); ++v)
+    if (m_.at(v).kind != node_kind::gone && identical(m_.at(v).metric, wanted_[v])) ++count;
+  return count;
+}
+
+void tensor_restoration::wake_around(vertex_index v) {
+  face_list ring;
+  m_.neighbours(v, ring);
+  for (const vertex_index u : ring) awake_[u] = 1;
+  awake_[v] = 1;
+}
+
+// Moves the tensor towards the one wanted; false if no part of the way is possible.
+bool tensor_restoration::give(vertex_index v, bool whole_alone) {
+  const metric_tensor now = m_.at(v).metric;
+  // With less than a hundredth of the way left only the whole of it is tried.
+  constexpr double short_way = 0.01;
+  const bool is_short = whole_alone || !(log_distortion(now, wanted_[v]) > short_way);
+  bool is_measured = false;
+  for (const double share : {1.0, 0.5, 0.2}) {
+    if (share < 1 && is_short) break;
+    const metric_tensor tried = share < 1 ? between(now, wanted_[v], share) : wanted_[v];
+    if (!is_usable(tried)) continue;
+    m_.set_metric(v, tried);
+    if (has_low_around(v)) continue;
+    // Tests angles first: they refuse most nodes where few can change, and clearances cost
+    // more.
+    if (!is_measured) {
+      m_.set_metric(v, now);
+      edges_.turn_to(v);
+      edges_.remember();
+      m_.set_metric(v, tried);
+      is_measured = true;
+    }
+    if (edges_.all_of(has_room)) return true;
+  }
+  m_.set_metric(v, now);
+  return false;
+}
+
+// True if a face around v has an angle that must not be low and is.
+bool tensor_restoration::has_low_around(vertex_index v) const {
+  if (!has_angles_) return false;
+  face_list at;
+  m_.around(v, at);
+  return std::any_of(at.begin(), at.end(),
+                     [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); });
+}
+
+// Lists the nodes of edges around v that do not agree, and of faces there with low angles.
+void tensor_restoration::list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const {
+  face_list at;
+  m_.around(v, at);
+  for (const vertex_index t : at) {
+    const face& f = m_.faces()[t];
+    if (has_angles_ && tests_.is_low(t) && !tests_.is_exempt(t))
+      out.insert(out.end(), f.v.begin(), f.v.end());
+    const std::size_t i = f.corner_of(v);
+    for (const std::size_t e : {i, after(i)}) {
+      if (f.next[e] == none || f.segment[e] != none) continue;
+      m_.note_looked_at(work_weights::faces_for_edge_test);
+      const edge_quad q = tests_.quad_at(t, e);
+      if (tests_.worst_clearance(q) > least_clearance) continue;
+      out.insert(out.end(), {q.a, q.b, q.c, q.d});
+    }
+  }
+}
+
+// Each node is taken back once, so this ends.
+void tensor_restoration::take_back(const std::vector<vertex_index>& nodes,
+                                   std::vector<vertex_index>& taken) {
+  std::vector<vertex_index> waiting = nodes;
+  while (!waiting.empty()) {
+    const vertex_index v = waiting.back();
+    waiting.pop_back();
+    if (kept_[v]) continue;
+    kept_[v] = 1;
+    if (identical(m_.at(v).metric, before_[v])) continue;
+    m_.set_metric(v, before_[v]);
+    taken.push_back(v);
+    list_disagreeing(v, waiting);
+  }
+}
+
+void tensor_restoration::keep(const std::vector<vertex_index>& nodes) {
+  for (const vertex_index v : nodes) {
+    before_[v] = m_.at(v).metric;
+    kept_[v] = 1;
+  }
+}
+
+}  // namespace asterism::internal::adapting

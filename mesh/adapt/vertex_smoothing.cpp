@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/adapt/vertex_smoothing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
+#include "asterism/mesh/support/infinity.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
+
+namespace asterism::internal::adapting {
+namespace {
+
+// Degrees above the bound from which an angle is no defect.
+constexpr double settled_degrees_above = 1;
+// Clearance aimed at: more than an edge is to keep, since the tensors around change after this.
+constexpr double room_looked_for = 0.3;
+
+constexpr double slant = 1 / std::numbers::sqrt2;
+constexpr std::array<point, 8> directions = {{{1, 0},
+                                              {slant, slant},
+                                              {0, 1},
+                                              {-slant, slant},
+                                              {-1, 0},
+                                              {-slant, -slant},
+                                              {0, -1},
+                                              {slant, -slant}}};
+
+// Returns the defect of a quantity that exceeds its limit by this much. It saturates: what is far
+// beyond its limit will stay so.
+double defect(double beyond) {
+  constexpr double most = 1, of_any = 0.1;
+  return beyond > 0 ? std::min(most, beyond) + of_any : 0;
+}
+
+}  // namespace
+
+vertex_smoothing::vertex_smoothing(working_mesh& m, double angle_bound, double unit,
+                                   wanted_at wanted)
+    : m_(m),
+      tests_(m, angle_bound),
+      edges_(m, tests_),
+      angle_bound_(angle_bound),
+      cotangent_(cotangent_of(angle_bound + settled_degrees_above)),
+      unit_(unit),
+      field_(std::move(wanted)),
+      awake_(m.nodes().size(), 1) {
+  wanted_.resize(m.nodes().size());
+  m.each_node([&](vertex_index v) { wanted_[v] = look_up(m.at(v).position, m.at(v).hint); });
+}
+
+vertex_smoothing::wanted_tensor vertex_smoothing::look_up(const point& q,
+                                                          vertex_index& hint) const {
+  const metric_tensor there = field_(q, hint);
+  return {there, plain_root_of_determinant(there)};
+}
+
+// With angles of less than half of the bound around many nodes the metric is not resolved: in two
+// fronts that cross there are such around 22 to 51 of a hundred, in other functions around at most
+// 14 (docs/design/adaptation.md).
+bool vertex_smoothing::is_in_vain() const {
+  constexpr std::size_t part = 6;
+  const double least = cotangent_of(angle_bound_ / 2) - cotangent_;
+  m_.note_looked_at(m_.faces().size());
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!m_.faces()[t].exists()) continue;
+      for (const vertex_index u : m_.faces()[t].v)
+        if (excess_of(static_cast<vertex_index>(t), u) > least) found.push_back(u);
+    }
+  };
+  constexpr std::size_t chunk = 4096;
+  std::vector<char> is_hopeless(m_.nodes().size(), 0);
+  for (const vertex_index u : collect_chunks<vertex_index>(m_.faces().size(), chunk, append))
+    is_hopeless[u] = 1;
+  const auto hopeless =
+      static_cast<std::size_t>(std::count(is_hopeless.begin(), is_hopeless.end(), char{1}));
+  return part * hopeless > m_.count();
+}
+
+void vertex_smoothing::run(const cancellation& stop) {
+  constexpr int most_sweeps = 3;
+  bool any = true;
+  find_calm();
+  for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
+    any = false;
+    for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
+      const node_kind kind = m_.at(v).kind;
+      if (!awake_[v] || (kind != node_kind::free && kind != node_kind::sliding)) continue;
+      awake_[v] = 0;
+      if (calm_[v] == 0 && settle(v)) any = true;
+    }
+    m_.charge_work(stop);
+  }
+}
+
+// Finds the nodes without a defect. Most are, and to see that takes most of the time: several
+// threads do it, as nothing moves meanwhile.
+void vertex_smoothing::find_calm() {
+  constexpr std::size_t nodes_at_once = 1024;
+  const std::size_t count = m_.nodes().size();
+  calm_.assign(count, 0);
+  parallel_chunks(count, nodes_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
+    edges_around at(m_, tests_);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto v = static_cast<vertex_index>(i);
+      const node_kind kind = m_.at(v).kind;
+      if (kind != node_kind::free && kind != node_kind::sliding) continue;
+      at.turn_to(v);
+      const double now = defect_of_others(at, v, infinity) + defect_of_own(at, v);
+      calm_[v] = now > 0 ? 0 : 1;
+    }
+  });
+}
+
+// Marks the nodes whose defect depends on v as no longer calm: its neighbours, and those that have
+// it across.
+void vertex_smoothing::disturb_around(vertex_index v) {
+  calm_[v] = 0;
+  for (const vertex_index t : edges_.faces()) {
+    const face& f = m_.faces()[t];
+    const std::size_t i = f.corner_of(v);
+    const vertex_index a = f.v[after(i)];
+    calm_[a] = calm_[f.v[before(i)]] = 0;
+    if (f.next[i] == none) continue;
+    const face& g = m_.faces()[f.next[i]];
+    calm_[g.v[after(g.corner_of(a))]] = 0;
+  }
+}
+
+// Returns by how much the greatest cotangent of the face's angles exceeds the one without defect,
+// in the tensor wanted of a node.
+double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
+  const face& f = m_.faces()[t];
+  const point &a = m_.at(f.v[0]).position, &b = m_.at(f.v[1]).position, &c = m_.at(f.v[2]).position;
+  const metric_tensor& m = wanted_[by].metric;
+  const double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - a.x, wy = c.y - a.y;
+  const double uu = squared(m, ux, uy), ww = squared(m, wx, wy),
+               uw = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
+  const double area = wanted_[by].root * (ux * wy - uy * wx);
+  return std::max({uw, uu - uw, ww - uw}) / area - cotangent_;
+}
+
+double vertex_smoothing::defect_of(vertex_index t, vertex_index by) const {
+  return defect(excess_of(t, by));
+}
+
+// Returns the defect of the faces around the node in the tensors wanted of their other nodes.
+// Returns some number no less than `most` once it reaches that, or where a face does not turn left.
+double vertex_smoothing::defect_of_others(const edges_around& at, vertex_index v,
+                                          double most) const {
+  double sum = 0;
+  for (const vertex_index t : at.faces()) {
+    const face& f = m_.faces()[t];
+    const std::size_t i = f.corner_of(v);
+    const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+    if (!turns_left(m_.at(v).position, m_.at(a).position, m_.at(b).position)) return infinity;
+    sum += defect_of(t, a) + defect_of(t, b);
+    if (!(sum < most)) break;
+  }
+  return sum;
+}
+
+// Returns the defect of the faces at the node plus that of the opposite faces towards
+// it.
+double vertex_smoothing::defect_of_own(edges_around& at, vertex_index v) const {
+  constexpr double weight_of_clearance = 2;
+  double sum = 0;
+  for (const vertex_index t : at.faces()) sum += defect_of(t, v);
+  node there = m_.at(v);
+  there.metric = wanted_[v].metric;
+  at.tell_centres_across([&](const face_centre& c) {
+    sum += weight_of_clearance * defect(room_looked_for - clearance(c, there));
+  });
+  return sum;
+}
+
+// Returns the energy of the faces around the node, by which the mesh was fitted.
+double vertex_smoothing::energy() const {
+  double sum = 0;
+  for (const vertex_index t : edges_.faces()) {
+    const face& f = m_.faces()[t];
+    sum += shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
+  }
+  return sum;
+}
+
+// Lists the places around v, of several tried, with a smaller defect, the best first. What they add
+// to the energy of the fitted mesh counts as well: without it errors grow by 5 %.
+void vertex_smoothing::find_better_places(vertex_index v) {
+  constexpr double weight_of_energy = 4;
+  better_.clear();
+  const double now = defect_of_others(edges_, v, infinity) + defect_of_own(edges_, v);
+  if (!(now > 0)) return;
+  const double energy_now = energy();
+  const node here = m_.at(v);
+  const wanted_tensor wanted_here = wanted_[v];
+  const unit_displacements unit = unit_circle(here.metric);
+  m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
+  for (const double step : {0.15, 0.05})
+    for (const point& d : directions) {
+      const double x = unit_ * step * d.x, y = unit_ * step * d.y;
+      point to{here.position.x + x * unit.first.x + y * unit.second.x,
+               here.position.y + x * unit.first.y + y * unit.second.y};
+      m_.move(v, here.position);
+      if (here.kind == node_kind::sliding) to = m_.on_segment(v, to);
+      m_.move(v, to);
+      double then = defect_of_others(edges_, v, now);
+      if (!(then < now)) continue;
+      vertex_index hint = here.hint;
+      wanted_[v] = look_up(to, hint);
+      then += defect_of_own(edges_, v);
+      if (!(then < now)) continue;
+      then += weight_of_energy * (energy() - energy_now);
+      if (then < now) better_.push_back({to, wanted_[v], hint, then});
+    }
+  m_.move(v, here.position);
+  wanted_[v] = wanted_here;
+  std::stable_sort(better_.begin(), better_.end(),
+                   [](const place& p, const place& q) { return p.defect < q.defect; });
+}
+
+// True if an edge at v would be longer than edges may be, and longer than it is, by the mean of
+// what the tensors wanted of its ends measure.
+bool vertex_smoothing::stretches_edge(vertex_index v, const point& here, const place& there) const {
+  constexpr double most = 1.4;  // units; beyond 1.5 edges were split before
+  const auto length = [&](const point& from, const metric_tensor& wanted, vertex_index u) {
+    const point& to = m_.at(u).position;
+    const double x = to.x - from.x, y = to.y - from.y;
+    return (std::sqrt(squared(wanted, x, y)) + std::sqrt(squared(wanted_[u].metric, x, y))) / 2;
+  };
+  const auto is_stretched = [&](vertex_index u) {
+    const double then = length(there.at, there.wanted.metric, u);
+    return then > most * unit_ && then > length(here, wanted_[v].metric, u);
+  };
+  for (const vertex_index t : edges_.faces()) {
+    const face& f = m_.faces()[t];
+    const std::size_t i = f.corner_of(v);
+    if (is_stretched(f.v[after(i)]) || is_stretched(f.v[before(i)])) return true;
+  }
+  return false;
+}
+
+// Moves v there, and returns whether its edges and angles pass their tests.
+bool vertex_smoothing::may_be_at(vertex_index v, const place& there) {
+  m_.move(v, there.at);
+  const face_list& at = edges_.faces();
+  const auto is_low = [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); };
+  return std::none_of(at.begin(), at.end(), is_low) && edges_.all_of([](double now, double before) {
+    return now >= std::min(clearance_kept, before);
+  });
+}
+
+// Moves v to a better place, if there is one where all edges and angles pass their tests.
+bool vertex_smoothing::settle(vertex_index v) {
+  edges_.turn_to(v);
+  find_better_places(v);
+  if (better_.empty()) return false;
+  edges_.remember();
+  const point here = m_.at(v).position;
+  for (const place& there : better_) {
+    if (stretches_edge(v, here, there) || !may_be_at(v, there)) continue;
+    wanted_[v] = there.wanted;
+    m_.at(v).hint = there.hint;
+    face_list ring;
+    m_.neighbours(v, ring);
+    disturb_around(v);
+    for (const vertex_index u : ring) awake_[u] = 1;
+    awake_[v] = 1;
+    return true;
+  }
+  m_.move(v, here);
+  return false;
+}
+
+}  // namespace asterism::internal::adapting

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// Checks whether the tensors of a mesh are those of the metric that was asked for, by whoever
+// judges it or as its certificate says.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/claims/field_check.hpp"
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+
+namespace asterism::internal {
+
+// A metric as it was asked for.
+struct metric_wording {
+  std::string name;  // as --metric takes it
+  double size = 1;
+  std::optional<double> gradation;
+  std::string domain = {};     // the name of what is meshed: numbers at vertices may be of it
+  std::string sizes = "none";  // at places, as text_of(size_wishes) has them
+
+  friend bool operator==(const metric_wording&, const metric_wording&) = default;
+};
+
+// Makes a metric of the sizes asked for, graded as it was. `shape` is the domain as meshed, curves
+// divided: formulas are placed in its box, sizes at its segments, and gradation knows its width.
+result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, const domain& shape);
+
+// Returns how the certificate of a mesh says its metric was asked for. Fails, saying why in half a
+// sentence, where size, gradation or
+// sizes at places cannot be read.
+result<metric_wording> wording_in(const certificate& claim);
+
+// Returns what the formulas of the metric were placed in: the box of the domain of which this is a
+// piece, as the certificate says; else its own domain. None if it has no domain.
+std::optional<domain> placed_in(const certificate& claim);
+
+// Makes the metric that a certificate says its mesh is in, where that is the one asked for. Fails,
+// in half a sentence, where the mesh is delivered in another, the metric came as numbers, or it
+// cannot be made again.
+result<std::unique_ptr<metric_field>> field_in(const certificate& claim);
+
+// Holds the tensor of every vertex against the metric the certificate says was asked for, or, where
+// it says that the mesh is of another, the report on how far that is. A tensor may be off by 2^-40
+// of itself: libraries of elementary functions differ in the last places. Nothing is checked of a
+// mesh that is not the certificate's, by its fingerprint.
+field_check check_field(const mesh& subject, const certificate& claim);
+
+// Holds the tensor of every vertex against a metric; `apart` says how far they are from it, and
+// which triangles are below the bound in it.
+field_check check_against(const mesh& subject, const metric_field& wanted,
+                          std::optional<double> angle_bound);
+
+}  // namespace asterism::internal

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/delivery/audited_mesh.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "asterism/mesh/delivery/assign_regions.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+void audited_mesh::take(const adapting::working_mesh& m) {
+  memory_ = {};
+  std::vector<vertex_index> renumbered;
+  subject_ = m.triangulation(renumbered);
+  assign_regions(subject_, *domain_);
+  node_of_.assign(subject_.sites.size(), 0);
+  for (vertex_index v = 0; v < renumbered.size(); ++v)
+    if (renumbered[v] != adapting::none) node_of_[renumbered[v]] = v;
+}
+
+void audited_mesh::take_changed(const adapting::working_mesh& m) {
+  const star_memory before = std::move(memory_);
+  std::vector<double> reaches(m.nodes().size(), std::numeric_limits<double>::infinity());
+  for (vertex_index s = 0; s < before.reaches.size(); ++s) reaches[node_of_[s]] = before.reaches[s];
+  take(m);
+  for (const vertex_index v : node_of_) memory_.reaches.push_back(reaches[v]);
+  memory_.power_of_squares = before.power_of_squares;
+}
+
+audit_options audited_mesh::question(std::size_t findings_kept) const {
+  audit_options asked;
+  asked.angle_bound = options_->angle_bound;
+  asked.find_exempt_corners = true;
+  asked.original = domain_;
+  asked.findings_kept = findings_kept;
+  asked.stop = options_->stop;
+  return asked;
+}
+
+void audited_mesh::keep(const auditor& judge) {
+  report_ = std::make_shared<audit_report>(judge.report());
+  memory_ = judge.memory();
+}
+
+void audited_mesh::judge(std::size_t findings_kept) {
+  auditor judge(subject_, question(findings_kept));
+  judge.run();
+  keep(judge);
+}
+
+void audited_mesh::judge_quickly() {
+  auditor judge(subject_, question(all_findings));
+  judge.run({hard_questions::left_open, many_for_a_gap_});
+  keep(judge);
+}
+
+void audited_mesh::judge_again(node_list changed, hard_questions hard) {
+  if (!report_->stars_checked) return judge(all_findings);
+  std::sort(changed.begin(), changed.end());
+  node_list sites;
+  for (vertex_index s = 0; s < node_of_.size(); ++s)
+    if (std::binary_search(changed.begin(), changed.end(), node_of_[s])) sites.push_back(s);
+  auditor judge(subject_, question(all_findings), *report_, std::move(memory_));
+  judge.recheck(sites, {hard, many_for_a_gap_});
+  keep(judge);
+}
+
+template <class Vertices>
+node_list audited_mesh::nodes_of(const Vertices& vertices) const {
+  node_list nodes;
+  for (const vertex_index s : vertices) nodes.push_back(node_of_[s]);
+  return nodes;
+}
+
+void audited_mesh::ask_filters(const adapting::working_mesh& m,
+                               const std::function<void(const node_list&)>& refuse) {
+  const auto is_as_it_was = [&](vertex_index s) {
+    return identical(m.at(node_of_[s]).metric, subject_.sites[s].metric);
+  };
+  const auto is_asked = [&](const open_question& q) {
+    return std::all_of(q.sites.begin(), q.sites.end(), is_as_it_was);
+  };
+  auditor judge(subject_, question(all_findings), *report_, std::move(memory_));
+  judge.ask_filters(is_asked, [&](const open_question& q) { refuse(nodes_of(q.sites)); });
+  keep(judge);
+}
+
+std::vector<node_list> audited_mesh::nodes_found() const {
+  std::vector<node_list> all;
+  for (const audit_finding& found : report_->findings)
+    if (!found.vertices.empty()) all.push_back(nodes_of(found.vertices));
+  for (const vertex_index t : report_->refused_triangles())
+    all.push_back(nodes_of(subject_.triangles[t]));
+  return all;
+}
+
+std::vector<node_list> audited_mesh::stars_with_open(std::size_t most) const {
+  std::map<vertex_index, std::vector<const open_question*>> stars;
+  for (const open_question& q : memory_.open) stars[q.sites[0]].push_back(&q);
+  std::vector<node_list> found;
+  for (const auto& [centre, questions] : stars) {
+    if (questions.size() <= most) continue;
+    node_list& nodes = found.emplace_back();
+    nodes.push_back(node_of_[centre]);
+    for (const open_question* q : questions)
+      for (const vertex_index s : {q->sites[2], q->sites[3]}) nodes.push_back(node_of_[s]);
+  }
+  return found;
+}
+
+std::vector<node_list> audited_mesh::nodes_of_open() const {
+  std::vector<node_list> all;
+  for (const open_question& q : memory_.open) all.push_back(nodes_of(q.sites));
+  return all;
+}
+
+}  // namespace asterism::internal

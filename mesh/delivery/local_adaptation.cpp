@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/delivery/local_adaptation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/adapt/consistency_repair.hpp"
+#include "asterism/mesh/adapt/mesh_gradation.hpp"
+#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/adapt/vertex_smoothing.hpp"
+#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/delivery/audited_mesh.hpp"
+#include "asterism/mesh/delivery/constant_metric_fallback.hpp"
+#include "asterism/mesh/delivery/fitting_goal.hpp"
+#include "asterism/mesh/delivery/restore_tensors.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
+#include "asterism/mesh/search/hilbert_order.hpp"
+
+namespace asterism::internal {
+namespace {
+
+using namespace adapting;
+
+// Distortion allowed over an edge of length one: of the metric the mesh is made in, on the graph of
+// the background, and of the one delivered, on that of the mesh. Found by experiment
+// (docs/design/adaptation.md); the later steps of the ladder are for where the first did not lead
+// to agreement.
+struct strictness {
+  double background, mesh;
+  // In place of `mesh` where that changes nearly all tensors, or stars want so many more edges than
+  // the unit mesh has that nodes have to go again: the metric turns fast, and stars agree about
+  // less.
+  double turning;
+};
+constexpr std::array<strictness, 4> ladder = {
+    {{4, 2.5, 2}, {3, 1.7, 1.7}, {1.8, 1.4, 1.4}, {1.25, 1.15, 1.15}}};
+// Most audits of one mesh, each after the findings of the one before were mended.
+constexpr int most_repairs = 12;
+constexpr std::size_t every_finding = std::numeric_limits<std::size_t>::max();
+
+class local_adaptation {
+ public:
+  explicit local_adaptation(const adaptation_job& job)
+      : domain_(job.shape),
+        field_(job.field),
+        options_(job.options),
+        start_(job.start),
+        wanted_(job.wanted),
+        goal_(job.shape, job.wanted, job.count, job.options.max_sites),
+        is_field_itself_(job.is_field_itself),
+        made_(job.shape, options_) {}
+
+  std::optional<mesh_outcome> run() {
+    if (goal_.count() < 1) return std::nullopt;
+    order_places();
+    options_.stop.expect(goal_.count());
+    // A formula has no noise. With more sites what turns from node to node is mostly a feature, and
+    // errors of fine waves grow without it (docs/design/adaptation.md).
+    if (is_field_itself_ && goal_.wants_few()) goal_.leave_out_noise(options_.stop);
+    const cancellation whole = options_.stop;
+    constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
+    options_.stop = whole.part(for_ladder);
+    // Tries stricter steps while the meshes made have, together, no more nodes than one mesh may
+    // have: a step's cost is proportional to its nodes.
+    std::size_t made = 0;
+    goal_.make_room_where_needed(options_.stop);
+    for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
+      bool is_made = attempt(start_, ladder[step]);
+      if (give_up_room_at_chords(is_made)) is_made = attempt(start_, ladder[step]);
+      if (std::exchange(wants_room_, false)) {
+        goal_.make_room_for_segments(0, options_.stop);
+        is_made = attempt(start_, ladder[step]);
+      }
+      if (is_made && !is_certified() && take_all_room()) is_made = attempt(start_, ladder[step]);
+      if (!is_made) {
+        if (is_overworked()) break;
+        return std::nullopt;
+      }
+      made += std::max(goal_.count(), made_.subject().sites.size());
+      if (is_certified() || stop_reason() || is_overworked()) break;
+      // Skips to the strictest step: where mending made no progress, a little more does not help.
+      if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
+    }
+    options_.stop = whole;
+    if (!is_certified() && !stop_reason()) adapt_in_one_metric();
+    if (is_certified()) meet_count(start_);
+    if (const auto why = stop_reason(); why && !is_certified() && made_.report())
+      return stopped(*why);
+    if (!is_certified()) return std::nullopt;
+    return conclude();
+  }
+
+ private:
+  std::optional<std::string> stop_reason() const { return options_.stop.told(); }
+
+  bool is_certified() const { return made_.is_certified(); }
+
+  // True if the work that the run may spend here was done.
+  bool is_overworked() const { return !(options_.stop.units_left() > 0); }
+
+  static double off_count(std::size_t sites, std::size_t wanted) {
+    return std::abs(elementary::log(static_cast<double>(sites) / static_cast<double>(wanted)));
+  }
+
+  // Makes the mesh once more if mending has changed the number of sites by much, with as many more
+  // or fewer wanted to begin with. The new mesh stays if it is nearer to the number wanted.
+  void meet_count(const mesh& start) {
+    constexpr double tolerable = 0.04;
+    const std::size_t wanted = goal_.count(), got = made_.subject().sites.size();
+    if (off_count(got, wanted) <= tolerable || stop_reason() || is_overworked()) return;
+    const audited_mesh before = made_;
+    const double length_factor = length_factor_;
+    goal_.set_count(wanted * wanted / got);
+    const bool made = attempt(start, ladder[0]);
+    if (made && is_certified() &&
+        off_count(made_.subject().sites.size(), wanted) < off_count(got, wanted))
+      return;
+    made_ = before;
+    length_factor_ = length_factor;
+  }
+
+  // Orders the places of the background along a space-filling curve.
+  void order_places() {
+    seeds_ = wanted_.places();
+    sort_along_curve(std::span(seeds_), domain_.box());
+  }
+
+  // Goes back to the metric without room at chords where no mesh was certified with it, as fewer
+  // vertices are wanted than it takes. Returns whether it did.
+  bool give_up_room_at_chords(bool is_made) {
+    const bool is_kept = stop_reason() || is_overworked() || (is_made && is_certified());
+    if (!is_kept) return goal_.give_up_room_at_chords();
+    goal_.keep_room_at_chords();
+    return false;
+  }
+
+  bool take_all_room() {
+    return !stop_reason() && !is_overworked() && goal_.take_all_room(options_.stop);
+  }
+
+  // Returns the field as a function, and charges its searches to the mesh.
+  static metric_at field_by(const background_metric& field, const working_mesh& m) {
+    return [&field, &m](const point& q, vertex_index& hint) {
+      const metric_tensor there = field.at(q, hint);
+      m.note_looked_at(field.take_looked_at());
+      return there;
+    };
+  }
+
+  std::optional<metric_tensor> wanted_at(const point& q) const {
+    const auto there = field_.at(q);
+    return there ? std::optional(there.value()) : std::nullopt;
+  }
+
+  // Sets the nodes' tensors to those interpolated on the background: the metric wanted except for
+  // rounding, and found sooner.
+  void take_interpolated(working_mesh& m) const {
+    m.each_node([&](vertex_index v) {
+      m.set_metric(v, goal_.metric().at(m.at(v).position, m.at(v).hint));
+    });
+  }
+
+  // Sets the node's tensor to that of the metric fitted to where that differs from the metric
+  // wanted; both are interpolated by the same operations.
+  void take_other(working_mesh& m, vertex_index v) const {
+    const auto without = goal_.metric().where_other(wanted_, m.at(v).position, m.at(v).hint);
+    if (without) m.set_metric(v, *without);
+  }
+
+  // Sets the nodes' tensors to the metric wanted there, or to the other metric fitted to. Returns
+  // false where the field fails.
+  bool take_wanted(working_mesh& m) const {
+    std::atomic<bool> is_known = true;
+    m.each_node([&](vertex_index v) {
+      const auto there = wanted_at(m.at(v).position);
+      if (!there) return is_known.store(false);
+      m.set_metric(v, *there);
+      if (goal_.is_other()) take_other(m, v);
+    });
+    return is_known;
+  }
+
+  // Makes the mesh and its audit in made_. Returns false where it cannot be made, or not with
+  // the work that is left.
+  bool attempt(const mesh& start, const strictness& how) {
+    auto built = working_mesh::build(domain_, start);
+    if (!built) return false;
+    working_mesh m = std::move(built).value();
+    const background_metric background = goal_.graded(how.background, options_.stop);
+    unit_mesh_options making;
+    making.count = goal_.count();
+    // Ends splitting: if edges are still too long with so many more nodes, the metric is too thin
+    // for it to get anywhere.
+    constexpr std::size_t times_as_many = 4, at_least = 1000;
+    making.most_nodes = std::min(options_.max_sites,
+                                 times_as_many * goal_.count() + at_least + start_.sites.size());
+    making.stop = options_.stop;
+    unit_mesher maker(m, making);
+    maker.run(field_by(background, m), seeds_);
+    // Merges the shortest edges where splits, of which a metric that turns fast needs more, have
+    // added too many nodes; measured in the metric that the nodes have. Not where many nodes are
+    // given, as ends of chords are: these may be nearer to each other than the metric wants, and
+    // need as many nodes beside them as splits add.
+    constexpr double tolerable = 0.015;
+    if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
+    if (off_count(m.count(), goal_.count()) > tolerable && !stop_reason() && !are_many_given(m)) {
+      const background_metric own = field_of(m);
+      maker.meet_count(field_by(own, m));
+      if (is_overworked()) return false;
+      look_up_anew(m, wanted_);
+      if (!take_wanted(m)) return false;
+      grade_mesh(m, how.turning, maker.unit(), options_.stop);
+    }
+    length_factor_ = maker.unit();
+    if (is_overworked()) return false;
+    deliver(m, maker);
+    return made_.report() != nullptr;
+  }
+
+  // True if a quarter of the nodes are vertices of the domain, which stay where they are.
+  static bool are_many_given(const working_mesh& m) {
+    constexpr std::ptrdiff_t part = 4;
+    const auto given = std::count_if(m.nodes().begin(), m.nodes().end(),
+                                     [](const node& n) { return n.kind == node_kind::given; });
+    return part * given > static_cast<std::ptrdiff_t>(m.count());
+  }
+
+  // Grades the nodes' tensors on the mesh's graph. Returns the distortion that was used.
+  double grade_as_needed(working_mesh& m, const strictness& how, double unit) const {
+    constexpr double changed = 0.1;        // log distortion: lengths by a tenth
+    constexpr std::size_t nearly_all = 4;  // all but one in so many
+    const std::vector<node> before = m.nodes();
+    grade_mesh(m, how.mesh, unit, options_.stop);
+    std::size_t alike = 0;
+    for (vertex_index v = 0; v < before.size(); ++v)
+      if (before[v].kind != node_kind::gone &&
+          !(log_distortion(before[v].metric, m.at(v).metric) > changed))
+        ++alike;
+    if (nearly_all * alike > m.count()) return how.mesh;
+    grade_mesh(m, how.turning, unit, options_.stop);
+    return how.turning;
+  }
+
+  // Fits the mesh to the metric wanted as its own graph grades it, and splits what that leaves
+  // long. Returns false where the metric wanted fails, or not with the work that is left.
+  bool fit_to_own(working_mesh& m, unit_mesher& maker, const strictness& how,
+                  std::size_t most_nodes) const {
+    if (is_field_itself_)
+      take_interpolated(m);
+    else if (!take_wanted(m))
+      return false;
+    const double distortion = grade_as_needed(m, how, maker.unit());
+    const background_metric own = field_of(m);
+    maker.refit(field_by(own, m));
+    if (is_overworked()) return false;
+    look_up_anew(m, wanted_);
+    if (!take_wanted(m)) return false;
+    grade_mesh(m, distortion, maker.unit(), options_.stop);
+    split_left_long(m, maker, most_nodes);
+    return true;
+  }
+
+  repair_options asked_of_agreement(double unit) const {
+    repair_options agree;
+    agree.angle_bound = options_.angle_bound;
+    agree.unit = unit;
+    agree.stop = options_.stop;
+    agree.wanted = [this](const point& q) { return wanted_at(q); };
+    return agree;
+  }
+
+  // Splits the long edges that agreement of stars needs and the unit mesh did not have.
+  void split_left_long(working_mesh& m, unit_mesher& maker, std::size_t most_nodes) const {
+    repair_options agree = asked_of_agreement(maker.unit());
+    // Rounds enough to see which edges stars need; the rest is mended when the mesh is delivered.
+    agree.most_rounds = 12;
+    agree.angle_bound = 0;  // low angles are mended then, too
+    constexpr int rounds = 3;
+    const metric_at wanted = [this](const point& q, vertex_index& hint) {
+      return wanted_.at(q, hint);
+    };
+    for (int i = 0; i < rounds && !stop_reason(); ++i) {
+      consistency_repair(m, agree).run();
+      if (maker.split_left_long(wanted, most_nodes) == 0) return;
+    }
+  }
+
+  // Makes tensors alike until the mesh is certified, then restores those that need not be alike. A
+  // mesh whose neighbours agree is nearly always certified; so the first audit follows the
+  // restoring, and comes before it only where that fails.
+  void deliver(working_mesh& m, unit_mesher& maker) {
+    const repair_options agree = asked_of_agreement(length_factor_);
+    consistency_repair agreeing(m, agree);
+    agreeing.run();
+    constexpr std::size_t very_few = 100;  // one in so many
+    wants_room_ = !goal_.has_room() && goal_.domain_has_many_vertices() &&
+                  very_few * (agreeing.report().disagreeing + agreeing.report().low) > m.count();
+    if (wants_room_) return;
+    if (!stop_reason() && !are_many_given(m)) {
+      agreeing.changed_at(maker.split_outliers(field_by(wanted_, m)));
+      agreeing.run();
+    }
+    settle(m, agreeing);
+    constexpr std::size_t few = 20;  // one in so many
+    const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
+    if (few * left <= m.nodes().size()) {
+      const working_mesh alike = m;
+      if (give_back(m)) return;
+      m = alike;
+    }
+    mend(m, agreeing);
+    if (!is_certified()) return;
+    const audited_mesh certified = made_;
+    if (!give_back(m)) made_ = certified;
+  }
+
+  // Moves the nodes of a mesh that agrees to places where more of them can have the tensors wanted.
+  void settle(working_mesh& m, consistency_repair& agreeing) {
+    if (agreeing.report().disagreeing + agreeing.report().low > 0 || options_.angle_bound <= 0)
+      return;
+    vertex_smoothing settled(m, options_.angle_bound, length_factor_, field_by(wanted_, m));
+    if (settled.is_in_vain()) return made_.leave_unbounded();  // there are many then
+    settled.run(options_.stop);
+    bound_gaps(m, agreeing, options_.stop);
+  }
+
+  // Makes tensors alike until the auditor has nothing against the mesh.
+  void mend(working_mesh& m, consistency_repair& agreeing) {
+    constexpr int patience = 3, patience_with_few = 4;
+    std::size_t least = every_finding;
+    int in_vain = 0, since_least = 0;
+    for (int audits = 0; audits < most_repairs && !is_overworked(); ++audits) {
+      made_.take(m);
+      made_.judge(made_.subject().sites.size());
+      if (is_certified() || stop_reason() || is_overworked()) return;
+      const std::size_t left = made_.report()->total_found();
+      const bool are_many = 20 * left > made_.subject().sites.size();
+      in_vain = are_many && 10 * left > 9 * least ? in_vain + 1 : 0;
+      since_least = left < least ? 0 : since_least + 1;
+      if (since_least == patience_with_few) return;
+      least = std::min(least, left);
+      is_hopeless_ = in_vain == patience;
+      if (is_hopeless_) return;
+      const std::vector<node_list> found = made_.nodes_found();
+      if (found.empty()) return;
+      for (const node_list& at : found) agreeing.disagreed_at(at);
+      agreeing.run();
+    }
+  }
+
+  // Restores the tensors wanted at as many nodes as the auditor accepts. Returns whether the mesh
+  // that comes out is certified.
+  bool give_back(working_mesh& m) {
+    std::vector<metric_tensor> tensors(m.nodes().size());
+    std::atomic<bool> is_known = true;
+    m.each_node([&](vertex_index v) {
+      const auto there = wanted_at(m.at(v).position);
+      if (!there) return is_known.store(false);
+      tensors[v] = *there;
+    });
+    if (!is_known) return false;
+    return internal::give_back(m, std::move(tensors), options_, asked_of_agreement(length_factor_),
+                               made_);
+  }
+
+  // Makes the mesh in one metric for all sites, as dense on the whole as the one wanted, in which
+  // stars agree whatever sites there are (docs/math/delivered-metric.md), and gives tensors back.
+  // Leaves the outcome as it was if that is not certified: an angle may be low, or a limit met.
+  void adapt_in_one_metric() {
+    const auto metric = one_metric_for(wanted_, start_);
+    if (!metric) return;
+    const auto made = mesh_in_one_metric(domain_, *metric, options_, goal_.count());
+    if (!made) return;
+    auto built = working_mesh::build(domain_, made->made);
+    if (!built) return;
+    const audited_mesh before = made_;
+    const double length_factor = std::exchange(length_factor_, made->length_factor);
+    working_mesh m = std::move(built).value();
+    const working_mesh alike = m;
+    if (give_back(m)) return;
+    made_.take(alike);
+    made_.judge(every_finding);
+    if (is_certified()) return;
+    made_ = before;
+    length_factor_ = length_factor;
+  }
+
+  mesh_outcome counted() const {
+    mesh_outcome outcome;
+    outcome.result = made_.subject();
+    outcome.sites = outcome.result.sites.size();
+    outcome.triangles = outcome.result.triangles.size();
+    outcome.splits = outcome.result.boundary.size() - domain_.segments.size();
+    outcome.inserted = outcome.sites - domain_.vertices.size() - outcome.splits;
+    return outcome;
+  }
+
+  mesh_outcome stopped(const std::string& why) const {
+    mesh_outcome outcome = counted();
+    outcome.stopped = true;
+    outcome.ended.how = ending::stopped;
+    outcome.ended.stopped_because = why;
+    return outcome;
+  }
+
+  mesh_outcome conclude() const {
+    mesh_outcome outcome = counted();
+    outcome.delivered.emplace().length_factor = length_factor_;
+    outcome.complete = true;
+    outcome.ended.how = ending::complete;
+    outcome.ended.max_sites = options_.max_sites;
+    outcome.ended.sites = outcome.sites;
+    outcome.audited = made_.report();
+    for (const vertex_index v : outcome.audited->exempt_corners)
+      outcome.exempt.push_back({v, options_.angle_bound});
+    for (const vertex_index t : outcome.audited->exempt_triangles)
+      outcome.exempt_triangles.push_back(outcome.result.triangles[t]);
+    return outcome;
+  }
+
+  const domain& domain_;
+  const metric_field& field_;
+  mesh_options options_;  // with the work that the step at hand may do
+  const mesh& start_;
+  const background_metric& wanted_;
+  fitting_goal goal_;  // metric and count that the mesh is made for
+  bool is_field_itself_;
+  std::vector<point> seeds_;
+  double length_factor_ = 1;
+  bool wants_room_ = false;   // angles beside short segments were low
+  bool is_hopeless_ = false;  // mending of the last mesh was given up
+  audited_mesh made_;         // the last mesh
+};
+
+}  // namespace
+
+std::optional<mesh_outcome> adapt_by_local_changes(const adaptation_job& job) {
+  return local_adaptation(job).run();
+}
+
+}  // namespace asterism::internal

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes a mesh by local changes, in a metric as near to the one wanted as stars can agree about
+// (docs/design/adaptation.md). The metric delivered is reported.
+//
+// Stars disagree where tensors turn or change by much over an edge, whatever sites there are. The
+// metric of a site is its own, however. It is changed where that is needed, as little as will do,
+// and the outcome says by how much. The mesh is certified in the metric delivered.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/metric_field.hpp"
+#include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/data/outcome.hpp"
+#include "asterism/mesh/delivery/normalised_problem.hpp"
+#include "asterism/mesh/metric/background_metric.hpp"
+
+namespace asterism::internal {
+
+// True if the options allow another metric than the one wanted to be delivered.
+bool may_adapt(const mesh_options& options);
+
+// Way to a mesh by a metric delivered. All references must outlive it.
+class metric_delivery {
+ public:
+  metric_delivery(const domain& d, const metric_field& field, const mesh_options& options);
+
+  // True if this is the way to begin with: with a size, where the metric comes on a mesh.
+  bool is_first_choice() const;
+  // True if the metric is a formula with a size that varies by so much over an edge that meshes
+  // seldom meet it as it is. Samples the metric, which takes as much as a thousand triangles.
+  bool varies_fast();
+  // True if the metric comes on a mesh and differs by so much at the ends of one edge in two
+  // hundred, for its length, that stars on either side do not agree. Where it jumps these are few.
+  bool jumps() const;
+  // True if the metric wants few sites, as far as scattered questions tell: to find out how fast it
+  // varies would take longer than to try.
+  bool wants_few_sites() const;
+
+  // Makes everything of the outcome but the counters. Without a size there will be about `few`
+  // sites. Returns none where this way did not lead to a certified mesh and was not stopped.
+  std::optional<mesh_outcome> make(std::size_t few);
+
+ private:
+  bool prepare();
+  std::optional<int> halvings(double vertices, std::size_t few) const;
+  std::optional<background_metric> wanted_in(const metric_field& coarser, int halved,
+                                             const background_metric& sampled) const;
+  std::optional<mesh_outcome> in_given_units(mesh_outcome made, int halved);
+  void bring_density_near(mesh_outcome& made) const;
+
+  const metric_field& field_;
+  const mesh* const given_;  // the background, if the field is given on one of the domain
+  const mesh_options& options_;
+  normalised_problem image_;
+  std::optional<mesh> start_, background_;  // in the frame
+  double longest_ = 0;                      // edge of the background of a formula, in its metric
+  bool prepared_ = false;
+};
+
+}  // namespace asterism::internal

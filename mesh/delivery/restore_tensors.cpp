@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/delivery/restore_tensors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/adapt/tensor_restoration.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/work_weights.hpp"
+
+namespace asterism::internal {
+namespace {
+
+// Most audits of a mesh of which only tensors change: those after the first cost little.
+constexpr int most_audits = 40;
+// Most repairs of the mesh between these audits.
+constexpr int most_mended = 8;
+
+// True if the reach of the gap at corner i of the face is unknown: an audit would test the star
+// against all sites.
+bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::size_t i) {
+  if (f.segment[i] != adapting::none) return false;
+  const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
+  const star_gap gap(at(f.v[i]), at(f.v[adapting::after(i)]), at(f.v[adapting::before(i)]));
+  return !std::isfinite(gap.reach());
+}
+
+// Undoes the changes of one node of such a gap after the other, the star's centre first, until the
+// reach is known or no change is left.
+void take_back_at(adapting::working_mesh& m, adapting::tensor_restoration& giving, vertex_index t,
+                  node_list& taken) {
+  const adapting::face f = m.faces()[t];
+  if (std::none_of(f.v.begin(), f.v.end(), [&](vertex_index v) { return giving.has_given(v); }))
+    return;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const vertex_index v : {f.v[i], f.v[adapting::after(i)], f.v[adapting::before(i)]}) {
+      if (!sees_all(m, f, i)) break;
+      giving.take_back({v}, taken);
+    }
+}
+
+// Undoes the changes that leave gaps of unknown reach: the first audit would leave them open, and
+// need another one. Each node is undone once, so this ends.
+void take_back_unbounded(adapting::working_mesh& m, adapting::tensor_restoration& giving,
+                         const cancellation& stop) {
+  node_list faces, taken;
+  for (vertex_index t = 0; t < m.faces().size(); ++t)
+    if (m.faces()[t].exists()) faces.push_back(t);
+  while (!faces.empty() && !stop.is_requested()) {
+    taken.clear();
+    m.note_looked_at(work_weights::faces_for_taking_back * faces.size());
+    for (const vertex_index t : faces) take_back_at(m, giving, t, taken);
+    faces.clear();
+    adapting::face_list at;
+    for (const vertex_index v : taken) {
+      m.around(v, at);
+      faces.insert(faces.end(), at.begin(), at.end());
+    }
+    m.charge_work(stop);
+  }
+}
+
+// Lists the nodes that have changed.
+struct mesh_changes {
+  node_list nodes;  // and those of faces that there were not
+  // Nodes at the boundary neither go nor move: what they hide from each other stays the same.
+  bool are_inside = true;
+};
+
+mesh_changes changes_of(const adapting::working_mesh& before, const adapting::working_mesh& m) {
+  using adapting::node_kind;
+  mesh_changes found;
+  for (vertex_index v = 0; v < m.nodes().size(); ++v) {
+    const adapting::node &was = before.at(v), &is = m.at(v);
+    const bool has_stayed = was.kind == is.kind && was.position == is.position;
+    found.are_inside = found.are_inside && (has_stayed || was.kind == node_kind::free);
+    if (is.kind != node_kind::gone && !(has_stayed && identical(was.metric, is.metric)))
+      found.nodes.push_back(v);
+  }
+  for (vertex_index t = 0; t < m.faces().size(); ++t) {
+    const adapting::face& is = m.faces()[t];
+    if (is.exists() && before.faces()[t].v != is.v)
+      found.nodes.insert(found.nodes.end(), is.v.begin(), is.v.end());
+  }
+  return found;
+}
+
+// Restores the tensors of one mesh as far as an auditor accepts them.
+class giver {
+ public:
+  giver(adapting::working_mesh& m, std::vector<metric_tensor> wanted, const mesh_options& options,
+        const adapting::repair_options& mending, audited_mesh& audited)
+      : m_(m),
+        options_(options),
+        mending_(mending),
+        audited_(audited),
+        giving_(m, options.angle_bound, std::move(wanted)) {}
+
+  // True if the mesh is certified in the end.
+  bool run() {
+    giving_.run(options_.stop);
+    if (!audited_.asks_unbounded(m_.count())) take_back_unbounded(m_, giving_, options_.stop);
+    audited_.take(m_);
+    audited_.judge_quickly();
+    for (int audits = 1; audits < most_audits && !audited_.is_certified(); ++audits)
+      if (options_.stop.told() || !(options_.stop.units_left() > 0) || !go_on()) return false;
+    return audited_.is_certified();
+  }
+
+ private:
+  // Undoes the nodes of the last audit's findings, or repairs the mesh, and audits the changes.
+  // Returns false where neither helps.
+  bool go_on() {
+    node_list taken;
+    const auto take_back = [&](const node_list& nodes) { giving_.take_back(nodes, taken); };
+    const std::vector<node_list> found = audited_.nodes_found();
+    for (const node_list& nodes : found) take_back(nodes);
+    // Open questions of one star: those that see far have nearly all, and are few.
+    constexpr std::size_t many = 20;
+    for (const node_list& star : audited_.stars_with_open(many)) {
+      const std::size_t before = taken.size();
+      take_back({star.front()});
+      if (taken.size() == before) take_back({star.begin() + 1, star.end()});
+    }
+    audited_.ask_filters(m_, take_back);
+    if (audited_.is_certified()) return true;
+    std::vector<node_list> questions = audited_.nodes_of_open();
+    questions.insert(questions.end(), found.begin(), found.end());
+    if (taken.empty() && audited_.has_open()) {
+      audited_.judge_again(one_of_each(questions, {}), hard_questions::asked);
+      return true;
+    }
+    if (taken.empty()) return mend(found);
+    judge_changed(one_of_each(questions, taken), taken);
+    return true;
+  }
+
+  // Returns a node of each question that is about none of the nodes in `but`: changing that node
+  // has the question asked again.
+  static node_list one_of_each(const std::vector<node_list>& questions, node_list but) {
+    std::sort(but.begin(), but.end());
+    const auto is_in = [&but](vertex_index v) {
+      return std::binary_search(but.begin(), but.end(), v);
+    };
+    node_list some;
+    for (const node_list& nodes : questions)
+      if (std::none_of(nodes.begin(), nodes.end(), is_in)) some.push_back(nodes.front());
+    return some;
+  }
+
+  // Repairs the mesh where no change is left to undo: makes the tensors of sites that violate each
+  // other's stars more alike, as rounds of agreement do for neighbours. Stops when findings do not
+  // get fewer, since one repair may cause the next finding.
+  bool mend(const std::vector<node_list>& found) {
+    if (found.size() > least_found_ || times_mended_++ >= most_mended) return false;
+    least_found_ = found.size();
+    const adapting::working_mesh before = m_;
+    adapting::consistency_repair agreeing(m_, mending_);
+    for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
+    agreeing.run();
+    const mesh_changes changes = changes_of(before, m_);
+    if (changes.nodes.empty()) return false;
+    giving_.keep(changes.nodes);
+    if (changes.are_inside) {
+      judge_changed(one_of_each(found, {}), changes.nodes);
+    } else {
+      audited_.take(m_);
+      audited_.judge_quickly();
+    }
+    return true;
+  }
+
+  void judge_changed(node_list looked_at, const node_list& changed) {
+    looked_at.insert(looked_at.end(), changed.begin(), changed.end());
+    audited_.take_changed(m_);
+    audited_.judge_again(std::move(looked_at), hard_questions::left_open);
+  }
+
+  adapting::working_mesh& m_;
+  const mesh_options& options_;
+  const adapting::repair_options& mending_;
+  audited_mesh& audited_;
+  adapting::tensor_restoration giving_;
+  int times_mended_ = 0;
+  std::size_t least_found_ = std::numeric_limits<std::size_t>::max();  // when mended
+};
+
+// Lists the nodes of faces, for each gap of theirs whose reach is unknown.
+std::vector<node_list> nodes_that_see_all(const adapting::working_mesh& m) {
+  constexpr std::size_t chunk = 2048;
+  const auto append = [&m](std::size_t begin, std::size_t end, std::vector<node_list>& found) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const adapting::face& f = m.faces()[t];
+      for (std::size_t i = 0; f.exists() && i < 3; ++i)
+        if (sees_all(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
+    }
+  };
+  return collect_chunks<node_list>(m.faces().size(), chunk, append);
+}
+
+}  // namespace
+
+void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreeing,
+                const cancellation& stop) {
+  constexpr int rounds = 2;
+  constexpr std::size_t few = 20;  // one in so many nodes
+  for (int round = 0; round < rounds && !stop.is_requested(); ++round) {
+    const std::vector<node_list> found = nodes_that_see_all(m);
+    m.note_looked_at(work_weights::faces_for_three_gaps * m.faces().size());
+    m.charge_work(stop);
+    if (found.empty() || few * found.size() > m.count()) return;
+    for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
+    agreeing.run();
+  }
+}
+
+bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
+               const mesh_options& options, const adapting::repair_options& mending,
+               audited_mesh& audited) {
+  return giver(m, std::move(wanted), options, mending, audited).run();
+}
+
+}  // namespace asterism::internal

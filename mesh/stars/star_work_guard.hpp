@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// Says when the making of stars is to end early, even inside one star: when the run is cancelled,
+// or has done the most work that is allowed.
+//
+// A star of hundreds of neighbours with different metrics can take seconds. So this is asked at
+// every offer of a site. The cancellation, which may look at a clock, is polled only after some
+// work. A star that was cut short is not settled, and its run ends without it.
+#pragma once
+
+#include <cstddef>
+
+#include "asterism/kernels/work_units.hpp"
+#include "asterism/mesh/stars/star_predicates.hpp"
+#include "asterism/mesh/support/cancellation.hpp"
+
+namespace asterism::internal {
+
+// For one thread.
+class star_work_guard {
+ public:
+  // `cancelled` must outlive it.
+  star_work_guard(const cancellation& cancelled, double most_units)
+      : cancelled_(&cancelled), most_units_(most_units) {}
+
+  // True if enough was done by this kernel, or the run is cancelled; then it stays true.
+  bool is_over(const star_predicates& kernel) {
+    constexpr std::size_t asked_between = 4096;
+    constexpr double units_between = 1000;  // about ten milliseconds
+    if (over_) return true;
+    const double units = work_units(kernel.counters());
+    if (units > most_units_) return over_ = true;
+    if (++asked_ < asked_between && units < polled_at_ + units_between) return false;
+    asked_ = 0;
+    polled_at_ = units;
+    return over_ = cancelled_->is_requested();
+  }
+
+ private:
+  const cancellation* cancelled_;
+  double most_units_;
+  double polled_at_ = 0;
+  std::size_t asked_ = 0;
+  bool over_ = false;
+};
+
+}  // namespace asterism::internal
