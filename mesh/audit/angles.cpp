@@ -70,7 +70,7 @@ std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_ten
   return above;
 }
 
-// Bounds that all triangles are compared with.
+// The angle bound of an audit, with the sectors and wedges in which domain angles are below it.
 struct audited_requirement {
   double degrees = 0;
   squared_cotangent bound;
@@ -122,8 +122,8 @@ class angle_check {
     double above;  // its cotangent is at most this
   };
 
-  // True if all angles are ordinary, and wide by their quick bounds alone: then the triangle needs
-  // no further test. Where its vertices have one metric one of them is tested.
+  // True if all angles are ordinary and certainly above the bound by their quick bounds alone: then
+  // the triangle needs no further test. Where its vertices have one metric, one of them is tested.
   bool passes_at_once(vertex_index t, const triangle& c, const plain_triangle& plain) {
     if (beside_) return false;
     constexpr std::size_t perspectives = 3;
@@ -168,7 +168,8 @@ class angle_check {
     return forced ? angle_standing::exempt : angle_standing::collateral;
   }
 
-  // Notes an angle. Only what may be the least one so far is measured.
+  // Enters an angle into the least ones found. Skips the computation of its degrees where its bound
+  // shows that a smaller one is known.
   void note(const angle& a) {
     const auto kind = static_cast<std::size_t>(a.standing);
     if (a.above < greatest_cotangent_[kind]) return;
@@ -177,9 +178,10 @@ class angle_check {
     const double degrees = angle_in_degrees(context_, a.at, a.perspective);
     if (!(degrees < worst[kind]->degrees)) return;
     *worst[kind] = {degrees, a.triangle, a.at.at, a.perspective};
-    // The margin is for the roundings of the degrees and of their tangent, some 2^-50 of each: an
-    // angle passed over is larger than this one by more than they can hide. In a metric so thin
-    // that the degrees themselves are off by more, the least angle named is as good as these.
+    // The margin covers the roundings of the degrees and of their tangent, some 2^-50 of each: an
+    // angle passed over is larger than the least one known by more than these roundings. In a
+    // metric so thin that the degrees themselves have larger errors, the least angle named may
+    // differ from the true one by such an error.
     constexpr double margin = 1e-9;
     const double cotangent = 1 / elementary::tan(degrees * std::numbers::pi / 180);
     greatest_cotangent_[kind] = cotangent - margin * (1 + std::abs(cotangent));
@@ -217,8 +219,8 @@ class angle_check {
   const audit_context& context_;
   audit_tally& tally_;
   const audited_requirement& wanted_;
-  // The triangle at hand: the sector each corner lies in, and whether one does or a wedge is
-  // crossed.
+  // State of the triangle that is audited: the narrow sector that each corner lies in, or null, and
+  // whether any corner lies in one or the triangle crosses a narrow wedge.
   std::array<const narrow_sector*, 3> sector_{};
   bool beside_ = false;
   // Lower bound of the cotangent of the smallest angle so far: ordinary, exempt, collateral.
@@ -256,9 +258,9 @@ void check_angles(audit_context& context) {
 
 namespace {
 
-// True if all three sides of the triangle are segments, one of them inside the domain: the
-// segments alone decide its shape. Where all are of the outer boundary, the triangle is the whole
-// mesh.
+// True if all three sides of the triangle are segments, one of them inside the domain: the segments
+// alone decide its shape. A triangle with three sides on the outer boundary is the whole mesh, and
+// is not counted.
 bool is_enclosed(const audit_context& context, vertex_index t) {
   const triangle& c = context.subject.triangles[t];
   bool is_inner = false;
@@ -270,7 +272,8 @@ bool is_enclosed(const audit_context& context, vertex_index t) {
   return is_inner;
 }
 
-// True if every inner edge is a segment; there is one at least.
+// True if the mesh has inner edges and every one of them is a segment. Sets `inner` to their
+// number.
 bool has_no_free_edge(const audit_context& context, std::size_t& inner) {
   std::size_t internal = 0;
   for (const vertex_index e : context.subsegments)
@@ -281,9 +284,9 @@ bool has_no_free_edge(const audit_context& context, std::size_t& inner) {
 
 }  // namespace
 
-// Refuses a mesh of which next to nothing is judged: more than half of the triangles have an exempt
-// angle, and segments for all their sides. With the domain given, the mesher had no choice in any
-// of these.
+// Refuses a mesh of which most triangles have no angle to judge: more than half of them have an
+// exempt angle, and segments for all their sides. With the domain given, the mesher had no choice
+// in any of these.
 void check_something_judged(audit_context& context) {
   const std::vector<vertex_index>& exempt = context.report.exempt_triangles;
   if (exempt.empty()) return;

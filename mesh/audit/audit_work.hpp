@@ -18,9 +18,9 @@
 
 namespace asterism::internal::audit_detail {
 
-// Returns the units of kernels/work_units.hpp that an audit of so many sites may take: four
-// seconds, and half a millisecond a site, of which an audit of a mesh that is certified takes a
-// fiftieth.
+// Returns the greatest work of an audit of this number of sites, in units of
+// kernels/work_units.hpp: four seconds and half a millisecond a site. An audit that certifies a
+// mesh usually takes a fiftieth of it.
 inline double most_audit_units(std::size_t sites) {
   constexpr double at_least = 4e5, for_each = 50, first_ones = 5000, for_more = 20;
   const auto n = static_cast<double>(sites);
@@ -28,7 +28,8 @@ inline double most_audit_units(std::size_t sites) {
          for_more * (n < first_ones ? 0 : n - first_ones);
 }
 
-// Returns the work of what was counted.
+// Returns the work of the decisions counted in a report, plus that of looking things up, in work
+// units.
 inline double audit_units(const audit_report& counted, double looked_units) {
   return work_units(counted.counters) + looked_units +
          work_weights::audited_pair *
@@ -36,25 +37,25 @@ inline double audit_units(const audit_report& counted, double looked_units) {
          work_weights::audited_exact_pair * static_cast<double>(counted.voronoi_pairs_exact);
 }
 
-// Returns the units of work that are left for an audit, and for the run it belongs to; may be
-// negative.
+// Returns the work units that are left for the audit and for the run it belongs to, whichever are
+// fewer; may be negative.
 inline double units_left(const audit_context& context) {
   return std::min(context.share_of_work * most_audit_units(context.report.sites),
                   context.options.stop.units_left()) -
          audit_units(context.report, context.looked_units);
 }
 
-// Says when a part of a check is to end early. For one thread.
+// Decides when a part of a check ends early for its work or for a stop. Used by one thread.
 class audit_work_guard {
  public:
   audit_work_guard(const audit_context& context, audit_tally& tally)
       : stop_(context.options.stop), tally_(tally) {}
 
-  // Adds work that is counted nowhere else.
+  // Adds work units of operations that no counter of the report shows.
   void count(double units) { tally_.looked_units += units; }
 
-  // True if the part has done the most work, or the audit is told to stop; then it stays true. The
-  // question whether to stop, which may look at a clock, is asked after some work.
+  // True once the part has used up its work, or the run is told to stop; it stays true then. Polls
+  // the stop, which may read a clock, only after some work since the last poll.
   bool is_over() {
     constexpr std::size_t asked_between = 16, asked_between_polls = 64;
     constexpr double units_between_polls = 1000;  // ten milliseconds
@@ -78,10 +79,10 @@ class audit_work_guard {
   double polled_at_ = 0;
 };
 
-// Calls check as check_in_parallel does, with the work that is left for the audit. A chunk that has
-// done its share, as one star among easy ones may need hundreds of times the work of another, is
-// done again with what the others have left, in order: what the report says does not depend on
-// threads, and all of it takes no more than there was. A check writes the same when done again.
+// Calls `check` as check_in_parallel does, within the work that is left for the audit. Each chunk
+// gets an even share. A chunk that exceeds its share, as one star may need hundreds of times the
+// work of another, is repeated with the work that the others left, in order. So the report does not
+// depend on threads, and the total keeps to the limit. A check must write the same when repeated.
 template <class Check>
 void check_in_shares(audit_context& context, std::size_t count, const Check& check,
                      std::size_t chunk) {
@@ -92,7 +93,7 @@ void check_in_shares(audit_context& context, std::size_t count, const Check& che
     if (!tallies[i].unfinished || !(left > 0) || context.options.stop.is_requested()) continue;
     audit_tally again;
     again.findings_kept = tallies[i].findings_kept;
-    // Counts the work that was lost.
+    // Counts the work of the first try of a chunk that is repeated.
     const double done = audit_units(tallies[i].part, tallies[i].looked_units);
     again.looked_units = done;
     again.most_units = done + left;
@@ -103,10 +104,10 @@ void check_in_shares(audit_context& context, std::size_t count, const Check& che
   for (audit_tally& tally : tallies) context.take(std::move(tally));
 }
 
-// Calls check as check_in_shares does, for one part of [0, count) after the other, until `ended`
-// says so, the audit is told to stop, or the work is done that there is for it. Returns whether all
-// was checked. Parts are small at first, as a few stars may be enough to refuse a mesh; where it
-// ends does not depend on threads.
+// Calls `check` as check_in_shares does, for successive parts of [0, count), until `ended` returns
+// true, the audit is told to stop, or its work is used up. Returns whether everything was checked.
+// The first parts are small, as a few stars may be enough to refuse a mesh; the place where the
+// checks end does not depend on threads.
 template <class Check, class Ended>
 bool check_in_parts(audit_context& context, std::size_t count, const Check& check,
                     const Ended& ended) {
@@ -125,7 +126,7 @@ bool check_in_parts(audit_context& context, std::size_t count, const Check& chec
   return true;
 }
 
-// Returns why a check ended early, in a sentence for its finding.
+// Returns, as a sentence for a finding, why a check ended early.
 inline std::string unfinished_text(const audit_context& context, const std::string& what) {
   const auto why = context.options.stop.poll();
   return what + " were not all looked at: " +

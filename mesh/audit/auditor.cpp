@@ -15,7 +15,8 @@ namespace {
 
 using namespace audit_detail;
 
-// Charges the work of an audit, with its own arithmetic on angles and the sentences of findings.
+// Charges the run for the audit's work: decisions of the kernel and of the auditor's own
+// arithmetic, and the sentences written for findings.
 void charge(const audit_context& context) {
   const audit_report& report = context.report;
   context.options.stop.charge(
@@ -33,7 +34,7 @@ void check_all(audit_context& context) {
   check_orientations(context);
   check_edges(context);
   check_boundary_contacts(context);
-  // The rest of point 2 is a statement about matched edges and a simple boundary.
+  // Requires matched edges and a simple boundary: the rest of point 2 is only defined for these.
   const bool matched = report.total_found() == 0;
   if (matched) {
     check_winding(context);
@@ -76,7 +77,8 @@ auditor::auditor(const mesh& subject, audit_options asked, audit_report before, 
 auditor::auditor(auditor&&) noexcept = default;
 auditor::~auditor() = default;
 
-// Remembers stars only where questions are left open, for which recheck() needs it.
+// Audits all points. Remembers reaches and open questions of stars only if open questions are
+// allowed, since recheck() needs them only then.
 const audit_report& auditor::run(const audit_effort& effort) {
   const bool remembers = effort.hard == hard_questions::left_open;
   memory_ = {};
@@ -96,7 +98,8 @@ const audit_report& auditor::recheck(const std::vector<vertex_index>& changed,
   return report_;
 }
 
-// Runs all checks; those of stars only for the sites in `changed`, unless that is null.
+// Runs all checks. Restricts those of stars to the questions that involve a site in `changed`; a
+// null pointer checks all stars.
 void auditor::ask(const std::vector<vertex_index>* changed, star_memory* memory,
                   const audit_effort& effort) {
   report_ = counts_of(*subject_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Audits one mesh, and goes on with that after the mesh was changed in a few places. Owns what one
-// question leaves for the next: the tree of the sites, and what is known of the stars. Internal to
+// Audits one mesh, and audits it again, in part, after a few places of it were changed. Owns what
+// later audits use again: the tree of the sites, and the known reaches of the stars. Internal to
 // the library; audit() and verify() are its public doors.
 //
 //   auditor judge(m, asked);
@@ -40,11 +40,11 @@ class site_tree;
 
 enum class hard_questions { asked, left_open };
 
-// How much work is done on stars.
+// Limits of the work that an audit does on stars.
 struct audit_effort {
   hard_questions hard = hard_questions::asked;
-  // Number of sites from which a gap of unknown reach is a hard question. Fewer sites are tested
-  // against it one by one.
+  // Number of sites from which a gap of unknown reach counts as a hard question, and may be left
+  // open. With fewer sites, each is tested against the gap.
   std::size_t many_for_a_gap = 0;
 };
 
@@ -53,13 +53,13 @@ class auditor {
   // The mesh must outlive the auditor, and so must the domain that the options name. It may be
   // changed before recheck(), not moved.
   auditor(const mesh& subject, audit_options asked);
-  // Goes on from what was found and remembered before the mesh was changed; the reaches are of the
-  // sites as they are numbered now.
+  // Continues from the report and the memory of an audit made before the mesh was changed; the
+  // reaches in it are indexed by the present numbers of the sites.
   auditor(const mesh& subject, audit_options asked, audit_report before, star_memory memory);
   auditor(auditor&&) noexcept;
   ~auditor();
 
-  // Audits the mesh, however damaged it is. Unless no question is left open it is not certified.
+  // Audits the mesh, however damaged it is. A mesh with an open question is not certified.
   const audit_report& run(const audit_effort& effort = {});
 
   // Audits the mesh again, some sites of which were changed since the last audit. Returns what
@@ -74,9 +74,10 @@ class auditor {
   // Checks the numbers of the mesh alone: points and tensors, indices and repetitions.
   const audit_report& check_numbers();
 
-  // Tries the filters of edge_test on the open questions for which `is_asked`, in order. Closes
-  // those answered in the mesh's favour, and calls `refuse` for all others, also for gaps and what
-  // only exact numbers answer. The mesh is certified if nothing is found then, and nothing open.
+  // Tries the filters of edge_test on the open questions for which `is_asked` is true, in order.
+  // Closes those answered in the mesh's favour. Calls `refuse` for all others, which includes gaps
+  // of unknown reach and questions that only exact numbers answer. The mesh is certified if no
+  // finding and no open question is left.
   void ask_filters(const std::function<bool(const open_question&)>& is_asked,
                    const std::function<void(const open_question&)>& refuse);
 
@@ -84,7 +85,7 @@ class auditor {
   const std::vector<open_question>& open() const { return memory_.open; }
   const star_memory& memory() const { return memory_; }
 
-  // Makes the certificate of the mesh as it was audited last. Work is charged to `account`.
+  // Makes the certificate of the mesh as it was audited last. Charges the work to `account`.
   certificate make_certificate(const cancellation& account) const;
 
  private:

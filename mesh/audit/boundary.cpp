@@ -18,11 +18,13 @@ bool segments_meet(const audit_context& context, const boundary_edge& e, const b
   if (fa * fb == sign::positive) return false;
   const sign ea = context.orientation(f.a, f.b, e.a);
   const sign eb = context.orientation(f.a, f.b, e.b);
-  // All four zero: on one line, where overlapping boxes mean overlapping segments.
+  // Four zero signs mean that both segments are on one line, where overlapping boxes mean
+  // overlapping segments.
   return ea * eb != sign::positive;
 }
 
-// Segments shared-p and shared-q: one point in common, or a stretch?
+// True if the segments from `shared` to p and from `shared` to q have more than that one point in
+// common, which needs one direction for both.
 bool overlap_from(const audit_context& context, vertex_index shared, vertex_index p,
                   vertex_index q) {
   return context.orientation(shared, p, q) == sign::zero &&
@@ -66,13 +68,13 @@ int winding_left_of(const audit_context& context, const subsegment_tree& tree,
     if (!upward && !downward) return true;
     const vector2<rational> along = {rational(d.x) - rational(c.x), rational(d.y) - rational(c.y)};
     const vector2<rational> reach = {middle.x - rational(c.x), middle.y - rational(c.y)};
-    // The subsegment itself has its own left side on its left.
+    // Counts the subsegment itself as having the start of the ray, on its left side, on its left.
     const int side = other == subsegment ? 1 : cross(along, reach).sign();
     if (upward && side > 0) ++winding;
     if (downward && side < 0) --winding;
     return true;
   };
-  // Finds all subsegments that meet the ray: their boxes meet this one.
+  // Visits all subsegments that may meet the ray: their boxes meet the box of the ray.
   const plane_box own = box_around(a, b);
   tree.visit({own.low, {std::numeric_limits<double>::infinity(), own.high.y}}, count);
   return winding;
@@ -110,8 +112,9 @@ void check_boundary_contacts(audit_context& context) {
   }
 }
 
-// Along a chain of subsegments through vertices with one subsegment in and one out, the left sides
-// belong to one face of the plane cut along the boundary: one subsegment of each chain is enough.
+// Checks the winding number once for each chain of subsegments through vertices with one subsegment
+// in and one out: the left sides along a chain belong to one face of the plane cut along the
+// boundary.
 void check_winding(audit_context& context) {
   const auto& boundary = context.subject.boundary;
   std::vector<std::vector<vertex_index>> leaving(context.subject.sites.size());

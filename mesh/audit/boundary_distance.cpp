@@ -17,7 +17,7 @@ namespace {
 
 using namespace internal::audit_detail;
 
-// Returns the square of the distance from p to the point of the segment from a to b at t.
+// Returns the square of the distance from p to the point a + t (b - a), exactly.
 rational squared_distance(const point& p, const point& a, const point& b, double t) {
   const rational after(t), before = rational(1) - after;
   const vector2<rational> way{before * rational(a.x) + after * rational(b.x) - rational(p.x),
@@ -49,13 +49,15 @@ class common_walk {
   }
 
  private:
-  // Place on a polygon: so far on the way from the vertex before `next` to that.
+  // A place on a polygon: the index of the next vertex, and the part of the edge before it that is
+  // passed.
   struct place {
     std::size_t next = 1;
     double part = 0;
   };
 
-  // Stops at the next vertex of `to`, and at the place beside it on `beside`.
+  // Advances one place to the next vertex of `to`, and the other to the place beside it on
+  // `beside`. Enters the distance of the two.
   void stop(const std::vector<point>& to, place& at, const std::vector<point>& beside,
             place& at_beside) {
     const point &p = to[at.next], &a = beside[at_beside.next - 1], &b = beside[at_beside.next];
@@ -66,8 +68,8 @@ class common_walk {
     at = {at.next + 1, 0};
   }
 
-  // Returns how far a point is along the line between the ends, in doubles: it only tells where to
-  // stop.
+  // Returns how far p is along the line between the ends of the first polygon, in doubles and
+  // scaled by the line's length: it only chooses where to measure.
   double along(const point& p) const {
     const point &a = one_.front(), &b = one_.back();
     return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
@@ -83,13 +85,14 @@ bool are_finite(const std::vector<point>& points) {
                      [](const point& p) { return std::isfinite(p.x) && std::isfinite(p.y); });
 }
 
-// Vertices of the domain from each of which a segment leads to the next.
+// Vertices of the domain along joined segments: each is joined to the next by a segment.
 using way = std::vector<vertex_index>;
 using ends = std::pair<vertex_index, vertex_index>;
 
 ends ends_of(vertex_index a, vertex_index b) { return std::minmax(a, b); }
 
-// Joins the chords of divided curves: the first has the way along all of them, the others none.
+// Joins the chords of each divided curve: the way of the first chord becomes that along all of
+// them, the ways of the other chords become empty.
 void join_chords(const domain& shape, std::vector<way>& ways) {
   std::map<ends, std::size_t> segment_at;
   for (std::size_t s = 0; s < shape.segments.size(); ++s)
@@ -110,7 +113,8 @@ void join_chords(const domain& shape, std::vector<way>& ways) {
   }
 }
 
-// Returns the ways that the former boundary is known along, one a segment.
+// Returns for each segment the vertices along which the former boundary is listed: its ends, or all
+// vertices of a divided curve.
 std::vector<way> ways_along(const domain& shape) {
   std::vector<way> ways;
   for (const segment& s : shape.segments) ways.push_back({s.a, s.b});
@@ -133,8 +137,9 @@ class comparison {
     return true;
   }
 
-  // Returns an upper bound of the distance of what the mesh made of segments in a row, given by the
-  // vertices that they lead along, and of their former vertices.
+  // Returns an upper bound of the distance between two polygons: the part of the mesh's boundary
+  // along the domain's vertices in `along`, and the former boundary with the vertices `between` its
+  // ends.
   double distance(const way& along, const std::vector<point>& between) const {
     std::vector<point> now;
     for (std::size_t i = 0; i + 1 < along.size(); ++i) {
@@ -150,12 +155,13 @@ class comparison {
   }
 
  private:
-  // Returns the boundary of the mesh from one vertex of the domain to another, past no other.
+  // Returns the boundary vertices of the mesh from one vertex of the domain to the next one given.
   std::optional<std::vector<point>> chain(vertex_index from, vertex_index to) const {
     for (const vertex_index first : leaving_[from]) {
       std::vector<point> along{mesh_.sites[from].position};
       vertex_index v = first;
-      // Bounded: a damaged mesh may go round without ever meeting a vertex of the domain.
+      // Bounds the walk by the number of edges: the boundary of a damaged mesh may close without a
+      // vertex of the domain.
       while (v >= mesh_.given && leaving_[v].size() == 1 && along.size() <= mesh_.boundary.size()) {
         along.push_back(mesh_.sites[v].position);
         v = leaving_[v].front();
@@ -172,7 +178,7 @@ class comparison {
   std::vector<std::vector<vertex_index>> leaving_;
 };
 
-// True if all segments and curves are between vertices that there are.
+// True if the ends of all segments and curves are vertices of the domain, in range.
 bool has_ends(const domain& d) {
   const auto is_there = [&d](vertex_index v) { return v < d.vertices.size(); };
   return std::all_of(d.segments.begin(), d.segments.end(),

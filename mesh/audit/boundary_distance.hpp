@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Proves how far the boundary of a mesh is from the one that it took the place of, both ways
-// (docs/math/curves.md). From the mesh, its domain and the former boundary alone.
+// Proves an upper bound of the distance, both ways, between the boundary of a mesh and the former
+// boundary that its domain was made of (docs/math/curves.md). Uses the mesh, its domain and the
+// former boundary alone.
 #pragma once
 
 #include <string>
@@ -14,10 +15,10 @@
 
 namespace asterism {
 
-// Measures the distance. The chords of a curve that is divided are one way, from the curve's one
-// end to its other: the former vertices along it are in the list of its first chord, in the
-// direction of that, and the lists of its other chords are empty. Any input is taken: what is not
-// the boundary of a mesh of the domain is infinitely far.
+// Measures the distance between the mesh's boundary and the former one, in units of the domain. The
+// chords of a divided curve are taken together, from one end of the curve to the other: `former`
+// lists the vertices along it for its first chord, in that chord's direction, and none for its
+// other chords. Accepts any input: for a mesh that is none of the domain the distance is infinite.
 ASTERISM_EXPORT former_boundary_report measure_former_boundary(const mesh& subject,
                                                                const domain& shape,
                                                                const former_boundary& former);

@@ -14,15 +14,15 @@ namespace {
 
 constexpr std::uint64_t fnv_prime = 0x100000001b3U;
 
-// Holds powers of the hash's prime: entry n is the factor of n zero bytes.
+// Powers of the hash's prime: entry n is the factor by which n zero bytes multiply the hash.
 constexpr std::array<std::uint64_t, 9> fnv_powers = [] {
   std::array<std::uint64_t, 9> powers{1};
   for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = powers[i - 1] * fnv_prime;
   return powers;
 }();
 
-// Hashes words byte by byte, the lowest first. The highest ones that are 0, most bytes of an index,
-// are hashed at once.
+// Hashes words byte by byte, the lowest first. Leading zero bytes, most bytes of an index, are
+// hashed by one multiplication.
 class fnv1a {
  public:
   void add(std::uint64_t word) {
@@ -37,7 +37,8 @@ class fnv1a {
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
-// True if regions are not 1 everywhere, which is the same as none.
+// True if some triangle has a region other than 1. Regions that are all 1 mean the same as no
+// regions.
 bool has_regions(const mesh& subject) {
   return std::any_of(subject.regions.begin(), subject.regions.end(),
                      [](int region) { return region != 1; });
@@ -107,7 +108,7 @@ certificate make_certificate(const mesh& subject, const audit_options& options,
   c.voronoi = report.voronoi;
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     if (report.found[kind] != 0) c.found.emplace(finding_kind_names[kind], report.found[kind]);
-  // Keeps as many as an audit does, however many this one kept.
+  // Keeps the number of findings that an audit keeps by default, however many this report kept.
   std::array<std::size_t, finding_kind_count> kept{};
   for (const audit_finding& f : report.findings) {
     const auto kind = static_cast<std::size_t>(f.kind);

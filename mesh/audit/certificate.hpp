@@ -36,33 +36,35 @@ namespace asterism {
 struct certificate {
   std::string version;  // of the program that made it
 
-  // The question; make_certificate leaves these to whoever ran the mesher.
+  // The question: what was asked of the mesher and how. make_certificate leaves these empty for the
+  // caller.
   std::string metric;                          // as --metric takes it
   std::map<std::string, std::string> options;  // by name, as text
   bool complete = false;                       // the mesher reached its goal
   std::string reason;                          // one sentence: why it ended
   tier_counters mesher_counters;               // of the kernel that made the mesh
 
-  // The mesh, as counted and audited.
+  // Measurements of the mesh, as counted and audited.
   std::size_t sites = 0, triangles = 0, boundary_subsegments = 0, given = 0;
   std::uint64_t fingerprint = 0;
   std::size_t star_repairs = 0;  // stars a local search had got wrong, mended before the end
-  // Set if the mesh was made by local changes, or in one metric for all sites: its metric against
-  // the one wanted.
+  // Distance of the mesh's metric from the one wanted. Set if the mesh was made by local changes,
+  // or in one metric for all sites.
   std::optional<delivered_report> delivered;
-  // Finite measurements of numerics/mesh_statistics.hpp, by the names there.
+  // Finite measurements of numerics/mesh_statistics.hpp, by the names that are used there.
   std::map<std::string, double> measured;
   std::optional<double> angle_bound;  // degrees
-  // The least angle that the bound is asked of, the least of those that are collateral, and the
-  // least exempt (audit_report); 180 where there is none, in the file null.
+  // Least angles in degrees: of those that must meet the bound, of the collateral and of the exempt
+  // ones (audit_report); 180, and null in the file, where there is none.
   double worst_angle = 180, worst_collateral = 180, worst_exempt = 180;
   std::vector<vertex_index> exempt_corners;
-  // Triangles with an angle of the kind below the bound.
+  // Numbers of triangles with an angle of the kind below the bound.
   std::vector<vertex_index> exempt_triangles, collateral_triangles, low_triangles;
   double largest_deviation = 0;
   curve_report curves;                     // in the file if the domain has curves
   former_boundary_report former_distance;  // in the file if there is a former boundary
-  // In the file if there is another region than 1. `before` is set by whoever adapted a mesh.
+  // Areas of regions; written if some region is not 1. `before` is set by the caller that adapted a
+  // mesh.
   std::vector<region_area> regions;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
   bool certified = false;
@@ -70,22 +72,23 @@ struct certificate {
   std::map<std::string, std::size_t> found;  // findings by kind, those that occurred
   std::vector<std::string> witnesses;        // "kind: sentence"
   tier_counters audit_counters;
-  // Measurements for the theorem on nets, which say whether it applies to the sites. Set for a
-  // certified mesh with an angle bound alone.
+  // Measurements that tell whether the theorem on nets applies to the sites. Set only for a
+  // certified mesh with an angle bound.
   std::optional<theorem_hypotheses> theorem;
-  // Set if a guarantee was asked for and is kept: the theorem applies then. Left to whoever ran the
-  // mesher.
+  // Set if a guarantee was asked for and is kept, which means that the theorem applies. Left to the
+  // caller that ran the mesher.
   std::optional<guarantee_claim> guarantee;
-  // Proof of the second-order triangles of the files that hold them. Set by whoever wrote these.
+  // Proof of the second-order triangles in the files written beside. Set by the writer of these.
   std::optional<second_order_report> second_order;
 
   std::optional<domain> original;  // the domain that point 2 is repeated against
-  // The boundary that the mesh took the place of, where its domain was made of a mesh; left to
-  // whoever ran the mesher, as is how far it is.
+  // The former boundary that the domain was made of, and the distance of the mesh's boundary from
+  // it; left to the caller that ran the mesher.
   std::optional<former_boundary> former;
 
-  // The sides that were to have the same points, a part of the question, and how they match, in the
-  // same order; left to whoever ran the mesher. Sides that do not match have no entry.
+  // Pairs of sides that were to have the same points, a part of the question, and how each pair
+  // matches, in the same order; pairs that do not match have no entry. Left to the caller that ran
+  // the mesher.
   std::vector<periodic_pair> periodic_asked;
   std::vector<periodic_match> periodic;
 };
@@ -96,27 +99,28 @@ struct certificate {
 ASTERISM_EXPORT std::uint64_t mesh_fingerprint(const mesh& subject);
 
 // Makes the certificate of an audited mesh, and measures whether the theorem on nets applies.
-// `report` must be of an audit of `subject` with `options`.
+// `report` must come from an audit of `subject` with `options`.
 ASTERISM_EXPORT certificate make_certificate(const mesh& subject, const audit_options& options,
                                              const audit_report& report);
-// Does the same with the theorem as it was measured before; none where it was not asked about.
+// Makes the certificate with hypotheses of the theorem that were measured before; none if the audit
+// had no angle bound.
 ASTERISM_EXPORT certificate make_certificate(const mesh& subject, const audit_options& options,
                                              const audit_report& report,
                                              std::optional<theorem_hypotheses> theorem);
-// True if a certificate says whether the theorem applies: of a certified mesh with an angle bound.
-// A bound of 0 asks for no angle.
+// True if the certificate of this report states whether the theorem applies: if the mesh is
+// certified with an angle bound above 0.
 ASTERISM_EXPORT bool is_theorem_asked(const audit_options& options, const audit_report& report);
 
-// Returns the text of the file.
+// Returns the JSON text of the certificate's file.
 ASTERISM_EXPORT std::string certificate_text(const certificate& c);
-// Reads the text of a file. `name` is the file's, for messages.
+// Reads a certificate from its JSON text. `name` is the file's, for messages.
 ASTERISM_EXPORT result<certificate> parse_certificate(const std::string& text,
                                                       const std::string& name);
 
-// Writes the file. Errors name it. Nothing is left behind by a failed write.
+// Writes the certificate to a file. Errors name it. A failed write leaves no file behind.
 ASTERISM_EXPORT result<std::filesystem::path> write_certificate(const std::filesystem::path& path,
                                                                 const certificate& c);
-// Reads a file. Errors name it.
+// Reads the certificate in a file. Errors name it.
 ASTERISM_EXPORT result<certificate> read_certificate(const std::filesystem::path& path);
 
 }  // namespace asterism

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists the names among `asked.options` of a certificate, by what made it.
+// Lists the names of options that a certificate has in `asked.options`, by the command that made
+// it.
 #pragma once
 
 #include <array>
@@ -35,8 +36,8 @@ inline constexpr std::array<std::string_view, 26> mesh_option_names = {"angle-bo
                                                                        "tol-at-end",
                                                                        "vertices"};
 
-// Names that the certificate of one piece of a domain (mesh/pieces) has besides: which it is of how
-// many, the box that formulas are placed in, and the digest of what was asked of it.
+// Names that the certificate of one piece of a domain (mesh/pieces) has in addition: the piece's
+// number, the number of pieces, the box that formulas are placed in, and the digest of the job.
 inline constexpr std::array<std::string_view, 3> piece_option_names = {"metric-box", "piece",
                                                                        "piece-question"};
 
@@ -46,12 +47,14 @@ inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-
 // Names of options that a certificate has only if the option was given.
 inline constexpr std::array<std::string_view, 5> rare_option_names = {
     "adapt-cutoff", "adapt-given-hessian", "adapt-relative", "guarantee", "split-across"};
-// Names that a run with frozen regions (pipeline/frozen_regions.hpp) has besides.
+// Names that the certificate of a run with frozen regions (pipeline/frozen_regions.hpp) has in
+// addition.
 inline constexpr std::array<std::string_view, 6> frozen_option_names = {
     "frozen",     "frozen-border-coarser", "frozen-border-length",
     "frozen-low", "frozen-triangles",      "frozen-worst-angle"};
 
-// A transfer adds names that begin with "transfer-", some for each component.
+// Names of options of an adaptation. A transfer adds names that begin with "transfer-", some for
+// each component.
 inline constexpr std::array<std::string_view, 50> adapt_option_names = {
     "adapt-aspect",
     "adapt-complexity",

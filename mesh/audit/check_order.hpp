@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Orders the stars that the auditor looks at.
+// Orders the stars that the auditor checks, near ones together.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,16 @@
 
 namespace asterism::internal::audit_detail {
 
-// The vertices in the order in which they are checked, and where groups of vertices near each other
-// begin; one more for the end.
+// Vertices in the order in which they are checked, and the start of each group of vertices near
+// each other, followed by the number of vertices.
 struct check_order {
   std::vector<vertex_index> vertices;
   std::vector<std::size_t> groups;
   std::size_t together = 1;  // groups that follow each other and are checked together
 };
 
-// Has the vertices of a leaf in one group, and those of some neighbouring leaves together.
+// Returns the vertices in the order of the tree, those of a leaf in one group, two groups at a
+// time.
 check_order in_order_of_tree(const site_tree& sites);
 
 // Returns the vertices in the order of their numbers, eight in a group.

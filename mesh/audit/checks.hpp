@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists the checks of a mesh in the order of the auditor, each in a source of its own. Each reports
-// into the context and goes on.
+// Lists the checks of a mesh in the order of the auditor, each in a source of its own. Each check
+// reports findings into the context and returns.
 #pragma once
 
 #include "asterism/mesh/audit/context.hpp"

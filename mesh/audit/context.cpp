@@ -20,13 +20,13 @@ void append(std::vector<vertex_index>& list, const std::vector<vertex_index>& mo
   list.insert(list.end(), more.begin(), more.end());
 }
 
-// Returns the first place of a -> b in `list`, sorted, whose members that leave a start at
-// start[a]; or its size.
+// Returns the index of the first edge a -> b in `list`, or its size. `list` is sorted, and the
+// edges that leave a begin at start[a].
 template <class Item>
 std::size_t find_directed(const std::vector<Item>& list, const std::vector<std::size_t>& start,
                           vertex_index a, vertex_index b) {
   std::size_t place = start[a];
-  // Bisects without branches, which would be mispredicted.
+  // Bisects by conditional moves in place of branches, which would be mispredicted.
   for (std::size_t left = start[a + 1] - place; left > 1;) {
     const std::size_t half = left / 2;
     place += list[place + half - 1].b < b ? half : 0;
@@ -48,7 +48,7 @@ void audit_context::found(finding_kind kind, std::string witness,
 }
 
 void audit_context::take(audit_tally&& tally) {
-  // Findings not kept are more than enough of their kind: they are counted below.
+  // Drops findings beyond the number kept of their kind: they stay counted, by the lines below.
   for (audit_finding& finding : tally.part.findings) {
     --tally.part.found[static_cast<std::size_t>(finding.kind)];
     keep(report, options.findings_kept, std::move(finding));

@@ -29,8 +29,8 @@ struct directed_edge {
   vertex_index triangle = 0;
 };
 
-// The boundary edge `subsegment` as seen from a domain on the left of a -> b. An internal one is
-// seen both ways.
+// The boundary edge `subsegment` seen with the domain on the left of a -> b. An internal one is
+// listed in both directions.
 struct directed_subsegment {
   vertex_index a = 0, b = 0;
   vertex_index subsegment = 0;
@@ -60,7 +60,7 @@ class fan_lists {
     std::vector<std::uint32_t> ends;  // in `fans`, by vertex
   };
 
-  // Makes one block for each vertices_of_a_block vertices, in order.
+  // Makes one block for every `vertices_of_a_block` vertices, in order.
   void resize(std::size_t vertices) { blocks_.resize(chunk_count(vertices, vertices_of_a_block)); }
   block& block_of(vertex_index v) { return blocks_[v / vertices_of_a_block]; }
   // Calls take(fan) for each fan of v.
@@ -81,8 +81,8 @@ class fan_lists {
   std::vector<block> blocks_;
 };
 
-// Findings and counts of one part of a check, run by one thread. `part` holds findings,
-// counts and, of the angles, the worst of that part.
+// Findings and counts of one part of a check, made by one thread. `part` holds findings, counts and
+// the least angles of that part.
 struct audit_tally {
   std::size_t findings_kept = 0;
   audit_report part;
@@ -91,11 +91,12 @@ struct audit_tally {
   bool unfinished = false;  // the part ended early, for want of work or as it was told to
   std::vector<open_question> left_open;
 
-  // False if another finding of the kind would only be counted. Its witness may be empty then.
+  // True if a further finding of the kind is kept; otherwise it is only counted, and its witness
+  // may be empty.
   bool is_kept(finding_kind kind) const {
     return part.found[static_cast<std::size_t>(kind)] < findings_kept;
   }
-  // Counts in `part`.
+  // Returns a kernel that counts its decisions in `part`.
   filtered_kernel kernel() { return filtered_kernel(part.counters); }
 
   void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
@@ -114,36 +115,37 @@ struct audit_context {
   const mesh& subject;
   const audit_options& options;
   audit_report& report;
-  // Sites whose tensors were changed since all stars were looked at; null where they were not.
-  // Only what depends on one of them is looked at then (auditor.hpp).
+  // Indices of sites whose tensors were changed since all stars were checked; null to check
+  // everything. With a list, only questions that involve one of the sites are asked (auditor.hpp).
   const std::vector<vertex_index>* changed = nullptr;
-  // Holds what one audit passes to the next about the stars; may be null.
+  // Reaches and open questions that one audit passes to the next; may be null.
   star_memory* memory = nullptr;
   bool leaves_open = false;        // hard questions about stars, to the memory
   std::size_t many_for_a_gap = 0;  // sites, for a gap of which no reach is known to be a hard one
 
-  // Counts in the report: for the thread that owns the context.
+  // Returns a kernel that counts its decisions in the report: for the thread that owns the context.
   filtered_kernel kernel() const { return filtered_kernel(report.counters); }
 
-  // Filled by check_values: what the later checks may touch. vector<char>: one flag a site.
+  // One flag a site, set by check_values: which sites the later checks may use. vector<char> is
+  // written from several threads.
   std::vector<char> placed;               // finite position
   std::vector<char> measured;             // placed, and a positive definite metric
   std::vector<vertex_index> triangles;    // in range, three distinct placed corners
   std::vector<vertex_index> subsegments;  // of the boundary: in range, two distinct placed ends
-  // Filled by check_edges.
+  // Sorted lists of edges, made by check_edges.
   std::vector<directed_edge> edges;        // of `triangles`, sorted by (a, b, triangle)
   std::vector<directed_subsegment> sides;  // of `subsegments`, sorted by (a, b, subsegment)
   // Edges that leave v are edges[edge_start[v] .. edge_start[v + 1]), and the same for sides.
   std::vector<std::size_t> edge_start, side_start;
-  // Filled by check_domain_kept: of each boundary edge the segment of the domain it is a subsegment
-  // of.
+  // Segment of the domain that each boundary edge is a subsegment of, entered by
+  // check_domain_kept.
   std::vector<std::optional<vertex_index>> segment_of;
-  // Work that no number of the report tells (audit/audit_work.hpp), and whether a part of a check
-  // ended early.
+  // Work units that no counter of the report shows (audit/audit_work.hpp), and whether a part of a
+  // check ended early.
   double looked_units = 0;
   bool unfinished = false;
   double share_of_work = 1;  // of the most that an audit may do
-  // Filled by check_fans, only when the edges match.
+  // Fans of all vertices, made by check_fans if the edges match.
   fan_lists fans;
   std::unique_ptr<site_tree> tree;  // of the mesh's sites; none where it was not asked for
 
@@ -164,13 +166,13 @@ struct audit_context {
     return kernel().orientation(at(a), at(b), at(c));
   }
   void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
-  // Adds what a part of a check found.
+  // Adds the findings and counts of one part of a check.
   void take(audit_tally&& tally);
 };
 
 // Calls check(tally, begin, end) for chunks of [0, count), in parallel, and returns their tallies
-// in order. Of the context a check may write only what belongs to its chunk alone. Each chunk has
-// an even part of `units` of work, if it asks.
+// in order. Of the context a check may write only the entries of its own chunk. Each chunk has an
+// even part of `units` of work, if it asks for its work.
 template <class Check>
 std::vector<audit_tally> tallies_of(const audit_context& context, std::size_t count,
                                     const Check& check, std::size_t chunk, double units) {
@@ -183,7 +185,8 @@ std::vector<audit_tally> tallies_of(const audit_context& context, std::size_t co
   return tallies;
 }
 
-// Does the same and takes the tallies in order, so that the report is that of one thread.
+// Runs the check in parallel and adds the tallies in order, so that the report equals that of one
+// thread.
 template <class Check>
 void check_in_parallel(audit_context& context, std::size_t count, const Check& check,
                        std::size_t chunk = 1024, double units = 0) {
@@ -191,7 +194,8 @@ void check_in_parallel(audit_context& context, std::size_t count, const Check& c
     context.take(std::move(tally));
 }
 
-// Returns count + 1 places: where in a list sorted by `a`, below `count`, those of each a begin.
+// Returns count + 1 indices into a list sorted by `a`: where the entries of each a < count begin,
+// then the end.
 template <class Item>
 std::vector<std::size_t> starts_of(const std::vector<Item>& sorted, std::size_t count) {
   std::vector<std::size_t> start(count + 1, 0);
@@ -200,15 +204,15 @@ std::vector<std::size_t> starts_of(const std::vector<Item>& sorted, std::size_t 
   return start;
 }
 
-// Returns the index into context.edges, or the size of it.
+// Returns the index of the edge a -> b in context.edges, or the size of that list if there is none.
 std::size_t find_edge(const audit_context& context, vertex_index a, vertex_index b);
-// Returns the boundary edge with the domain on the left of a -> b: index into subject.boundary, or
-// the size of it.
+// Returns the index, in subject.boundary, of the boundary edge with the domain on the left of a ->
+// b, or the size of that list if there is none.
 std::size_t find_subsegment(const audit_context& context, vertex_index a, vertex_index b);
 // True if two points known to be collinear with v are on the same side of it.
 bool same_ray(const point& v, const point& a, const point& b);
 
-// Witness texts: numbers from 1, coordinates that read back to the same double.
+// Return the texts of witnesses: numbers count from 1, coordinates read back to the same double.
 std::string vertex_text(const audit_context& context, vertex_index v);
 std::string triangle_text(const audit_context& context, vertex_index t);
 std::string subsegment_text(const audit_context& context, vertex_index subsegment);

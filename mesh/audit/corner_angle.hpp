@@ -12,8 +12,8 @@
 
 namespace asterism::internal::audit_detail {
 
-// cot(degrees)^2 between two rationals, equal where the value is rational: for a bound that is a
-// rational number of degrees (every double is) that happens at 30, 45 and 60 only.
+// Rational bounds of cot(degrees)^2 from both sides, equal where the value is rational: for a
+// rational number of degrees, as every double is, that is at 30, 45 and 60 only.
 struct squared_cotangent {
   rational low, high;
   bounded filter;         // encloses both
@@ -35,7 +35,7 @@ bool is_proven_wide(const audit_context& context, audit_tally& tally, const corn
 bool is_proven_narrow(const audit_context& context, audit_tally& tally, const corner& c,
                       vertex_index perspective, const squared_cotangent& bound);
 
-// Returns the angle in degrees, for information.
+// Returns the angle in degrees, rounded: for information alone.
 double angle_in_degrees(const audit_context& context, const corner& c, vertex_index perspective);
 
 }  // namespace asterism::internal::audit_detail

@@ -19,11 +19,12 @@ using namespace internal;
 using namespace internal::audit_detail;
 namespace {
 
-// Most halvings of one part. Every second one halves the length of all sides, so that a part is
-// 2^-15 as long then; a determinant that vanishes inside a side is not decided by any number.
+// Largest number of halvings of one part. Two halvings halve the length of all sides, so that the
+// sides of the smallest part are 2^-15 as long; a determinant that vanishes inside a side stays
+// undecided after any number of halvings.
 constexpr int most_halvings = 30;
-// Most parts in all. A determinant that comes near to 0 along a line takes about as many as the
-// root of its greatest value over its least.
+// Largest number of parts of one triangle. A determinant that comes near to 0 along a line takes
+// about as many as the root of the ratio of its greatest to its least value.
 constexpr std::size_t most_parts = 10'000;
 
 // Control points of a quadratic triangle: of the corners 0, 1, 2, and of the sides 01, 12, 20.
@@ -85,7 +86,7 @@ struct jacobian_proof {
   double least = 0;  // lower bound of the ratio; positive alone
 };
 
-// Proves in doubles with bounds; nothing where these do not tell.
+// Proves the sign in doubles with error bounds; returns nothing where these bounds do not suffice.
 std::optional<double> proved_in_doubles(const net& nodes) {
   const coefficients<bounded> all = determinant<bounded>(nodes);
   const bounded straight = straight_determinant<bounded>(nodes);
@@ -112,7 +113,7 @@ std::array<exact_coefficients, 2> halves(const exact_coefficients& whole, std::s
           exact_coefficients{middle, whole[j], whole[k], to_j, whole[3 + j], across}};
 }
 
-// Decides exactly. The parts left to look at are at most one a halving.
+// Decides the sign in rationals. The list of undecided parts holds at most one for each halving.
 jacobian_proof proved_exactly(const net& nodes) {
   struct part {
     exact_coefficients all;
@@ -151,7 +152,7 @@ bool is_before(const side_node& s, vertex_index a, vertex_index b) {
   return s.a != a ? s.a < a : s.b < b;
 }
 
-// The node of each side by its ends.
+// Finds the node of a side by the side's ends.
 class node_finder {
  public:
   node_finder(const mesh& m, const std::vector<side_node>& curved) : m_(m), curved_(curved) {}
@@ -180,7 +181,7 @@ class node_finder {
   const std::vector<side_node>& curved_;
 };
 
-// Judges whether nodes are on the curves that the domain's segments are chords of.
+// Judges whether nodes are on the curves whose chords are segments of the domain.
 class curve_finder {
  public:
   explicit curve_finder(const domain& shape) : shape_(shape) {

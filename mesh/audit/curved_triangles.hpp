@@ -21,7 +21,7 @@
 
 namespace asterism {
 
-// Proof or refusal of second-order triangles.
+// Result of the proof that second-order triangles turn nothing over.
 struct second_order_report {
   std::size_t triangles = 0;
   std::size_t curved_sides = 0;  // whose node is not the middle, rounded
@@ -37,9 +37,10 @@ struct second_order_report {
   bool proved() const { return triangles > 0 && folded.empty() && undecided.empty(); }
 };
 
-// Judges the triangles of a mesh, of which `curved` has the nodes of sides that are not straight,
-// ascending by their ends. Sides that are none of a triangle's count for nothing. `shape`, if not
-// null, is the domain that the boundary's segments are numbered in: its curves are compared.
+// Judges the triangles of a mesh. `curved` has the nodes of sides that are not straight, ascending
+// by the sides' ends; entries whose ends are no side of a triangle are ignored. `shape`, if not
+// null, is the domain in which the boundary's segments are numbered: the nodes are compared with
+// its curves.
 ASTERISM_EXPORT second_order_report prove_second_order(const mesh& subject,
                                                        const std::vector<side_node>& curved,
                                                        const domain* shape);

@@ -12,12 +12,12 @@ namespace {
 
 using rational_point = vector2<rational>;
 
-// Units in the last place that a point of a curve may be off it, of the largest number it is
-// computed from. An arc's is centre plus radius times a cosine: below four. A cubic's are three
-// rounds of means, below five, and the parameter found for it three.
+// Largest distance of a computed point from its curve, in units in the last place of the largest
+// number it is computed from. An arc's is centre plus radius times a cosine: below four. A cubic's
+// are three rounds of means, below five, and the parameter found for it three.
 constexpr double units_off = 16;
-// Part of the radius by which the last vertex of an arc may be off its circle: domains are
-// accepted so (domain/divide_curves.hpp).
+// Largest distance of an arc's last vertex from its circle, as a part of the radius: domains are
+// accepted with that (domain/divide_curves.hpp).
 constexpr double digits_off = 1e-6;
 
 rational_point exact(const point& p) { return {rational(p.x), rational(p.y)}; }
@@ -170,7 +170,8 @@ std::string curve_audit::text(std::size_t curve) const {
   return "curve " + std::to_string(curve + 1) + " of the domain";
 }
 
-// Adopts the curve, if it is valid: in range, finite, increasing, its chords no other curve's.
+// Enters a valid curve: its parameters finite, increasing and in range, its chords those of no
+// other curve. Returns false for others.
 bool curve_audit::add(std::size_t curve) {
   const domain& d = *context_->options.original;
   const domain_curve& c = d.curves[curve];
@@ -192,7 +193,7 @@ bool curve_audit::add(std::size_t curve) {
   return check_vertices(curve) && check_turn(curve);
 }
 
-// Checks that the domain's vertices are on the curve.
+// Checks that the domain's vertices along the curve are on it, but for rounding.
 bool curve_audit::check_vertices(std::size_t curve) {
   const domain& d = *context_->options.original;
   const domain_curve& c = d.curves[curve];
@@ -234,7 +235,7 @@ bool curve_audit::check_turn(std::size_t curve) {
   return true;
 }
 
-// Divides the vertices along a chord at those on the curve, and measures each part.
+// Divides the mesh's vertices along a chord at those that are on the curve, and measures each part.
 std::vector<std::vector<vertex_index>> curve_audit::parts_of(std::vector<vertex_index> along,
                                                              chord& at) {
   const domain_curve& c = context_->options.original->curves[at.curve];

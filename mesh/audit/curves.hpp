@@ -13,7 +13,7 @@
 
 namespace asterism::internal::audit_detail {
 
-// A curve in exact numbers.
+// A curve of the domain in exact numbers.
 class curve_measure {
  public:
   // Requires vertices in range and finite numbers.
@@ -28,8 +28,8 @@ class curve_measure {
   // runs backwards.
   std::optional<rational> distance_of_chord(const point& q0, double t0, const point& q1,
                                             double t1) const;
-  // Returns the parameter of a cubic nearest to q in a piece, about; nothing if q is nearest to an
-  // end. Of an arc t0.
+  // Returns the parameter of the point of a cubic's piece that is nearest to q, in doubles; nothing
+  // if that is an end. Of an arc returns t0.
   std::optional<double> parameter_of(const point& q, double t0, double t1) const;
   // True if the direction of q lies within the arc's piece from q0 to q1, its ends left out; always
   // of a cubic.
@@ -49,14 +49,14 @@ class curve_measure {
   rational radius_below_, radius_above_;  // of an arc
 };
 
-// Judges the chords of the curves as the segments of the domain are compared with the mesh.
+// Judges the chords of curves while the segments of the domain are compared with the mesh.
 class curve_audit {
  public:
   explicit curve_audit(audit_context& context);
 
-  // Judges the vertices of the mesh along a segment of the domain, its ends included, if it is a
-  // chord; false if it is none. Those that rounding explains are on the curve. For the others
-  // `straight` is called with the vertices of the part between two that are.
+  // Judges the mesh's vertices along a segment of the domain, ends included, if the segment is a
+  // chord of a curve; returns false otherwise. Vertices that are on the curve but for rounding
+  // divide the chord; for those between two of them `straight` is called.
   template <class Straight>
   bool judge(const std::vector<vertex_index>& along, const Straight& straight) {
     const auto found = chords_.find(std::minmax(along.front(), along.back()));
@@ -64,7 +64,7 @@ class curve_audit {
     for (const std::vector<vertex_index>& part : parts_of(along, found->second)) straight(part);
     return true;
   }
-  // Reports chords that no segment was.
+  // Reports chords of curves that no segment of the domain was found for.
   void finish();
 
  private:

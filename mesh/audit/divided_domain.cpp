@@ -7,7 +7,8 @@
 
 namespace asterism::internal {
 
-// The checks are those of a mesh. Without triangles it has one finding more, which is taken out.
+// Runs the checks of a mesh on the boundary alone. Takes out the one finding that a mesh without
+// triangles always has.
 audit_report audit_divided_domain(const domain& d, const std::vector<point>& vertices,
                                   const std::vector<boundary_edge>& parts) {
   using namespace audit_detail;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides whether the segments of a domain, divided at further points, are its boundary still.
+// Decides whether the segments of a domain, divided at further points, still are its boundary.
 //
-// Point 2 of an audit for a boundary alone, without a mesh: the parts meet in common ends only,
+// Proves point 2 of an audit for a boundary without a mesh: the parts meet in common ends only,
 // wind once around what is on their left, and lead along each segment from its start to its end,
 // straight but for rounding.
 #pragma once

@@ -41,7 +41,7 @@ bool check_given(audit_context& context) {
   return kept;
 }
 
-// The subsegments from one given vertex to the next along the boundary.
+// The boundary subsegments from one given vertex to the next, in order.
 struct chain {
   vertex_index start = 0, end = 0;
   std::vector<vertex_index> subsegments;
@@ -56,7 +56,8 @@ std::vector<chain> chains_of(const audit_context& context, vertex_index given) {
   for (vertex_index v = 0; v < given; ++v)
     for (const vertex_index first : leaving[v]) {
       chain c{v, boundary[first].b, {first}};
-      // Bounded: a damaged mesh may go round without ever meeting a given vertex.
+      // Bounds the walk by the number of edges: the boundary of a damaged mesh may close without a
+      // given vertex.
       while (c.end >= given && leaving[c.end].size() == 1 &&
              c.subsegments.size() <= boundary.size()) {
         c.subsegments.push_back(leaving[c.end].front());
@@ -67,12 +68,12 @@ std::vector<chain> chains_of(const audit_context& context, vertex_index given) {
   return chains;
 }
 
-// True if rounding can explain that a split point is so far from its segment. Each coordinate of a
-// point that is computed on the line of two others and rounded once or twice is off by less than
-// one and a half units in the last place, whatever the segment's length: two units for both. Where
-// these two were split points themselves their distances add up, a unit for each of at most sixteen
-// levels; that much is allowed where it is next to nothing of the segment's length as well, so that
-// it cannot take the place of a side.
+// True if rounding can explain the distance of a split point from its segment. Each coordinate of a
+// point computed on the line of two others, and rounded once or twice, has an error below one and a
+// half units in the last place, whatever the segment's length: two units for both coordinates.
+// Where these two were split points themselves, their distances add up, a unit for each of at most
+// sixteen levels. These are allowed only if the sum is a tiny part of the segment's length too, so
+// that no side of the domain can vanish in it.
 bool is_explained(double distance, double ulp, const vector2<rational>& along) {
   constexpr double always = 2, at_most = 16, part_of_length = 0x1p-10;
   if (distance <= always * ulp) return true;
@@ -81,7 +82,7 @@ bool is_explained(double distance, double ulp, const vector2<rational>& along) {
 }
 
 // True if the segment from a to b is along an axis, p and q are exactly on its line, and q is
-// farther along it: comparisons tell all of that.
+// farther along it. Comparisons of coordinates decide all of that.
 bool goes_along_axis(const point& a, const point& b, const point& p, const point& q) {
   if (a.x == b.x && p.x == a.x && q.x == a.x) return a.y < b.y ? p.y < q.y : b.y < a.y && q.y < p.y;
   return a.y == b.y && p.y == a.y && q.y == a.y && (a.x < b.x ? p.x < q.x : b.x < a.x && q.x < p.x);
@@ -129,7 +130,7 @@ void check_straight(audit_context& context, const std::vector<vertex_index>& alo
   }
 }
 
-// Returns the vertices along a chain, both ends included.
+// Returns the vertices along a chain, its two ends included.
 std::vector<vertex_index> vertices_along(const audit_context& context, const chain& c) {
   std::vector<vertex_index> along{c.start};
   for (const vertex_index subsegment : c.subsegments)
@@ -156,7 +157,7 @@ std::string segment_text(const audit_context& context, vertex_index s) {
          " to " + vertex_text(context, seg.b);
 }
 
-// Chains and segments are matched by their ends, which two segments cannot share.
+// Matches each chain with the segment that has the same ends; two segments cannot share both.
 void match_chains(audit_context& context, std::vector<chain> chains) {
   const auto& segments = context.options.original->segments;
   std::sort(chains.begin(), chains.end(), [](const chain& l, const chain& r) {

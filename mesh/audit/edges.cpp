@@ -19,14 +19,14 @@ std::string edge_text(const audit_context& context, const directed_edge& edge) {
          std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
 }
 
-// Key whose order is that of a, then b: one comparison in place of two.
+// Packs an edge's ends into one key, ordered by a, then b: one comparison in place of two.
 std::uint64_t in_one_number(vertex_index a, vertex_index b) {
   constexpr int bits = 32;
   return std::uint64_t{a} << bits | b;
 }
 
-// Sorts by counting for a, in each a's range by comparing: linear where degrees are bounded. The
-// bound on what a mesh with vertices of any degree costs is that of std::sort.
+// Sorts edges by counting for a, and by comparisons among those of one a: linear where degrees are
+// bounded. The cost for vertices of any degree has the bound of std::sort.
 void list_edges(audit_context& context) {
   const auto& triangles = context.subject.triangles;
   auto& start = context.edge_start;
@@ -72,7 +72,8 @@ void check_repeated(const audit_context& context, audit_tally& tally, std::size_
                                                  std::to_string(std::size_t{before.triangle} + 1));
 }
 
-// `arrivals` are the vertices from which edges reach that of the edge, sorted.
+// Checks that the reverse of one edge exists, or that it is a boundary edge. `arrivals` are the
+// starts of all edges that end where this one begins, sorted.
 void check_matched(const audit_context& context, audit_tally& tally, const directed_edge& e,
                    const std::vector<vertex_index>& arrivals) {
   if (!std::binary_search(arrivals.begin(), arrivals.end(), e.b) &&
@@ -81,8 +82,8 @@ void check_matched(const audit_context& context, audit_tally& tally, const direc
                 edge_text(context, e) + " has no triangle across and is no boundary edge");
 }
 
-// True if each of the edges goes where one of the arrivals comes from. Compares all pairs: sorting
-// so few would be mispredicted more often.
+// True if each edge's end is among `arrivals`. Compares all pairs: for so few, sorting would cost
+// more in mispredicted branches.
 bool all_are_matched(std::span<const directed_edge> edges,
                      const std::vector<vertex_index>& arrivals) {
   constexpr std::size_t few = 16;
@@ -96,9 +97,9 @@ bool all_are_matched(std::span<const directed_edge> edges,
   return all != 0;
 }
 
-// The edges that reach a vertex come from those across from it in the triangles at it, so that the
-// reverse of an edge is found where the edge is. Inside the domain they come from where its own
-// edges go.
+// Checks each vertex's outgoing edges against the edges that reach it, which are found in
+// the triangles around the vertex. Around an interior vertex both lists have the same far
+// ends.
 void check_triangle_edges(audit_context& context) {
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     std::vector<vertex_index> arrivals;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Point 2, seen from each vertex: its triangles surround it once, or fill each sector of the domain
-// once; internal edges separate sectors like any others. Implied by the other checks of point 2;
-// made all the same, as it names the vertex, and because the star check walks these fans. Requires
-// matched edges.
+// Point 2, seen from each vertex: its triangles surround it once, or fill each sector of the
+// domain once; internal edges separate sectors like any others. The other checks of point 2 imply
+// it; this one names the vertex, and because the star check walks these fans. Requires matched
+// edges.
 #include <algorithm>
 #include <cstddef>
 
@@ -12,7 +12,7 @@
 namespace asterism::internal::audit_detail {
 namespace {
 
-// The triangle (v, from, to).
+// One triangle (v, from, to) of a fan around v.
 struct fan_step {
   vertex_index from = 0, to = 0;
   bool used = false;
@@ -26,8 +26,8 @@ void list_steps(const audit_context& context, std::size_t first, std::size_t las
     steps.push_back({context.edges[i].b, context.edges[i].apex});
 }
 
-// Returns the step that starts where another ends, or the end. Goes through a short list, as a
-// bisection is mispredicted at every other step.
+// Returns the step that begins at `from`, or the end of the list. Searches a short list linearly,
+// as a bisection is mispredicted at every second step.
 std::vector<fan_step>::iterator step_from(std::vector<fan_step>& steps, vertex_index from) {
   constexpr std::size_t few = 16;
   auto next = steps.begin();
@@ -39,12 +39,12 @@ std::vector<fan_step>::iterator step_from(std::vector<fan_step>& steps, vertex_i
   return next != steps.end() && next->from == from ? next : steps.end();
 }
 
-// Has the domain at v a sector that starts with the ray to `to`?
+// True if the domain has a sector at v that starts with the ray to `to`.
 bool starts_fan(const audit_context& context, vertex_index v, vertex_index to) {
   return find_subsegment(context, v, to) != context.subject.boundary.size();
 }
 
-// Adds the fan to the block. Ends where no triangle follows, or at an internal edge.
+// Adds one fan to the block. Ends where no triangle follows, or at an internal edge.
 void follow(const audit_context& context, vertex_index v, std::vector<fan_step>& steps,
             fan_step& start, fan_lists::block& to) {
   const auto end_fan = [&to](bool closed) {
@@ -65,8 +65,8 @@ void follow(const audit_context& context, vertex_index v, std::vector<fan_step>&
   }
 }
 
-// Adds the fans around v to the block; `steps` is scratch. At a vertex that no boundary edge leaves
-// all steps are one fan nearly always, which the first one finds.
+// Adds all fans around v to the block; `steps` is scratch. At a vertex that no boundary edge
+// leaves, the first fan usually takes all steps.
 void list_fans(const audit_context& context, vertex_index v, std::size_t first, std::size_t last,
                std::vector<fan_step>& steps, fan_lists::block& to) {
   list_steps(context, first, last, steps);
@@ -90,13 +90,14 @@ void list_fans(const audit_context& context, vertex_index v, std::size_t first, 
     if (!s.used) follow(context, v, steps, s, to);
 }
 
-// Without a branch, which would be mispredicted.
+// Returns 1 if p is below v, or level with it and to the left. Has no branch, which would be
+// mispredicted.
 int in_lower_half(const point& v, const point& p) {
   return static_cast<int>(p.y < v.y) | (static_cast<int>(p.y == v.y) & static_cast<int>(p.x < v.x));
 }
 
-// Counts the full turns of a fan that comes back to its start: each triangle turns by less than a
-// half turn, so a turn is completed exactly where a step leads from the lower half plane into the
+// Returns the number of full turns of a closed fan: each triangle turns by less than a half
+// turn, so a turn is completed exactly where a step leads from the lower half plane into the
 // upper one.
 int turns(const audit_context& context, vertex_index v, const vertex_fan& fan) {
   const point at_v = context.at(v);
@@ -110,7 +111,7 @@ int turns(const audit_context& context, vertex_index v, const vertex_fan& fan) {
   return fan.closed ? count + (was_lower & (1 - first)) : count;
 }
 
-// Does an open fan come round to its first edge again?
+// True if an open fan reaches its first edge again.
 bool overturned(const audit_context& context, const filtered_kernel& kernel, vertex_index v,
                 const vertex_fan& fan) {
   const point &at_v = context.at(v), &first = context.at(fan.link[0]);

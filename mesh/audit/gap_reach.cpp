@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Errors. Each value comes with `size`, at least the sum of its absolute monomials, and is off by
-// less than 2^-48 of it in any rounding mode. Of lengths and determinants the value is asked to be
-// more than 2^-20 of the size, so that it is known to 2^-28 of itself; `narrowed` and `widened`
-// cover that and the few operations that follow. In the range asked for underflows are less.
+// less than 2^-48 of it in any rounding mode. Lengths and determinants are used only if the value
+// is more than 2^-20 of the size, so that it is known to 2^-28 of itself; `narrowed` and `widened`
+// cover that and the few operations that follow. In the range of numbers that is checked first,
+// underflow takes less than that.
 #include "asterism/mesh/audit/gap_reach.hpp"
 
 #include <algorithm>
@@ -27,14 +28,14 @@ point apply(const metric_tensor& m, const point& u) {
   return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
 }
 
-// Returns the product of u with the dual by a metric, of this trace, of a way of this extent, and
-// at least the sum of its absolute monomials.
+// Returns u . dual with its size, at least the sum of its absolute monomials. `dual` is a metric of
+// this trace, times a displacement of this extent.
 sized_value inner_product(const point& u, const point& dual, double extent, double trace) {
   return {u.x * dual.x + u.y * dual.y, (std::abs(u.x) + std::abs(u.y)) * (extent * trace)};
 }
 
-// Returns the centre, from v, of the circle that the sum of the three metrics sees through all of
-// them: any direction is a valid choice, that of the Voronoi vertex a good one.
+// Returns the centre, relative to v, of the circle through all three sites in the sum of their
+// metrics: any direction is a valid choice, that of the Voronoi vertex a good one.
 point towards_vertex(const site& v, const site& x, const site& y, const point& to_x,
                      const point& to_y) {
   const metric_tensor &a = v.metric, &b = x.metric, &c = y.metric;
@@ -52,8 +53,8 @@ struct measured_direction {
   sized_value squared;
 };
 
-// Returns what z contributes to R: infinite where the bound of 4.2 is not certainly positive, or u
-// not certainly within a right angle of z.
+// Returns the neighbour's contribution to R of lemma 4.3: infinite where the bound of section 4.2
+// is not certainly positive, or u and the way to z not certainly within a right angle.
 double reach_beside(const site& v, const measured_ray& z, const measured_direction& to) {
   const point &u = to.u, &d = z.way;
   const metric_tensor &own = v.metric, &other = z.end->metric;
@@ -70,8 +71,8 @@ double reach_beside(const site& v, const measured_ray& z, const measured_directi
   return std::max(std::sqrt(to.squared.value) / bound, z.on_edge) * (widened * widened);
 }
 
-// Adds to the ray, whose end and way are set, what the square of its length is as both ends
-// measure, `own` from v.
+// Completes a ray whose end and way are set: adds the squares of its length as both ends measure
+// it; `own` is v's metric.
 void measure(measured_ray& ray, const metric_tensor& metric, double determinant, double own,
              double c, double other_determinant) {
   ray.is_known = true;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds how far from v sites matter to one gap of its star, in few operations: most gaps are never
-// asked about any site, and need no more.
+// Bounds how far from v sites matter to one gap of its star, in few operations: most gaps need no
+// test of any site beyond that.
 #pragma once
 
 #include "asterism/core/site.hpp"
 
 namespace asterism::internal::audit_detail {
 
-// Measurements of the way from v to a neighbour, for the gaps on both sides of it.
+// Measurements of the displacement from v to a neighbour, used by the gaps on both sides of it.
 struct measured_ray {
   const site* end = nullptr;
   point way, dual;       // the dual by v's metric
@@ -28,8 +28,8 @@ class quick_reaches {
 
   measured_ray ray_to(const site& neighbour) const;
   // Returns R of lemma 4.3 (docs/math/certificate.md) for the gap from x counter-clockwise to y, in
-  // v's metric, with the lower bounds of 4.2; infinite where plain doubles do not know one.
-  // Requires distinct sites with positive definite metrics.
+  // v's metric, with the lower bounds of 4.2; infinite where plain doubles prove none. Requires
+  // distinct sites with positive definite metrics.
   double between(const measured_ray& x, const measured_ray& y) const;
 
  private:

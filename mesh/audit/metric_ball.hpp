@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells which segments the ball around a site certainly misses, as its own metric measures.
+// Decides which segments the ball around a site certainly misses, measured by the site's own
+// metric.
 //
 // Errors. In the frame in which the metric is the identity a way d from the site is
 //   ( (m11 dx + m12 dy) / sqrt(m11), sqrt(det / m11) dy ).
-// The determinant is asked to be more than 2^-20 of its monomials, so it is known to 2^-28 of
-// itself, and |m12 dy| / sqrt(m11) is at most 2^11 times the second coordinate: both coordinates
-// are off by less than 2^-26 of |p|_1, the sum of their absolute values. So the distance from the
-// site to a segment p-q is off by less than 2^-25 (|p|_1 + |q|_1); the few roundings of measuring
-// it in the frame are 2^-49 of that. `misses` asks for 2^-24, and adds 2^-20 of the radius for the
-// roundings of the comparison itself. In the range asked for underflow takes less.
+// The determinant must be more than 2^-20 of its monomials, so it is known to 2^-28 of itself, and
+// |m12 dy| / sqrt(m11) is at most 2^11 times the second coordinate: both coordinates are off by
+// less than 2^-26 of |p|_1, the sum of their absolute values. So the distance from the site to a
+// segment p-q is off by less than 2^-25 (|p|_1 + |q|_1); the few roundings of measuring it in the
+// frame are 2^-49 of that. `misses` asks for 2^-24, and adds 2^-20 of the radius for the roundings
+// of the comparison itself. In the range of numbers that is checked first, underflow takes less.
 #pragma once
 
 #include <cmath>
@@ -41,8 +42,8 @@ class metric_ball {
     return {along_ * dx + across_ * dy, up_ * dy};
   }
 
-  // True if no point of the segment between two points of the frame, or little beside it, is within
-  // this radius of the site. Requires a usable metric.
+  // True if no point of the segment between two points of the frame, or within rounding of it, is
+  // within this radius of the site. Requires a usable metric.
   static bool misses(const point& p, const point& q, double radius) {
     const double extent = std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y);
     const double far = radius * (1 + 0x1p-20) + 0x1p-24 * extent, square = far * far;

@@ -15,8 +15,8 @@ namespace asterism::internal::audit_detail {
 
 using internal::rational;
 
-// Returns the greater of two upper bounds and a lower bound kept only if positive: what is not a
-// number, because something overflowed, bounds nothing.
+// Return the greater of two upper bounds, and a lower bound if it is positive, else 0: a NaN, which
+// an overflow leaves, bounds nothing.
 inline double greatest_bound(double a, double b) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return a < infinity && b < infinity ? std::fmax(a, b) : infinity;

@@ -77,7 +77,7 @@ double length_of(const mesh& m, const line& along) {
   return sum;
 }
 
-// Returns the map with this turn that takes the first vertex to its partner, but for rounding.
+// Returns the map with this turn whose shift takes the first vertex to its partner, rounded.
 rigid_map shifted(const mesh& m, const line_pair& lines, rigid_map map) {
   const point from = turned(map, m.sites[lines.first.front()].position);
   const point& to = m.sites[lines.second.front()].position;
@@ -85,7 +85,7 @@ rigid_map shifted(const mesh& m, const line_pair& lines, rigid_map map) {
   return map;
 }
 
-// Returns the turn from the chord of the first line to that of the second.
+// Returns the turn that takes the direction of the first line's chord to that of the second.
 std::optional<rigid_map> chord_turn(const mesh& m, const line_pair& lines) {
   const auto chord = [&m](const line& along) {
     const point &p = m.sites[along.front()].position, &q = m.sites[along.back()].position;
@@ -98,7 +98,7 @@ std::optional<rigid_map> chord_turn(const mesh& m, const line_pair& lines) {
   return rigid_map{real / size, imaginary / size, {}};
 }
 
-// How far the vertices are from their partners' images, and where that is most.
+// Largest distance of a vertex from its partner's image, and the vertex's place in the line.
 struct offsets {
   double greatest = 0;
   std::size_t at = 0;
@@ -122,8 +122,8 @@ metric_tensor pulled_back(const rigid_map& map, const metric_tensor& t) {
           s * s * t.m11 - 2 * (c * s) * t.m12 + c * c * t.m22};
 }
 
-// Returns ln of the greatest ratio of two lengths of a displacement: from the eigenvalues of the
-// difference, measured by one of both tensors, so that near ones lose no digits.
+// Returns ln of the greatest ratio of a displacement's lengths in two metrics, from the eigenvalues
+// of their difference in a frame of one of them, so that near metrics lose no digits.
 double log_ratio(const metric_tensor& m, const metric_tensor& n) {
   const double d11 = n.m11 - m.m11, d12 = n.m12 - m.m12, d22 = n.m22 - m.m22;
   if (d11 == 0 && d12 == 0 && d22 == 0) return 0;
@@ -145,7 +145,7 @@ double metrics_apart(const mesh& m, const line_pair& lines, const rigid_map& map
   return most;
 }
 
-// Finds the map that fits, exact ones first.
+// Finds the map from the first line to the second: tries the exact kinds first.
 result<periodic_match> matched(const mesh& m, const line_pair& lines) {
   periodic_match made;
   made.vertices = lines.first.size();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Proves that two sides of the boundary of a mesh have the same points, as periodic functions want
-// it: from the mesh alone, with no code of what made it.
+// Proves that two sides of the boundary of a mesh have the same points, as periodic boundary
+// conditions require, from the mesh alone, with no code of what made it.
 //
 // The sides are the boundary edges with one marker each. Each is a line with two ends. As the
 // domain is on the left of both, the first side from its start to its end goes with the second from
@@ -27,17 +27,17 @@ struct periodic_pair {
   friend bool operator==(const periodic_pair&, const periodic_pair&) = default;
 };
 
-// How the second side follows from the first, vertex by vertex.
+// Kinds of maps that take the first side's vertices to the second side's.
 enum class periodic_kind : std::size_t {
   translated,  // shifted by a vector of two doubles, exactly
   turned,      // by a quarter, a half or three quarters, then shifted, exactly
   matched      // one after the other, at the same parts of the lengths: equal but for rounding
 };
 
-// The kinds as certificates spell them, in that order.
+// Names of the kinds of maps as certificates spell them, in order.
 ASTERISM_EXPORT extern const std::array<std::string_view, 3> periodic_kind_names;
 
-// Two sides that match.
+// Two sides that match, and the map between them.
 struct periodic_match {
   periodic_pair sides;
   periodic_kind kind = periodic_kind::matched;
@@ -60,16 +60,18 @@ struct periodic_match {
   }
 };
 
-// Part of a side's length by which a vertex may be away from the image of its partner: files with
-// six digits are as coarse. It refuses sides of other shapes; what is within it is told.
+// Largest distance of a vertex from its partner's image, as a part of the side's length: files with
+// six digits are as coarse. Sides farther apart are refused as different in shape; a smaller
+// distance is reported.
 inline constexpr double largest_periodic_offset = 1e-5;
 
-// Finds how the sides match. Fails, with a sentence that names both markers, where they do not:
-// each vertex of the one has exactly one partner on the other, in the same order, or it is refused.
+// Finds the map between two sides. Fails, with a sentence that names both markers, unless each
+// vertex of the first has exactly one partner on the second, in the same order.
 ASTERISM_EXPORT result<periodic_match> match_periodic(const mesh& subject,
                                                       const periodic_pair& sides);
 
-// Returns "4 and 2: translated exactly by (1, 0), 12 vertices each, with the same metric".
+// Returns a sentence such as "4 and 2: translated exactly by (1, 0), 12 vertices each, with the
+// same metric".
 ASTERISM_EXPORT std::string text_of(const periodic_match& match);
 
 }  // namespace asterism

@@ -13,7 +13,7 @@ using line = std::vector<vertex_index>;  // the vertices of a side, in their ord
 
 std::string marker_text(int marker) { return "marker " + std::to_string(marker); }
 
-// Returns the vertices of the side from its start to its end.
+// Returns the vertices of one side in order from its start to its end.
 result<line> line_of(const mesh& m, int marker) {
   std::map<vertex_index, vertex_index> next;
   std::map<vertex_index, std::size_t> arriving;

@@ -12,9 +12,9 @@
 
 namespace asterism::internal {
 
-// Returns each vertex of the side with the first marker, from its start, with the one of the second
-// side that goes with it, from its end. Fails where they are no lines with two ends or have another
-// number of vertices. Where these are is not asked.
+// Pairs the vertices of the side with the first marker, from its start, with those of the second
+// side, from its end. Fails where they are no lines with two ends, or have different numbers of
+// vertices. Does not compare coordinates.
 result<std::vector<std::array<vertex_index, 2>>> periodic_partners(const mesh& m, int first,
                                                                    int second);
 

@@ -18,8 +18,8 @@ namespace {
 using internal::dyadic;
 using exact_areas = std::map<int, dyadic>;  // twice the areas
 
-// Returns the nearest double. The leading 64 bits decide it, with the last one set where bits that
-// are not 0 follow: 53 are kept, so that the last bit is no tie's.
+// Returns the double nearest to a rational. Divides to 64 bits and sets the last one if a remainder
+// is left, so that rounding to 53 bits meets no false tie.
 double nearest_double(const dyadic& x) {
   if (x.is_zero()) return 0;
   constexpr long limb_bits = 64;

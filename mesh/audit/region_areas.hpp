@@ -17,18 +17,18 @@
 
 namespace asterism {
 
-// Areas by the number of the region, in square units of the coordinates; infinite where no double
-// is as large.
+// Areas of regions by region number, in square units of the coordinates; infinite where the sum
+// exceeds the doubles.
 using areas_by_region = std::map<int, double>;
 
-// Returns the sums of the triangles' areas; those turned the wrong way count against it, and those
-// with corners that do not exist or are not finite do not count.
+// Returns the areas of the regions of a mesh. Clockwise triangles count as negative; triangles with
+// corners that do not exist or are not finite are left out.
 ASTERISM_EXPORT areas_by_region areas_of_regions(const mesh& m);
-// Returns what the segments enclose, those left out whose ends do not exist or are not finite.
-// Their regions must be known (check_domain).
+// Returns the areas that the segments of a domain enclose, by region. Leaves out segments whose
+// ends do not exist or are not finite. Requires known regions (check_domain).
 ASTERISM_EXPORT areas_by_region areas_of_regions(const domain& d);
 
-// One region of a mesh.
+// Areas of one region: in the mesh, in the domain, and before an adaptation.
 struct region_area {
   int number = 0;
   std::optional<double> before = {};  // in the mesh that was adapted, if one was
@@ -36,8 +36,8 @@ struct region_area {
   double mesh = 0;
 };
 
-// Returns the regions of a mesh and its domain, which may be null, by ascending numbers. Empty
-// where both have nothing but region 1: then it is all that there is.
+// Returns the areas of the regions of a mesh and of its domain, which may be null, by ascending
+// numbers. Empty where both have region 1 alone.
 ASTERISM_EXPORT std::vector<region_area> measure_regions(const mesh& m, const domain* original);
 
 }  // namespace asterism

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Point 2, the regions: every triangle has the number of its part of the domain. A region is
-// bounded by segments, so it is enough that triangles with no segment between them have one number,
-// and that those beside a segment have the number the domain has there.
+// bounded by segments, so two checks are enough: triangles with no segment between them have one
+// number, and that those beside a segment have the number the domain has there.
 #include "asterism/mesh/audit/checks.hpp"
 
 namespace asterism::internal::audit_detail {

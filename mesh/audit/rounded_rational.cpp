@@ -58,7 +58,7 @@ binary_number rounded_root(const binary_number& square, unsigned bits, direction
   if (to == direction::up && rest != 0) root += 1;
   const long unit = (square.exponent - up) / 2, surplus = length_of(root) - static_cast<long>(bits);
   if (surplus <= 0) return {std::move(root), unit};
-  // Rounded twice in one direction, which is rounding once.
+  // Rounds twice in one direction, which equals rounding once.
   return {in_units({std::move(root), unit}, unit + surplus, to), unit + surplus};
 }
 

@@ -10,23 +10,23 @@ namespace asterism::internal::audit_detail {
 
 enum class direction { down, up };
 
-// The number mantissa * 2^exponent.
+// The real number mantissa * 2^exponent.
 struct binary_number {
   whole_number mantissa;
   long exponent = 0;
 };
 
-// Returns a number that is not negative, rounded to `bits` bits.
+// Returns a rational >= 0, rounded to `bits` bits in the direction given.
 binary_number rounded(const rational& number, unsigned bits, direction to);
-// Returns its square root, rounded to `bits` bits.
+// Returns the square root of a rational >= 0, rounded to `bits` bits in the direction given.
 binary_number rounded_root(const binary_number& square, unsigned bits, direction to);
 
 rational as_rational(const binary_number& number);
-// Returns the next double in the direction, or the number itself. Upward, infinity where that
-// overflows.
+// Returns the double next to the rational in the direction given, or equal to it. Upward, infinity
+// where that overflows.
 double as_double(const binary_number& number, direction to);
 
-// Bounds of cot^2 of an angle: off by less than 2^-190 of it.
+// Bounds of cot^2 of an angle, each with an error below 2^-190 of it.
 struct cotangent_bounds {
   rational low, high;
 };

@@ -34,7 +34,7 @@ std::vector<corner> sectors_at(const audit_context& context, const directed_edge
     out.push_back(context.sides[i].b);
   for (std::size_t i = arriving.start[v]; i < arriving.start[v + 1]; ++i)
     in.push_back(arriving.list[i].b);
-  // Found by one look at all rays for each that leaves: thousands may meet at v.
+  // Searches all arriving rays once for each leaving one: thousands may meet at v.
   std::vector<corner> sectors;
   for (const vertex_index n : out) {
     std::optional<vertex_index> next;  // on the first ray after that of n
@@ -52,7 +52,7 @@ std::vector<corner> sectors_at(const audit_context& context, const directed_edge
   return sectors;
 }
 
-// Returns the narrow sectors of `v`, none if the exemption of v cannot be proven.
+// Returns the narrow sectors of `v`; none if the angle there is not proved to be below the bound.
 std::vector<narrow_sector> narrow_sectors(audit_context& context, const directed_edges& arriving,
                                           vertex_index v, const squared_cotangent& bound) {
   std::vector<narrow_sector> narrow;
@@ -67,16 +67,16 @@ std::vector<vertex_index> corners_to_prove(const audit_context& context) {
   std::vector<vertex_index> corners = context.options.exempt_corners;
   if (context.options.find_exempt_corners)
     for (const directed_subsegment& side : context.sides)
-      // Only an input vertex is a corner; elsewhere the boundary is straight but for rounding.
+      // Skips vertices that are not given: elsewhere the boundary is straight but for rounding.
       if (side.a < context.subject.given) corners.push_back(side.a);
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
-// Returns the segment that leaves `corner` for `next`, from subsegment to subsegment as far as the
-// next given vertex; `edges` are the sides that leave a vertex, or those that reach it, reversed.
-// Empty if it does not get there: more or fewer than one way on is a fault of another check.
+// Returns the boundary edges from `corner` towards `next`, as far as the next given vertex. `edges`
+// are the sides that leave a vertex, or those that reach it, reversed. Empty if some vertex on the
+// way has no edge on, or several: another check reports that.
 std::vector<vertex_index> follow(const audit_context& context,
                                  const std::vector<directed_subsegment>& edges,
                                  const std::vector<std::size_t>& start, vertex_index corner,

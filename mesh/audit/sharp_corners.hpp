@@ -21,14 +21,14 @@ struct narrow_sector {
   vertex_index at = 0, first = 0, last = 0;
 };
 
-// A sector narrower than half the bound, with a segment inside the domain beside it, followed to
-// the given vertices at the far ends of its two segments. The points in between are in
-// wedge_points.
+// A sector narrower than half the bound, with a segment inside the domain as one of its sides,
+// followed to the given vertices at the far ends of its two segments. Vertices between these ends
+// are in wedge_points.
 struct narrow_wedge {
   vertex_index at = 0, first_end = 0, last_end = 0;
 };
 
-// Says that a vertex other than the corner is on a segment of a wedge.
+// Records that a vertex other than the corner is on a segment of a wedge.
 struct wedge_point {
   vertex_index vertex = 0;
   std::size_t wedge = 0;
@@ -44,8 +44,8 @@ struct narrow_wedges {
   std::vector<wedge_point> points;  // sorted
 };
 
-// Returns the narrow sectors of the corners claimed, or of all where they are looked for, by
-// corner. Reports proven corners, and claims that are not.
+// Returns the narrow sectors, ordered by corner: of the corners claimed, or of all corners where
+// the options look for them. Reports proven corners, and claims that are not proved.
 std::vector<narrow_sector> find_narrow_sectors(audit_context& context,
                                                const squared_cotangent& bound);
 
@@ -57,8 +57,8 @@ const narrow_sector* sector_of(const audit_context& context, const filtered_kern
                                const triangle& t, vertex_index v,
                                const std::vector<narrow_sector>& sectors);
 
-// True if all corners of the triangle are on the two segments of one wedge, some on each, and that
-// is proven to be narrower than the bound as all three of them measure it.
+// True if all corners of the triangle are on the two segments of one wedge, some on each, and the
+// wedge is proven to be narrower than the bound as all three of them measure it.
 bool crosses_narrow_wedge(const audit_context& context, audit_tally& tally, const triangle& t,
                           const narrow_wedges& wedges, const squared_cotangent& bound);
 

@@ -12,13 +12,13 @@ namespace asterism::internal::audit_detail {
 namespace {
 
 // An operation in any rounding mode is off by at most 2^-52 of its result. No value below is a sum
-// of monomials that meet more than eight: `step` bounds them and the roundings of the bound itself
-// for a magnitude, the sum of the monomials' absolute values; `up` the three or four roundings
-// after that. Underflow takes less than that within the ranges that are asked for.
+// of monomials that meet more than eight: `step` times the magnitude, the sum of the monomials'
+// absolute values, bounds these roundings and those of the bound itself; `up` bounds the three or
+// four roundings after that. Underflow takes less within the ranges that are checked first.
 constexpr double step = 0x1p-48, up = 1 + 0x1p-49;
 
-// Returns an upper bound of the greater root of l^2 - trace l + determinant, which has two;
-// infinite where not known.
+// Returns an upper bound of the greater root of l^2 - trace l + determinant, a polynomial with two
+// real roots; infinite where none is proved.
 double greatest_eigenvalue(bounded trace, bounded determinant) {
   const bounded half = trace * bounded(0.5);
   const double bound = (half + root(half * half - determinant)).upper();
@@ -40,8 +40,8 @@ metric_tensor sum(const metric_tensor& a, const metric_tensor& b) {
   return {a.m11 + b.m11, a.m12 + b.m12, a.m22 + b.m22};
 }
 
-// Returns the trace of b m, which is at least |g|^2 in b over |h|^2 in m for g = m h, from above.
-// It loses fewer digits than the first where both are much stretched.
+// Returns an upper bound of the trace of b m, which is at least |g|^2 in b over |h|^2 in m for g =
+// m h. Loses fewer digits than a bound from eigenvalues where both metrics are much stretched.
 double trace_above(const metric_tensor& b, const metric_tensor& m) {
   const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
   return (diagonal + mixed + step * (diagonal + std::abs(mixed)) + 0x1p-300) * up;
@@ -53,14 +53,14 @@ double product_bound(double a, double b) {
 }
 
 // Returns a lower bound of the determinant; 0 where none is known. Both products are rounded once,
-// and the difference; in the range asked for underflow takes less than the rest of 2^-50.
+// and the difference; in the range checked first, underflow takes less than the rest of 2^-50.
 double determinant_below(const metric_tensor& m) {
   const double product = m.m11 * m.m22, square = m.m12 * m.m12;
   const double below = product - square - 0x1p-50 * (product + square);
   return below > 0x1p-900 && product < 0x1p1000 ? below : 0;
 }
 
-// Returns an upper bound of 1 / det m; infinite where none of use is known.
+// Returns an upper bound of 1 / det m; infinite where the determinant is not certainly positive.
 double inverse_determinant_above(const metric_tensor& m) {
   const double below = determinant_below(m);
   return below > 0x1p-200 ? 1 / below * up : infinity;
@@ -89,8 +89,9 @@ site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sit
   if (sites.size() <= most_with_covectors) bound_covectors();
 }
 
-// |g|^2 in M is g M^-1 g, the adjugate's value times the inverse determinant. The three monomials
-// of the adjugate's meet two roundings each; underflow takes less than what is added.
+// Bounds |g|_M for each covector. |g|^2 in M is g M^-1 g, the adjugate's value times the inverse
+// determinant. The three monomials of the adjugate's meet two roundings each; underflow takes less
+// than what is added.
 site_tree::by_covector site_tree::lengths_of(const metric_tensor& m, double inverse_determinant) {
   const double sum = m.m11 + m.m22, mixed = 2 * m.m12;
   const auto length = [&](double adjugate) {
@@ -104,7 +105,7 @@ void site_tree::bound_covectors() {
   for (std::size_t i = 0; i < order_.size(); ++i)
     lengths_.push_back(lengths_of(sites_[order_[i]].metric, inverse_determinants_[i]));
   covector_bounds_.resize(nodes_.size());
-  // Children follow their parents.
+  // Goes from the last node to the first: children follow their parents.
   for (std::size_t i = nodes_.size(); i-- > 0;) covector_bounds_[i] = bounds_of(i);
 }
 
@@ -135,8 +136,8 @@ site_tree::covector_bounds site_tree::bounds_of(std::size_t self) const {
   return all;
 }
 
-// With B = `inverse`: the eigenvalues of M_w^-1 B^-1 are the inverses of those of B M_w, and the
-// greater of these is divided by the determinant of B M_w to invert the smaller.
+// Bounds the spread, with B = `inverse`: the eigenvalues of M_w^-1 B^-1 are the inverses of those
+// of B M_w, and the greater of these is divided by the determinant of B M_w to invert the smaller.
 void site_tree::bound_leaf(node& n) const {
   n.inverse = {0, 0, 0};
   for (std::size_t i = n.first; i < n.last; ++i)
@@ -157,8 +158,8 @@ void site_tree::bound_leaf(node& n) const {
   }
 }
 
-// M_w >= C^-1 / s for a child with inverse C, and C^-1 >= B^-1 / l with l the greater eigenvalue of
-// C B^-1.
+// Derives a node's bound from its children's: M_w >= C^-1 / s for a child with inverse C, and C^-1
+// >= B^-1 / l with l the greater eigenvalue of C B^-1.
 void site_tree::bound_parent(node& n, const node& left, const node& right) const {
   n.inverse = sum(left.inverse, right.inverse);
   n.spread_squared = determinant_below(n.inverse) > 0 ? 0 : infinity;
@@ -184,7 +185,7 @@ std::size_t site_tree::node_count(std::size_t sites) {
   return 2 * leaves - 1;
 }
 
-// Builds the node with this number, and all below it: halves of many sites side by side.
+// Builds the node with this number, and those below it: large halves in parallel.
 void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
   node n;
   n.first = first;
@@ -197,7 +198,7 @@ void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
     n.high = {std::max(n.high.x, q.x), std::max(n.high.y, q.y)};
   }
   if (last - first <= leaf_size) {
-    // By number: the order in which std::nth_element leaves them is another in each library.
+    // Sorts by number: std::nth_element leaves another order in each standard library.
     std::sort(order_.begin() + static_cast<std::ptrdiff_t>(first),
               order_.begin() + static_cast<std::ptrdiff_t>(last));
     bound_leaf(n);
@@ -320,7 +321,7 @@ bool site_tree::is_measurable(const site& v, double reach) {
          m.m11 + m.m22 < 0x1p1000;
 }
 
-// The square is from below: of m11 dx^2 + 2 m12 dx dy + m22 dy^2 no monomial passes more than seven
+// Rounds the square down: of m11 dx^2 + 2 m12 dx dy + m22 dy^2 no monomial passes more than seven
 // roundings, 2^-49 of it, and the middle one is no more than the others together, as the metric is
 // positive definite: 2^-48 of those covers all, and they are taken with 2^-46 less. Places are less
 // than 2^399 apart, so that underflow takes less than 2^-670, of what is compared with 2^-400 or
@@ -337,9 +338,9 @@ void site_tree::measure(nearby_sites& nearby, const site& v) {
   }
 }
 
-// g is M h exactly; what is computed of it is off by `step` of the magnitudes. h, a pair of
-// doubles, need not be good. Where the box is too near even for equal metrics, as most are that are
-// asked about, the rest is not computed.
+// Tries the covector g = M h. The computed g has an error of at most `step` times its magnitudes;
+// h, a pair of doubles, need not be exact. Where the box is too near even for equal metrics, as
+// most boxes are, the rest is not computed.
 site_tree::separation site_tree::separation_along(const point& h, const offset_box& to,
                                                   const centre& v, const inverse_bound& inverse) {
   const metric_tensor &m = v.metric, &b = inverse.tensor;
@@ -448,7 +449,8 @@ bool site_tree::too_far(const point& d, const metric_tensor& m, double inverse_d
   return plain.is_beyond(v.reach) || too_far_from_both(d, {d, d}, v, inverse);
 }
 
-// (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2, or 1, is at most the trace of M_w^-1 M_v, or 1.
+// Uses that (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2, or 1, is at most the trace of M_w^-1 M_v,
+// or 1.
 double site_tree::far_squared(const node& n, const centre& v) {
   if (!(n.spread_squared < 0x1p200 && v.reach < 0x1p200)) return infinity;
   const double trace = trace_above(n.inverse, v.metric) * n.spread_squared * up;
@@ -456,9 +458,9 @@ double site_tree::far_squared(const node& n, const centre& v) {
   return far > 0x1p-500 && far < 0x1p700 ? far : infinity;
 }
 
-// (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2 is at most the spreads times the greater eigenvalue
-// of B M, B the node's tensor and M that of the stars, or 1. What is under the root is off by a few
-// roundings of the trace's square.
+// Uses that (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2 is at most the spreads times the greater
+// eigenvalue of B M, B the node's tensor and M that of the stars, or 1. The radicand has an error
+// of a few roundings of the trace's square.
 double site_tree::share_of(const node& n, const centre& stars) {
   if (!(n.spread_squared < 0x1p200)) return 0;
   const double half = 0.5 * trace_above(n.inverse, stars.metric), square = half * half,
@@ -470,8 +472,8 @@ double site_tree::share_of(const node& n, const centre& stars) {
   return 1 / (2 * (1 + (sigma_squared > 1 ? sigma_squared : 1)) * up);
 }
 
-// |d|^2 m22 >= det m dx^2, and likewise dy. Both sides pass at most six roundings; the determinant
-// is off by 2^-50 of what it is the difference of.
+// Uses |d|^2 m22 >= det m dx^2, and likewise dy. Both sides pass at most six roundings; the error
+// of the determinant is below 2^-50 of the product it is a difference of.
 bool site_tree::is_beside(const node& n, const centre& v, double far_squared) {
   const metric_tensor& m = v.metric;
   const auto apart = [](double low, double high) { return low > 0 ? low : high < 0 ? high : 0; };
@@ -486,7 +488,7 @@ bool site_tree::is_beside(const node& n, const centre& v, double far_squared) {
          (determinant * (dx * dx) > far * m.m22 || determinant * (dy * dy) > far * m.m11);
 }
 
-// Each monomial passes at most six roundings.
+// Bounds the rounding errors: each monomial passes at most six roundings.
 bool site_tree::is_farther(const point& d, const metric_tensor& m, double far_squared) {
   const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);
   const double square = xx + yy + xy - step * (xx + yy + std::abs(xy));

@@ -34,7 +34,7 @@ class site_tree {
 
   // Returns all sites, near ones near each other.
   const std::vector<vertex_index>& order() const { return order_; }
-  // Returns where groups of neighbouring sites begin in that order, then the number of sites.
+  // Returns the starts of groups of neighbouring sites in that order, then the number of sites.
   const std::vector<std::size_t>& groups() const { return groups_; }
 
   // Calls visit(w) for each site that is not certainly too far from v, in an order that depends on
@@ -43,19 +43,19 @@ class site_tree {
   template <class Visit>
   void visit_near(const site& v, double reach, const Visit& visit) const;
 
-  // The centre of a star, and how far it reaches.
+  // The centre of a star, and its reach: the distance beyond which no site matters to it.
   struct reaching {
     site v;
     double reach;
   };
   // Descends once for several stars: sets `leaves` to nodes that contain all sites which visit_near
   // visits for any of them, except leaves that end before `from` in the order. Returns false, with
-  // nothing set, where it does not pay: unless all reaches are finite and the stars' metrics much
-  // the same.
+  // nothing set, where a common descent costs more: unless all reaches are finite and the stars'
+  // metrics much alike.
   bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
               std::size_t from = 0) const;
-  // Visits what visit_near without leaves does, for one of the stars for which the leaves were
-  // gathered, and of these sites those from number `from` in the order on.
+  // Visits the sites that visit_near without leaves would visit for one of the stars for which the
+  // leaves were gathered, limited to those from number `from` in the order on.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit, std::size_t from = 0) const;
@@ -66,15 +66,15 @@ class site_tree {
     std::vector<std::size_t> leaves;
     std::vector<std::size_t> nth;  // in the order
     std::vector<double> x, y;      // their places
-    // One factor a site w: w is too far from v, whichever star v is, if |w - v|_v^2 times the
-    // factor exceeds the square of v's reach.
+    // One factor for each site w: w is too far from v, whichever of the stars v is, if |w - v|_v^2
+    // times the factor exceeds the square of v's reach.
     std::vector<double> share;
     bool are_usable = true;        // not too many, and in the range of what can be measured
     std::vector<double> measured;  // scratch of visit_near
   };
-  // Descends as the function for leaves does, and sets `nearby` to these and, unless they are more
-  // than `most_leaves` and have bounds by covectors, their sites. Beyond about 40 a star has fewer
-  // to look at where it asks leaves first, as in two fronts that cross: 2.2 thousand million
+  // Descends as the other gather() does, and sets `nearby` to the leaves and, unless they are more
+  // than `most_leaves` and have bounds by covectors, their sites. Beyond about 40 leaves, testing
+  // leaves before their sites costs less, as in two fronts that cross: 2.2 thousand million
   // instructions for 2.5 in a pass of 2,000 sites.
   bool gather(const std::vector<reaching>& stars, nearby_sites& nearby,
               std::size_t most_leaves = 40) const;
@@ -90,18 +90,18 @@ class site_tree {
     return squared > (square > least ? square : least) * up;
   }
 
-  // True if w is certainly too far from v.
+  // True if w is certainly too far from v to matter to a gap with this reach.
   static bool is_too_far(const site& v, double reach, const site& w);
 
  private:
   static constexpr std::size_t leaf_size = 8;
   static constexpr std::size_t most_depth = 64;  // nodes are halved
-  // Sites of a tree that keeps what it finds by covectors: 60 bytes a site, worth while where
-  // metrics vary much from site to site, which those of a large mesh do not.
+  // Largest number of sites for which the tree keeps bounds by covectors: 60 bytes a site, worth
+  // while where metrics vary much from site to site, which those of a large mesh do not.
   static constexpr std::size_t most_with_covectors = 100'000;
   static constexpr double beyond_all = std::numeric_limits<double>::infinity();
 
-  // Numbers that belong to the covectors x, y, x + y and x - y.
+  // One number for each of the covectors x, y, x + y and x - y.
   using by_covector = std::array<double, 4>;
 
   // The sites order_[first .. last), in a box. Every metric M_w among them is at least
@@ -113,27 +113,28 @@ class site_tree {
     std::size_t first = 0, last = 0;
     std::size_t right = 0;  // the left child follows its parent; no right child: a leaf
   };
-  // Bounds the sites of a node by covectors.
+  // Bounds of all sites of a node along the four covectors.
   struct covector_bounds {
     by_covector least, greatest, length;  // at most, at least and at least that of each site
   };
-  // One star, or several: their places are in the box, the metric M of each is at least `metric` /
-  // spread_squared and at most spread_squared `metric`. `reach` is that of all, each in the star's
-  // own metric, times the root of spread_squared.
+  // The centre of one star, or of several: their positions are in the box, the metric M of each is
+  // at least `metric` / spread_squared and at most spread_squared `metric`. `reach` covers that of
+  // every star, each in its own metric, times the root of spread_squared.
   struct centre {
     point low, high;
     metric_tensor metric;
     double reach = 0, spread_squared = 1;
-    // Known of one star: at least how long its metric finds each covector, the covectors' values at
-    // its place, and by how much these are off at most. Not known of several.
+    // Known of one star only: a lower bound of each covector's dual length in its metric, the
+    // covectors' values at its position, and bounds of the errors of these values.
     by_covector length{beyond_all, beyond_all, beyond_all, beyond_all}, value{};
     double lost = 0;
   };
-  // All w - v.
+  // Box of all displacements w - v from the centre to the node's sites.
   struct offset_box {
     point low, high;
   };
-  // All M_w^-1 are at most `factor` times this tensor.
+  // Bound of the inverse metrics of a node's sites: all M_w^-1 are at most `factor` times this
+  // tensor.
   struct inverse_bound {
     metric_tensor tensor;
     double factor = 0;  // infinite where not known
@@ -152,7 +153,7 @@ class site_tree {
   void bound_leaf(node& n) const;
   void bound_parent(node& n, const node& left, const node& right) const;
   void bound_covectors();
-  // Returns what bounds the sites of the node, its children's being known.
+  // Returns the bounds by covectors of a node whose children's bounds are known.
   covector_bounds bounds_of(std::size_t self) const;
   static by_covector lengths_of(const metric_tensor& m, double inverse_determinant);
   static centre centre_of(const site& v, double reach);
@@ -161,7 +162,8 @@ class site_tree {
   // one of the four covectors, or the one that separation_along chooses for the node.
   bool are_beyond(std::size_t self, const centre& v) const;
   static bool is_beyond(const point& d, const by_covector& length, const centre& v);
-  // Returns the g . (w - v) beyond which a site that measures g by at most this is too far.
+  // Returns the value of g . (w - v) beyond which a site w is too far, whose dual length of g is at
+  // most `length`.
   static double bound_along(const centre& v, std::size_t covector, double length) {
     constexpr double roundings = 1 + 0x1p-47, underflow = 0x1p-900;
     const double own = v.length[covector];
@@ -175,23 +177,24 @@ class site_tree {
                                 const inverse_bound& inverse);
   static bool too_far(const node& n, const centre& v);
   static bool too_far(const site& w, const centre& v);
-  // Returns the factor of |w - v|_v^2 for all sites w of the node and stars v; 0 where none is
-  // known.
+  // Returns the factor of |w - v|_v^2 that holds for all sites w of the node and stars v; 0 where
+  // none is known.
   static double share_of(const node& n, const centre& stars);
   // Lists the sites of the leaves in `nearby`.
   void list_sites(const centre& stars, nearby_sites& nearby) const;
   // True if measure() is valid for v, and its results may be compared with the square of the reach.
   static bool is_measurable(const site& v, double reach);
-  // Sets `measured` to lower bounds of the factors times |w - v|_v^2, one for each nearby site.
+  // Sets `measured` to lower bounds of |w - v|_v^2 times the site's factor, one for each nearby
+  // site.
   static void measure(nearby_sites& nearby, const site& v);
-  // True if a site with metric m at offset d is too far; with an upper bound of 1 / det m.
+  // True if a site with metric m at displacement d is too far; takes an upper bound of 1 / det m.
   static bool too_far(const point& d, const metric_tensor& m, double inverse_determinant,
                       const centre& v);
   // Returns the square of a distance from v beyond which no site of the node matters, whatever its
   // direction, though nearer ones may not either; infinite where none is known.
   static double far_squared(const node& n, const centre& v);
-  // True if all of the node's box is certainly farther than that from the one star v, as one of the
-  // axes shows.
+  // True if the node's whole box is certainly farther from the one star v than the root of
+  // far_squared, by its extent along one axis.
   static bool is_beside(const node& n, const centre& v, double far_squared);
   // True if the squared length of d in the metric m is certainly more than `far_squared`.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
@@ -216,7 +219,8 @@ class site_tree {
   std::vector<std::size_t> groups_;
   std::vector<point> places_;                 // in that order
   std::vector<double> inverse_determinants_;  // upper bounds, in that order
-  // Empty in large trees. At least those of the covectors, in that order; and of each node.
+  // Bounds by covectors, for each site in the order of the tree and for each node; empty in large
+  // trees.
   std::vector<by_covector> lengths_;
   std::vector<covector_bounds> covector_bounds_;
   std::vector<node> nodes_;

@@ -181,8 +181,8 @@ void star_check::check_other(const prepared_fan& p, vertex_index w, double squar
   const fan_gap* gap = gap_of(p, w);
   if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
   if (site_tree::is_too_far_by(squared, gap->reach)) return;
-  // Skips the test by w's own metric if the tree has made it: `squared` is 0 then, and the gap
-  // reaches as far as the fan.
+  // Skips the distance test by w's own metric if the tree has made it: `squared` is 0 then, and the
+  // gap's reach is that of the fan.
   const bool is_known = squared == 0 && !(gap->reach < p.reach);
   if (!is_known && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
   ++tally_.part.star_pairs;
@@ -200,15 +200,16 @@ bool star_check::is_accepted(vertex_index v, vertex_index w, const fan_gap& gap)
     const uncertain_bool by_v = prepared->accepts(at(w));
     if (by_v.certain()) return by_v.value();
   }
-  // Tried before the kernel's gap of w: made once for this gap, and cheaper.
+  // Tries the filter of v's gap before the kernel's gap of w: it is made once for this gap, and is
+  // cheaper.
   if (filter_of(v, gap).excludes(at(w))) return false;
   if (prepared != nullptr) {
-    // Asks w, whose answer is to the same question, and who is often less in doubt.
+    // Evaluates the gap of w, which answers the same question and often has the smaller error.
     const uncertain_bool by_w = star_gap(at(w), at(gap.y), at(gap.x)).accepts(at(v));
     if (by_w.certain()) return by_w.value();
   }
-  // Slower than both, and worth it: edge_test takes thirty times as long when it comes to
-  // intervals.
+  // Tries the filter from w's side. It is slower than both tests above, but edge_test takes thirty
+  // times as long when it needs intervals.
   if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
   if (context_.leaves_open) {
     if (sight_.clear(v, w)) leave_open(v, w, gap.x, gap.y, open_question::about::other_site);

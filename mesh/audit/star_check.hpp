@@ -2,11 +2,11 @@
 //
 // Tests the fans of a few stars against sites: their neighbours, or all that are in reach.
 //
-// How far a gap reaches takes few operations (audit/gap_reach.hpp); most gaps have no site to be
-// tested. Nearly every question is decided by the kernel's prepared gap (kernels/star_gap.hpp),
-// made once for a gap; the rest by the auditor's own filter of wider range, and then edge_test. The
-// mesher uses prepared gaps too. Where the two are not to share that, as in verify(), they are left
-// out (audit_options::own_filter_alone).
+// How far a gap reaches takes few operations (audit/gap_reach.hpp); most gaps have no site within
+// that. Nearly every test is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
+// for a gap; the rest by the auditor's own filter of wider range, and then edge_test. The mesher
+// uses prepared gaps too. Where the two are not to share that, as in verify(), they are left out
+// (audit_options::own_filter_alone).
 #pragma once
 
 #include <algorithm>
@@ -27,9 +27,9 @@
 
 namespace asterism::internal::audit_detail {
 
-// One gap of a fan, from x counter-clockwise to y.
+// A gap of a fan, from neighbour x counter-clockwise to neighbour y.
 struct fan_gap {
-  // Does not initialise what is prepared later.
+  // Leaves the prepared members uninitialised: they are made when a test needs them.
   fan_gap(vertex_index before, vertex_index after) : x(before), y(after) {}
 
   vertex_index x, y;
@@ -40,7 +40,7 @@ struct fan_gap {
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
 
-// One fan of v's star, made ready to be asked about other sites.
+// One fan of v's star, prepared for tests of other sites.
 struct prepared_fan {
   vertex_index v = 0;
   std::span<const vertex_index> link;
@@ -52,7 +52,8 @@ struct prepared_fan {
   bool has_others = false;
 };
 
-// Checks the stars of some vertices in one thread, and enters findings into its tally.
+// Checks the stars of some vertices in one thread, and enters findings into the tally of that
+// thread.
 class star_check {
  public:
   star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
@@ -77,45 +78,49 @@ class star_check {
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
 
-  // Tests all sites in reach of the fans against their gaps. Searches once for all fans whose
-  // vertices measure much the same; else for each half, and in the end for each one.
+  // Tests all sites within the reaches of the fans against their gaps. Descends the tree once for
+  // all fans if their vertices' metrics are much alike; else once for each half, and in the end for
+  // each fan.
   void hold_all(std::span<const prepared_fan> fans);
   void hold_all(const prepared_fan& p, bool gathered);
-  // Tests w; `squared` is what the tree measured of it, or 0 if nothing.
+  // Tests w against one fan; `squared` is the lower bound that the tree measured of it, or 0 if it
+  // measured none.
   void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
     patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
     if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
       check_other(p, w, squared, at_concerned);
   }
-  // In this fan: neighbours in other fans of v, of which there may be thousands, are in none of its
-  // gaps.
+  // True if w is a neighbour in this fan. Neighbours in other fans of v, of which there may be
+  // thousands, are in none of its gaps.
   static bool is_neighbour(const prepared_fan& p, vertex_index w) {
     return std::find(p.link.begin(), p.link.end(), w) != p.link.end();
   }
 
-  // Asks about each inner edge of a fan once, from its lesser end: what edge_test is asked about
-  // the other end is the same question, and x and y are next to v there.
+  // Tests each inner edge of a fan once, from the end with the lesser number: edge_test from the
+  // other end is the same question, as x and y are adjacent to v there.
   void check_neighbours(vertex_index v, const vertex_fan& fan);
-  // True if all four have one metric and edge_test accepts the edge: then it stands, whether or not
-  // either end asks. Elsewhere the answer would be dear where nobody does.
+  // True if all four sites have one metric and edge_test accepts the edge: then neither end needs
+  // to test it. With other metrics this test would cost more than it spares.
   bool is_accepted_in_one_metric(vertex_index v, vertex_index w, vertex_index x,
                                  vertex_index y) const;
   // False where x to y is a half turn or more, or w inside the triangle v, x, y.
   bool is_asked(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const;
   void report_rejected(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
-  // Prepares the fans of v, but for those that no changed site is in reach of, and remembers how
-  // far they reach.
+  // Prepares the fans of v and remembers their reaches. Leaves out fans that have no changed site
+  // within reach.
   void prepare(vertex_index v);
   bool concerns(vertex_index v, const vertex_fan& fan) const;
-  // True if a changed site may matter to a star of v that reaches so far.
+  // True if a changed site is within this reach of v, and may matter to its star.
   bool is_reached(vertex_index v, double reach);
   void prepare(vertex_index v, const vertex_fan& fan);
   bool is_left_open(const fan_gap& gap) const;
-  // Returns the reach of the gap, without preparing it for questions, which most gaps do not need.
-  // A sharper bound than a few edges of the gap is not worth its cost.
+  // Returns the reach of the gap without preparing its tests, which most gaps do not need. Sharper
+  // bounds are not computed once the reach is a few edges of the gap: they would cost more than
+  // they spare.
   double reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
                   const measured_ray& to_x, const measured_ray& to_y) const;
-  // Returns the kernel's gap, made when it is first asked for; null where it is not to be shared.
+  // Returns the kernel's gap, made when a test first needs it; null where the kernel is not to be
+  // shared.
   const star_gap* prepared_gap(vertex_index v, const fan_gap& gap) const {
     if (context_.options.own_filter_alone) return nullptr;
     if (!gap.prepared) gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
@@ -130,9 +135,10 @@ class star_check {
     return {context_.at(w).x - context_.at(v).x, context_.at(w).y - context_.at(v).y};
   }
 
-  // Returns on which side of the ray from v to link[i] w is. The area is off by at most four
-  // roundings, 2^-50, of its magnitude; in the range asked for underflow takes less than the rest
-  // of 2^-49. Here, as it is asked of every ray.
+  // Returns on which side of the ray from v to link[i] the site w is. The computed area has an
+  // error of at most four roundings, 2^-50, of its magnitude; in the range checked first, underflow
+  // takes less than the rest of 2^-49. Defined in the header to be inlined, as it is called for
+  // every ray.
   sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w,
             vertex_index w) const {
     const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
@@ -143,14 +149,15 @@ class star_check {
   }
   // Returns the gap strictly between whose rays w lies; none on a ray or outside an open fan.
   const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const;
-  // Tests w against the gap that it is in, if that is one of those concerned.
+  // Tests w against the gap that contains it, if that gap is among those to be tested.
   void check_other(const prepared_fan& p, vertex_index w, double squared, bool at_concerned);
   bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap);
-  // Returns whether the neighbour w is accepted. Notes a question left open and returns true.
+  // Returns whether the star accepts the neighbour w. Where that is left open, notes the question
+  // and returns true.
   bool is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
   void leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,
                   open_question::about what);
-  // Work of comparing a site, and of the ray that it is compared with, as they take 50 and 5
+  // Work units of comparing a site with a ray, and of preparing the ray: 50 and 5
   // nanoseconds.
   static constexpr double unit_of_look = 0.005, unit_of_gap = 0.0005;
 
@@ -159,7 +166,7 @@ class star_check {
   audit_work_guard patience_;
   const star_surroundings& around_;
   visibility_test sight_;
-  // Scratch for the present vertices; members, so that they are not allocated each time.
+  // Scratch vectors for the present vertices; members, so that they are not allocated each time.
   std::vector<prepared_fan> prepared_;  // the first used_
   std::size_t used_ = 0;
   std::vector<site_tree::reaching> reaching_;

@@ -15,7 +15,7 @@ vector2<bounded> offset_of(const site& v, const site& z) {
 
 vector2<bounded> quarter_turn(const vector2<bounded>& a) { return {-a.y, a.x}; }
 
-// A gap's side in plain doubles.
+// The side of a gap, as gap_side describes it, in plain doubles.
 struct plain_side {
   explicit plain_side(const gap_side& z)
       : offset{z.offset.x.value(), z.offset.y.value()},
@@ -33,19 +33,19 @@ struct plain_side {
   double inverse_length, bend;
 };
 
-// Returns the direction in which the lower bounds of both sides are about equal, in plain doubles:
+// Returns the direction in which the lower bounds of s_x and s_y are about equal, in plain doubles:
 // any direction is a valid choice, a good one makes the filter strong. Between x and y the
 // difference of the bounds changes sign once; the secant through both ends is refined by bisection.
 vector2<double> balanced_direction(const gap_side& x_side, const gap_side& y_side,
                                    const metric_tensor& m) {
   const plain_side x(x_side), y(y_side);
-  // Ends scaled to about unit length, so that t moves evenly.
+  // Scales both ends to about unit length, so that t divides the angle evenly.
   const auto direction = [&](double t) {
     const double at_x = (1 - t) * x.inverse_length, at_y = t * y.inverse_length;
     return vector2<double>{at_x * x.offset.x + at_y * y.offset.x,
                            at_x * x.offset.y + at_y * y.offset.y};
   };
-  // Obtuse triangles have their Voronoi vertex beyond x or y.
+  // Searches beyond both ends: obtuse triangles have their Voronoi vertex beyond x or y.
   double low = -1, high = 2;
   for (int i = 0; i < 20; ++i) {
     const double t = (low + high) / 2;
@@ -94,7 +94,7 @@ star_gap_filter::star_gap_filter(const site& v, const site& x, const site& y)
   middle_length_squared_ = dot(middle_, metric * middle_);
   middle_bound_x_ = x_.bound(middle_, middle_length_squared_);
   middle_bound_y_ = y_.bound(middle_, middle_length_squared_);
-  // A bound that is not positive says nothing of how far the ray goes.
+  // Excludes bounds that are not positive: they do not bound the distance along the ray.
   usable_ = dot(middle_, x_.v_covector).certainly_positive() &&
             dot(middle_, y_.v_covector).certainly_positive() &&
             middle_bound_x_.certainly_positive() && middle_bound_y_.certainly_positive();
@@ -110,7 +110,7 @@ double star_gap_filter::reach() const {
 
 namespace {
 
-// s_w from above, as a convex function of the direction.
+// Upper bound of s_w, as a convex function of the direction.
 struct upper_bound {
   upper_bound(const site& v, const site& w) : offset(offset_of(v, w)) {
     const tensor<bounded> own = tensor_of_doubles(w.metric), metric = tensor_of_doubles(v.metric);
@@ -135,9 +135,10 @@ struct upper_bound {
   double bend = 0;
 };
 
-// True if nothing of w is left between the middle direction and `end`, the one at a right angle to
-// w on the side of z: either z alone stands in the way all along, or from z's own ray on the
-// triangle of v, w and the point contains z. `turned` is the area of z and w, positive.
+// True if no direction between the middle one and `end` is left for w. `end` is at a right angle to
+// w on the side of z. Either z alone blocks all of these directions, or it does so beyond some
+// direction, and the triangle of v, w and the point on the way contains z. `turned` is the area of
+// z and w, positive.
 bool closed_towards(const gap_side& z, const upper_bound& w, const vector2<bounded>& end,
                     const bounded& turned) {
   const bounded end_length_squared = w.determinant * w.v_length_squared;

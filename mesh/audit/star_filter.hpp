@@ -36,20 +36,22 @@ struct gap_side {
 
 class star_gap_filter {
  public:
-  // v, x, y counter-clockwise, all metrics positive definite.
+  // Prepares the filter for the gap from x to y: v, x, y counter-clockwise, all metrics positive
+  // definite.
   star_gap_filter(const site& v, const site& x, const site& y);
 
-  // True: edge_test(v, w, x, y) is certainly false, ties included. w lies strictly between the rays
-  // from v through x and y.
+  // True only if edge_test(v, w, x, y) is certainly false, ties included. Requires w strictly
+  // between the rays from v through x and y.
   bool excludes(const site& w) const;
-  // Returns R of lemma 4.3, as site_tree wants it: at least 1 / s in the middle direction, how far
-  // the bisectors of x and y are along their edges, and half of both edges.
+  // Returns R of lemma 4.3, as site_tree uses it: at least 1 / s in the middle direction, the
+  // distances to the bisectors of x and y along their edges, and half of both edges.
   double reach() const;
 
  private:
   site v_;
   gap_side x_, y_;
-  // The middle direction is certainly within a right angle of x and y, and the ray along it ends.
+  // Whether the middle direction is certainly within a right angle of x and y, and the ray along it
+  // ends.
   bool usable_ = false;
   vector2<bounded> middle_;
   bounded middle_length_squared_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what an audit of a mesh passes to the next one about its stars. Internal to the library.
+// Holds what an audit of a mesh passes to the next one about its stars: reaches and open questions.
+// Internal to the library.
 #pragma once
 
 #include <array>
@@ -10,23 +11,23 @@
 
 namespace asterism::internal {
 
-// Open question about a star: whether it accepts a neighbour, as it should, or another site, as it
-// should not, or any other site in a gap of unknown reach.
+// Kind of an open question about a star: whether it accepts a neighbour, as it should; whether it
+// accepts another site, as it should not; or any site at all, in a gap of unknown reach.
 struct open_question {
   enum class about { neighbour, other_site, gap };
 
-  // The centre of the star; the site, of a gap the centre again; the neighbours before and after
-  // it.
+  // Vertices of the question: the centre of the star; the site in question, for a gap the centre
+  // again; the neighbours before and after it.
   std::array<vertex_index, 4> sites;
   about what;
 };
 
 struct star_memory {
   std::vector<open_question> open;  // questions that are left
-  // How far each site's star reaches, in its own metric; empty where that is not known.
+  // Reach of each site's star, in the site's own metric; empty where reaches are not known.
   std::vector<double> reaches;
-  // Power of the factor of two of squares of these lengths: a metric of very large numbers is asked
-  // about in other units, which depend on the largest.
+  // Exponent of the power of two by which the squares of these reaches are scaled: stars of very
+  // large metrics are checked in other units, which depend on the largest number.
   int power_of_squares = 0;
 };
 

@@ -13,10 +13,10 @@ site scaled(const site& s, int places, int metrics) {
           {std::scalbn(m.m11, metrics), std::scalbn(m.m12, metrics), std::scalbn(m.m22, metrics)}};
 }
 
-// No question about stars changes its answer when all places are multiplied by one number and all
-// metrics by another. Very large and very small ones are brought to about unit size by powers of
-// two, where doubles can decide; if that is exact for every site. Empty otherwise. Tells the
-// power of two that squares of lengths are multiplied by.
+// Returns the sites in about unit size, where doubles can decide: scales very large and very small
+// ones by powers of two, positions by one and metrics by another, which changes the answer to no
+// question about stars. Empty if that is not needed, or not exact for every site. Sets `of_squares`
+// to the exponent that squares of lengths are scaled by.
 std::vector<site> in_unit_size(const std::vector<site>& sites, int& of_squares) {
   constexpr int ordinary = 64;
   double reach = 0, steepest = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what all parts of the check of stars look things up in: the sites in unit size, trees of
-// them and of the subsegments, and which sites have changed since an audit before.
+// Holds what all parts of the check of stars share: the sites in unit size, trees of them and of
+// the subsegments, and the sites that changed since the audit before.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,14 @@ struct star_surroundings {
   star_surroundings(const star_surroundings&) = delete;
   star_surroundings& operator=(const star_surroundings&) = delete;
 
-  // True if an answer that depends on the sites may have changed.
+  // True if an answer that depends on these sites may have changed.
   template <class... Vertices>
   bool concerns(Vertices... v) const {
     return is_changed.empty() || (is_changed[v] | ...);
   }
 
-  // Sets the tree of all sites: of the mesh's own sites, unless they were brought to unit size.
+  // Builds the tree of all sites, or takes that of the mesh's own sites unless they were scaled to
+  // unit size.
   void plant(audit_context& context) {
     if (!unit.empty() && !of_unit) of_unit.emplace(unit);
     sites = unit.empty() ? &context.plant() : &*of_unit;

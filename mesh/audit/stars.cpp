@@ -9,9 +9,9 @@
 // Source: the thesis, section 3.3 (INSERTIONTEST) and definition 9.
 //
 // A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
-// hold against each. It also has edges that are refused at once, by the site across them. So these
-// are asked first, and where some are refused the mesh is, without the rest. Where all sites have
-// one metric and none is refused, there is nothing else to ask.
+// test against each. It also has edges that are refused at once, by the site across them. So edges
+// are tested first, and where some are refused the mesh is, without the rest. Where all sites have
+// one metric and no edge is refused, no other test is needed.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -27,17 +27,17 @@
 namespace asterism::internal::audit_detail {
 namespace {
 
-// True if nothing was found, and nothing left open, so far.
+// True if no finding was made and no question left open so far.
 bool found_nothing(const audit_context& context) {
   const bool are_open = context.memory != nullptr && !context.memory->open.empty();
   return context.report.total_found() == 0 && !are_open;
 }
 
-// How a check of some stars ended.
+// Result of a check of some stars: all checked, mesh refused early, or work used up.
 enum class look_end { all, refused, unfinished };
 
-// Checks stars in order. Refused once more than `most` was found, unfinished after the most work
-// that is done for so many sites, or when it is cancelled.
+// Checks stars in order. Ends as `refused` after more than `most` findings, and as `unfinished`
+// once the work limit for the number of sites is reached, or when the run is cancelled.
 look_end check_in_turn(audit_context& context, const star_surroundings& around,
                        const check_order& in_order, bool neighbours_alone, std::size_t most) {
   const std::vector<vertex_index>& order = in_order.vertices;
@@ -55,7 +55,7 @@ look_end check_in_turn(audit_context& context, const star_surroundings& around,
   return is_refused() ? look_end::refused : look_end::unfinished;
 }
 
-// Enters into the report that a check ended early.
+// Enters a finding that the check ended early.
 void note_end(audit_context& context, look_end how) {
   if (how == look_end::refused) context.report.stars_cut_short = true;
   if (how != look_end::unfinished) return;
@@ -63,14 +63,14 @@ void note_end(audit_context& context, look_end how) {
   context.found(finding_kind::stopped, unfinished_text(context, "the stars"));
 }
 
-// True if all sites have one metric: then neighbours, once none is rejected and nothing else is
-// found or left open, leave no other site to look for (docs/math/certificate.md, 4.0).
+// True if all sites have one metric: then the tests of neighbours suffice, if none is rejected and
+// nothing else is found or left open (docs/math/certificate.md, 4.0).
 bool have_one_metric(const std::vector<site>& sites) {
   return std::all_of(sites.begin(), sites.end(),
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
-// Resets the reaches in the memory to unknown where there are none, or they are in other units.
+// Resets the remembered reaches to unknown if the memory has none, or has them in other units.
 void take_reaches(const audit_context& context, int power_of_squares) {
   star_memory& memory = *context.memory;
   const bool are_known = !memory.reaches.empty() && memory.power_of_squares == power_of_squares;
@@ -85,9 +85,9 @@ look_end check_others(audit_context& context, star_surroundings& around, std::si
   return check_in_turn(context, around, in_order_of_tree(*around.sites), false, most);
 }
 
-// Tests against all sites although neighbours suffice, as a second route to the answer, with half
-// of the work. Where that is too little, as with thousands of sites on a line, each of whose stars
-// sees all, the first route counts.
+// Tests against all sites although the tests of neighbours suffice, as a second route to the
+// answer, with half of the work limit. Where that is too little, as with thousands of sites on a
+// line, each of whose stars reaches all, the answer of the first route counts.
 look_end check_others_again(audit_context& context, star_surroundings& around, std::size_t most) {
   const double share = context.share_of_work;
   context.share_of_work = share / 2;
@@ -100,10 +100,10 @@ look_end check_others_again(audit_context& context, star_surroundings& around, s
 
 }  // namespace
 
-// Tests stars against their neighbours first, then against all sites in reach. Ends once more is
-// refused than a tenth of the sites, unless every finding is to be kept: such stars see far, and
-// testing them all would only refuse the mesh again. Ends, too, after the most work that is done
-// (audit/audit_work.hpp), of which a mesh that is refused already has a part.
+// Tests stars against their neighbours first, then against all sites in reach. Ends once more edges
+// are refused than a tenth of the number of sites, unless every finding is to be kept: such stars
+// see far, and testing them all would only refuse the mesh again. Ends, too, at the work limit
+// (audit/audit_work.hpp), of which a mesh that is refused already gets a part.
 void check_stars(audit_context& context) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), part = 10;
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;
@@ -115,8 +115,8 @@ void check_stars(audit_context& context) {
   const bool may_suffice = have_one_metric(context.subject.sites);
   const bool in_two_ways = context.options.own_filter_alone;
   check_order order;
-  // Findings are reported in the order of the vertices. The next audit gets what is left open in
-  // the order of the tree.
+  // Checks in the order of the vertices where findings are reported, and in that of the tree where
+  // open questions are passed to the next audit.
   if (!in_two_ways && (may_suffice || context.memory == nullptr)) {
     order = in_order_of_mesh(context.subject.sites.size());
   } else {

@@ -24,8 +24,8 @@ void subsegment_tree::build(std::size_t first, std::size_t last) {
   nodes_[self] = {around, first, last, 0};
   if (last - first <= leaf_size) return;
   const std::size_t middle = first + (last - first) / 2;
-  // Halved, as sums and differences of finite doubles may overflow. Which half a subsegment is in
-  // decides cost alone.
+  // Halves coordinates first, as sums and differences of finite doubles may overflow. The half that
+  // a subsegment falls into affects cost alone.
   const bool wide = around.high.x / 2 - around.low.x / 2 > around.high.y / 2 - around.low.y / 2;
   const auto place = [wide](const boxed& b) {
     return wide ? b.box.low.x / 2 + b.box.high.x / 2 : b.box.low.y / 2 + b.box.high.y / 2;

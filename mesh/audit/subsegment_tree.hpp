@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the boundary subsegments that may be in a place, in a tree of boxes, by comparisons alone.
+// Finds the boundary subsegments whose boxes meet a given box, in a tree of boxes, by comparisons
+// alone.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,7 @@ inline bool overlap(const plane_box& a, const plane_box& b) {
 
 class subsegment_tree {
  public:
-  // Builds the tree of context.subsegments.
+  // Builds the tree over context.subsegments.
   explicit subsegment_tree(const audit_context& context);
 
   // Calls visit(subsegment) for each subsegment whose box meets the closed one, in an order that
@@ -50,7 +51,8 @@ class subsegment_tree {
 
   void build(std::size_t first, std::size_t last);
 
-  // The halves of a node differ in size by one at most: no deeper than the number's bits.
+  // Depth bound: the halves of a node differ in size by one at most, so the depth is at most the
+  // number of bits of the count.
   template <class Visit>
   bool visit_below(std::size_t self, const plane_box& box, const Visit& visit) const {
     const node& n = nodes_[self];

@@ -33,14 +33,14 @@ offset at(const std::array<site, 3>& t, const place& p) {
           bounded(p.second) * to_b.y + bounded(p.third) * to_c.y};
 }
 
-// Returns the share of the way from p to q at which both are about equally far.
+// Returns the t at which p + t (q - p) is about equally far from p and q, each by its own metric.
 double middle_share(const site& p, const site& q) {
   const double from_p = distance(p, q).value(), from_q = distance(q, p).value();
   const double share = from_q / (from_p + from_q);
   return share > 0 && share < 1 ? share : 0.5;
 }
 
-// Returns about where all three are equally far, pulled onto the triangle.
+// Returns about the point that is equally far from all three corners, moved onto the triangle.
 place middle_place(const std::array<site, 3>& t) {
   const auto vertex = enclose_voronoi_vertex(t[0], t[1], t[2]);
   const offset to_b = between(t[0].position, t[1].position),
@@ -49,7 +49,7 @@ place middle_place(const std::array<site, 3>& t) {
   place p{1.0 / 3, 1.0 / 3};
   if (vertex) p = {cross(*vertex, to_c).value() / area, cross(to_b, *vertex).value() / area};
   if (!(std::abs(p.second) < infinity && std::abs(p.third) < infinity)) p = {1.0 / 3, 1.0 / 3};
-  // Beyond the longest edge the vertex is replaced by the middle of that edge.
+  // Replaces a vertex beyond the longest edge by the middle of that edge.
   if (p.second < 0) return {0, middle_share(t[0], t[2])};
   if (p.third < 0) return {middle_share(t[0], t[1]), 0};
   constexpr double all_but = 1 - 0x1p-40;
@@ -78,7 +78,7 @@ double root_above(double a) {
   return r < infinity ? r : infinity;
 }
 
-// --- Plain doubles, where a bound that is not as near will do.
+// --- Bounds in plain doubles, where a coarser bound is enough.
 
 point plain_between(const site& from, const site& to) {
   return {to.position.x - from.position.x, to.position.y - from.position.y};
@@ -88,8 +88,8 @@ point covector(const metric_tensor& m, const point& u) {
   return {m.m11 * u.x + m.m12 * u.y, m.m12 * u.x + m.m22 * u.y};
 }
 
-// Returns x, from the first corner, after one step of Newton's method towards where all three
-// corners are equally far.
+// Returns a point relative to the first corner, after one Newton step towards the point equally far
+// from all three corners.
 point nearer_to_vertex(const std::array<site, 3>& t, const point& to_b, const point& to_c,
                        const point& x) {
   const point from_b{x.x - to_b.x, x.y - to_b.y}, from_c{x.x - to_c.x, x.y - to_c.y};
@@ -106,8 +106,8 @@ point nearer_to_vertex(const std::array<site, 3>& t, const point& to_b, const po
 
 // Returns about where all three corners are equally far: a step from the centre of the circle that
 // the sum of their metrics sees through them, as a place of the triangle; beyond an edge the middle
-// of that edge. Never outside, and not trusted for anything else. Both vectors are from the first
-// corner.
+// of that edge. The result is never outside the triangle; nothing else is assumed of it. Both
+// vectors are from the first corner.
 place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const point& to_c) {
   constexpr double all_but = 1 - 0x1p-40;
   metric_tensor m{0, 0, 0};
@@ -130,12 +130,12 @@ place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const 
   return p;
 }
 
-// Returns |q - p|_m from above, of two points of a triangle that are known as vectors from its
-// first corner. No coordinate of either or of their difference is more than that of `extent`, the
-// sum of the absolute ones of both other corners; what is computed of the difference is off by at
-// most five roundings of that, not of itself: sums cancel. The form is off by fifteen, each of
-// 2^-52 at most in any rounding mode, of `size`. What underflows is less than that in the range
-// asked for.
+// Returns an upper bound of |q - p|_m for two points of a triangle, given as vectors from its first
+// corner. No coordinate of either or of their difference is more than that of `extent`, the sum of
+// the absolute ones of both other corners; what is computed of the difference is off by at most
+// five roundings of that, not of itself: sums cancel. The form is off by fifteen, each of 2^-52 at
+// most in any rounding mode, of `size`. What underflows is less than that in the range checked
+// first.
 double plain_distance_above(const metric_tensor& m, const point& p, const point& q,
                             const point& extent) {
   const point d{q.x - p.x, q.y - p.y};
@@ -148,8 +148,8 @@ double plain_distance_above(const metric_tensor& m, const point& p, const point&
 
 bool is_in_range(double size) { return size > 0x1p-800 && size < 0x1p800; }
 
-// Returns a bound on tau that keeps both measures of a pair at this distance within what is known;
-// 0 where none is sure. 1 - sigma d is off by a part of 2^-30 at most where it is not small.
+// Returns the largest tau with which a pair at this distance exceeds no measure in `known`; 0 where
+// none is sure. 1 - sigma d has an error below 2^-30 of it where it is not small.
 double distortion_allowed(const pair_measures& known, double distance_below) {
   constexpr double down = 1 - 0x1p-28;
   const double left = 1 - known.variation_above * distance_below;
@@ -158,8 +158,8 @@ double distortion_allowed(const pair_measures& known, double distance_below) {
   return t > 1 && t < 0x1p20 ? t : 0;
 }
 
-// Does what is_within() does where the answer is clear: what is compared here is off by at most
-// 2^-44 of the magnitudes.
+// Decides what is_within() decides where the answer is clear: the compared values have errors of at
+// most 2^-44 of their magnitudes.
 bool is_clearly_within(const pair_measures& known, const site& p, const site& q) {
   const point d = plain_between(p, q);
   const sized_value from_p = sized_square_norm(p.metric, d),
@@ -187,8 +187,9 @@ double distance_above(const site& p, const site& q) {
   return d < infinity ? d : infinity;
 }
 
-// A point x of the triangle and one point on each edge cut it into six triangles, each with one
-// corner of it; that is within R of all of such a triangle if it is of the two other points.
+// Bounds the covering radius of a triangle. A point x of it and one point on each edge cut it into
+// six triangles, each with one corner of it; that corner is within R of such a small triangle if it
+// is within R of the two other points.
 double covering_radius_above(const std::array<site, 3>& t) {
   const offset x = at(t, middle_place(t));
   double radius = 0;
@@ -204,7 +205,8 @@ double covering_radius_above(const std::array<site, 3>& t) {
   return radius;
 }
 
-// No point of the triangle is farther from a corner, as that measures, than one of the other two.
+// Covers all points of the triangle: none is farther from a corner, as that measures, than one of
+// the other two corners.
 double quick_covering_radius_above(const std::array<site, 3>& t, double enough) {
   const point to_b = plain_between(t[0], t[1]), to_c = plain_between(t[0], t[2]);
   const point extent{std::abs(to_b.x) + std::abs(to_c.x), std::abs(to_b.y) + std::abs(to_c.y)};
@@ -230,8 +232,8 @@ double quick_covering_radius_above(const std::array<site, 3>& t, double enough) 
   return radius < infinity ? radius * (1 + 0x1p-50) : infinity;
 }
 
-// A line across u separates the disks if |u.d| > R (|u| as p's inverse metric measures + as q's).
-// u = M_p d, then M_q d.
+// Tries lines that separate the disks: a line across u separates the disks if |u.d| > R (|u| as p's
+// inverse metric measures + as q's). u = M_p d, then M_q d.
 bool certainly_apart(const site& p, const site& q, double radius) {
   const auto separates = [radius](const site& first, const site& second) {
     const offset d = between(first.position, second.position);
@@ -257,9 +259,9 @@ pair_measures measure_pair(const site& p, const site& q) {
   return pair;
 }
 
-// tau <= t when no eigenvalue of M_p^-1 M_q or of its inverse is more than c = t^2: for M_p^-1 M_q
-// when c^2 |M_p| - c S + |M_q| > 0 and 2 c |M_p| > S, S the trace times |M_p|. sigma d <= s d when
-// tau <= 1 / (1 - s d).
+// Decides by polynomials: tau <= t when no eigenvalue of M_p^-1 M_q or of its inverse is more than
+// c = t^2: for M_p^-1 M_q when c^2 |M_p| - c S + |M_q| > 0 and 2 c |M_p| > S, S the trace times
+// |M_p|. sigma d <= s d when tau <= 1 / (1 - s d).
 bool is_within(const pair_measures& known, const site& p, const site& q) {
   if (is_clearly_within(known, p, q)) return true;
   const offset d = between(p.position, q.position);

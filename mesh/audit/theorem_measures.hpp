@@ -11,7 +11,7 @@
 
 namespace asterism::internal::theorem {
 
-// Returns |q - p| as p measures it, from above.
+// Returns an upper bound of |q - p| as p measures it.
 double distance_above(const site& p, const site& q);
 
 // Returns a radius R such that each point of the triangle is within R of one of its corners, as
@@ -26,24 +26,24 @@ double quick_covering_radius_above(const std::array<site, 3>& corners, double en
 // in common.
 bool certainly_apart(const site& p, const site& q, double radius);
 
-// Measures of two sites: the greater of both distances, from below; tau, and the least sigma for
-// which tau <= 1 / (1 - sigma d) for the smaller distance d, both from above.
+// Measures of two sites: a lower bound of the greater of both distances; upper bounds of tau, and
+// of the least sigma for which tau <= 1 / (1 - sigma d) for the smaller distance d.
 struct pair_measures {
   double larger_distance_below = 0, distortion_above = 1, variation_above = 0;
 };
 pair_measures measure_pair(const site& p, const site& q);
 
-// True if certainly no measure of p and q is beyond the corresponding one of `known`. Takes a
-// fraction of the work of measuring them.
+// True only if no measure of p and q is beyond the corresponding one of `known`. Takes a fraction
+// of the work of measuring them.
 bool is_within(const pair_measures& known, const site& p, const site& q);
 
-// True if radius * tau * sqrt(tau^2 - 1) < spacing, certainly.
+// True only if radius * tau * sqrt(tau^2 - 1) < spacing.
 bool arcs_are_wedged(double radius, double spacing, double distortion);
 
-// Returns the greater of sigma R and 1 - 1 / sqrt(tau), from above.
+// Returns an upper bound of the greater of sigma R and 1 - 1 / sqrt(tau).
 double table_variation_above(double variation, double radius, double distortion);
 
-// Returns a / b from above; infinite unless b is positive.
+// Returns an upper bound of a / b; infinite unless b is positive.
 double quotient_above(double a, double b);
 
 }  // namespace asterism::internal::theorem

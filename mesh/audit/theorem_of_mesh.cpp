@@ -35,10 +35,10 @@ using audit_detail::site_tree;
 constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be wedged
 constexpr std::size_t chunk = 1024, looked_for_together = 8;
 
-// Returns the units of kernels/work_units.hpp that may be spent on the pairs of so many sites, and
-// as much again on their subsegments: a second, and 0.2 milliseconds a site. Meshes that a size was
-// kept for have 15 near pairs a site and take less than one unit for them. Where a few triangles
-// are far larger than the others every site is near every other.
+// Returns the work limit for the pairs of this number of sites, in units of kernels/work_units.hpp:
+// a second, and 0.2 milliseconds a site. Their subsegments have the same limit again. Meshes that
+// keep to their size have 15 near pairs a site and take less than one unit for them. Where a few
+// triangles are far larger than the others every site is near every other.
 double most_units(std::size_t sites) {
   constexpr double at_least = 1e5, for_each = 20;
   return at_least + for_each * static_cast<double>(sites);
@@ -59,7 +59,7 @@ std::array<site, 3> corners_of(const mesh& m, std::size_t i) {
   return {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
 }
 
-// Returns the triangle of a few whose covering radius is likely to be the greatest.
+// Returns the triangle, among a few, that is likely to have the greatest covering radius.
 std::size_t widest_of_some(const mesh& m) {
   constexpr std::size_t step = 64;
   std::size_t widest = 0;
@@ -74,15 +74,15 @@ std::size_t widest_of_some(const mesh& m) {
   return widest;
 }
 
-// A chunk's covering radius needs no measuring where the quick ones are below what another chunk
-// has already: so the triangle of each that is likely to have the greatest is measured before the
-// rest.
+// Measures first the triangle of each chunk that is likely to have the greatest covering
+// radius: a chunk needs no exact radius where its quick bounds are below the greatest one
+// known.
 double covering_radius(const mesh& m) {
   if (m.triangles.empty()) return 0;
   const auto radius_of = [&](std::size_t i) {
     return theorem::covering_radius_above(corners_of(m, i));
   };
-  // Skips the exact radius of triangles that are certainly no larger than the largest of some.
+  // Skips the exact radius of triangles whose quick bound is below the exact radius of another one.
   const double enough = radius_of(widest_of_some(m));
   std::vector<double> quick(m.triangles.size());
   const auto widest = collect_chunks<double>(
@@ -108,10 +108,10 @@ double covering_radius(const mesh& m) {
   return radius;
 }
 
-// Returns how far sites may be from each other, as disks of that radius around them meet, to matter
-// to what is measured: the covering radius, or, where all metrics are one, half the shortest edge.
-// Pairs farther apart than that edge are measured in vain there: their metrics do not differ. Where
-// sites are spread unevenly, as random ones are, that spares nearly all pairs.
+// Returns the radius of disks around sites that must meet for the pair to matter to the measures:
+// the covering radius, or, where all metrics are one, half the shortest edge. Pairs farther apart
+// than that edge are measured in vain there: their metrics do not differ. Where sites are spread
+// unevenly, as random ones are, that spares nearly all pairs.
 double radius_that_matters(const mesh& m, double covering_radius) {
   const metric_tensor& one = m.sites.front().metric;
   const bool is_one = std::all_of(m.sites.begin(), m.sites.end(),
@@ -125,15 +125,15 @@ double radius_that_matters(const mesh& m, double covering_radius) {
   return std::min(covering_radius, 0.5 * shortest);
 }
 
-// An upper bound of how metrics differ; infinite where products of their entries leave the range of
-// doubles.
+// Returns a clause that names the bound of the ratio of lengths in two metrics, or says that
+// doubles do not hold it, where products of their entries leave the range.
 std::string difference_text(double distortion) {
   if (!(distortion < std::numeric_limits<double>::infinity()))
     return "differ by a factor that doubles do not tell";
   return "differ by a factor of " + format_number(distortion);
 }
 
-// Measures the pair of v and w. Most are within what was measured before.
+// Measures the pair of v and w, unless a quick test shows that no measure so far is exceeded.
 void measure_near_pair(const mesh& m, vertex_index v, vertex_index w, double radius,
                        measured_part& part) {
   const site &centre = m.sites[v], &other = m.sites[w];
@@ -153,7 +153,8 @@ void measure_near_pair(const mesh& m, vertex_index v, vertex_index w, double rad
                    difference_text(pair.distortion_above);
 }
 
-// The sites in the order of a tree, in which near ones are near each other, and where each is.
+// Sites in the order of a tree, in which near ones are near each other, and the place of each site
+// in that order.
 struct ordered_sites {
   explicit ordered_sites(const site_tree& of) : tree(of), rank(of.order().size()) {
     for (std::size_t i = 0; i < rank.size(); ++i) rank[of.order()[i]] = i;
@@ -162,8 +163,8 @@ struct ordered_sites {
   std::vector<std::size_t> rank;
 };
 
-// Measures the pairs of the sites from `first` to before `last` with those after them in the
-// order. What is near all of them is looked for once.
+// Measures the pairs of a range of sites in the order with all sites after them. Descends the tree
+// once for the whole range.
 void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t first,
                         std::size_t last, double radius, audit_work_guard& patience,
                         measured_part& part) {
@@ -217,8 +218,8 @@ void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w
                    vertex_name(subsegment.a) + " to " + vertex_name(subsegment.b) + " as its ends";
 }
 
-// Checks some subsegments, of which neighbours in the list are often neighbours in the plane: what
-// is near all of them is looked for once.
+// Checks a range of subsegments. Neighbours in the list are often neighbours in the plane: the tree
+// is descended once for the whole range.
 void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, std::size_t last,
                        audit_work_guard& patience, measured_part& part) {
   std::vector<site_tree::reaching> starts;
@@ -247,8 +248,8 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
   }
 }
 
-// Measures `count` items, so many at a time, and puts them together in order. Sets `unfinished` of
-// the context where that is ended early.
+// Measures `count` items, `at_a_time` of them in each round, and joins the measures in order. Sets
+// `unfinished` of the context where it is ended early.
 template <class Measure>
 measured_part measure_all(audit_context& context, std::size_t count, std::size_t at_a_time,
                           const Measure& measure) {
@@ -277,7 +278,8 @@ measured_part measure_all(audit_context& context, std::size_t count, std::size_t
   return all;
 }
 
-// Returns the obstacle as a sentence, with lengths in so many units; empty if there is none.
+// Returns the reason why the theorem does not apply, as a sentence with lengths in multiples of
+// `unit`; empty if it applies.
 std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index, 2>& nearest,
                      double angle_bound, double unit = 1) {
   const bool wedged = theorem::arcs_are_wedged(h.covering_radius, h.spacing, h.distortion);
@@ -292,7 +294,7 @@ std::string obstacle(const theorem_hypotheses& h, const std::array<vertex_index,
          format_number(h.proved_angle) + " degrees are proved (" + spacing + ")";
 }
 
-// Enters what pairs of sites say, and what follows from that.
+// Enters the measures of pairs of sites, and the numbers that follow from them.
 void enter_pairs(theorem_hypotheses& h, const theorem::pair_measures& pairs) {
   h.spacing = pairs.larger_distance_below;
   h.distortion = pairs.distortion_above;
@@ -302,7 +304,7 @@ void enter_pairs(theorem_hypotheses& h, const theorem::pair_measures& pairs) {
       theorem::proved_angle(h.sigma_eps, theorem::quotient_above(h.covering_radius, h.spacing));
 }
 
-// Measures the pairs of neighbours in some triangles.
+// Measures the pairs of neighbours in every sixteenth triangle.
 measured_part measure_some_neighbours(const mesh& m, double radius) {
   constexpr std::size_t step = 16;
   measured_part some;
@@ -313,9 +315,10 @@ measured_part measure_some_neighbours(const mesh& m, double radius) {
   return some;
 }
 
-// True if some neighbours alone tell that it does not apply: metrics differ too much, or sites are
-// far too near to each other, so that it would not if they were several times as far apart. Near
-// pairs may be very many then, as among random sites, where every site is near hundreds.
+// True if some neighbours alone show that the theorem does not apply: metrics differ too much, or
+// sites are far too near to each other, so that it would not if they were several times as far
+// apart. Near pairs may be very many then, as among random sites, where every site is near
+// hundreds.
 bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, double angle_bound) {
   constexpr double times = 4;
   if (!some.failure.empty()) return true;
@@ -326,7 +329,8 @@ bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, doubl
   return !obstacle(h, some.nearest, angle_bound).empty();
 }
 
-// Returns that nothing is known: a part of the numbers would pass for all of them.
+// Returns hypotheses with a reason and no numbers: a part of the measures could be taken for all of
+// them.
 theorem_hypotheses unmeasured(const std::optional<std::string>& why) {
   theorem_hypotheses nothing;
   nothing.reason = std::string(not_all_measured) +
@@ -334,7 +338,7 @@ theorem_hypotheses unmeasured(const std::optional<std::string>& why) {
   return nothing;
 }
 
-// Measures a mesh whose numbers are of ordinary size. Texts have lengths in so many units.
+// Measures a mesh whose numbers are of ordinary size. Texts give lengths in multiples of `unit`.
 theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
                                     const cancellation& stop, const site_tree* made, double unit) {
   theorem_hypotheses h;
@@ -345,8 +349,8 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
   }
   audit_report counted;
   audit_options asked;
-  // Leaves out the account of the run: what is measured may not depend on it, as those who verify
-  // have none.
+  // Drops the account of the run: the measures may not depend on it, as `verify` has
+  // none.
   asked.stop = [&stop] { return stop.told(); };
   audit_context context(subject, asked, counted);
   const site_tree& tree = made != nullptr ? *made : context.plant();
@@ -379,8 +383,8 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
 
 }  // namespace
 
-// Measures a scaled image where bounds of lengths leave the range of doubles. They would decide
-// nothing, and each site would be tested against all.
+// Measures a scaled image of a mesh whose bounds of lengths would leave the range of doubles: these
+// would decide nothing, and each site would be tested against all.
 theorem_hypotheses theorem_of_mesh(const mesh& subject, double angle_bound,
                                    const cancellation& stop, const site_tree* tree) {
   const auto scaled = audit_detail::unit_subject_of(subject);

@@ -13,10 +13,10 @@
 
 namespace asterism::internal {
 
-// Begins the reason where measuring was ended early.
+// Words with which the reason begins where measuring was ended early.
 inline constexpr std::string_view not_all_measured = "not all was measured: ";
 
-// Does what measure_theorem_hypotheses() does. `tree` is of the sites of the mesh, or null.
+// Measures as measure_theorem_hypotheses() does. `tree` is of the sites of the mesh, or null.
 theorem_hypotheses theorem_of_mesh(const mesh& subject, double angle_bound,
                                    const cancellation& stop,
                                    const audit_detail::site_tree* tree = nullptr);

@@ -14,7 +14,7 @@ inline constexpr std::array variations = {0.001, 0.005, 0.01,  0.02, 0.03, 0.04,
                                           0.052, 0.058, 0.068, 0.08, 0.1};  // sigma R
 inline constexpr std::array ratios = {1.0, 1.1, 1.2, 1.35, 1.5, 1.7};       // R / lambda
 
-// Degrees, by variation and ratio.
+// Proved angles in degrees, by variation and ratio.
 inline constexpr std::array<std::array<double, ratios.size()>, variations.size()> proved_angles = {{
     {29.75, 26.75, 24.25, 21.5, 19.25, 16.75},
     {29.25, 26.25, 23.75, 21, 18.75, 16.25},
@@ -29,7 +29,8 @@ inline constexpr std::array<std::array<double, ratios.size()>, variations.size()
     {14.5, 11.75, 9.75, 6.75, 4.5, 1.75},
 }};
 
-// The angle proved for what varies no more and is no farther apart; 0: none is.
+// Returns the proved angle, in degrees, of the table's first entry whose variation and ratio are
+// both no smaller than these; 0 if none is proved.
 constexpr double proved_angle(double variation, double ratio) {
   for (std::size_t i = 0; i < variations.size(); ++i)
     for (std::size_t k = 0; k < ratios.size(); ++k)

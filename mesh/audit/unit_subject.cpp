@@ -14,7 +14,7 @@ constexpr int ordinary = 100;
 
 bool is_ordinary(int exponent) { return exponent >= -ordinary && exponent <= ordinary; }
 
-// Multiplies by 2^exponent; false where bits get lost.
+// Multiplies a number by 2^exponent; returns false if that loses bits.
 bool multiply(double& x, int exponent) {
   const double before = x;
   x = std::ldexp(x, exponent);

@@ -15,12 +15,12 @@ struct unit_subject {
   int exponent = 0;  // lengths in the metrics are 2^exponent times those of the image
 };
 
-// Returns the image; none where the mesh is in that range, or where a number would lose bits.
-// Requires finite coordinates and positive definite metrics.
+// Returns the scaled image of a mesh; none if the mesh is in that range already, or if a number
+// would lose bits. Requires finite coordinates and positive definite metrics.
 std::optional<unit_subject> unit_subject_of(const mesh& subject);
 
-// Returns the power of two that a number of this size is to be multiplied with to be about 1, for
-// numbers far from that; 1 for others, and what is not positive and finite.
+// Returns the exponent of the power of two that brings a positive number to about 1, for numbers
+// that are very large or very small; the exponent 0 for all others.
 double power_to_unit(double size);
 
 }  // namespace asterism::internal::audit_detail

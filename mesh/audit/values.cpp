@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Points 0 and 1: numbers, indices, repetitions, orientation.
+// Points 0 and 1: finite numbers, indices in range, no repetitions, counter-clockwise triangles.
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -42,7 +42,8 @@ void check_sites(audit_context& context) {
   }
 }
 
-// Sorts copies of the points: those in the mesh are in any order, and each look at one far away.
+// Sorts copies of the points: those in the mesh are in any order, and each access would go to
+// another place of memory.
 void check_positions(audit_context& context) {
   struct numbered_point {
     point at;

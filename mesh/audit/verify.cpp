@@ -40,7 +40,7 @@ std::string option_of(const certificate& claim, const char* name) {
   return place == claim.options.end() ? std::string() : place->second;
 }
 
-// The claims that do not hold, a sentence each.
+// Collects the claims of a certificate that do not hold, a sentence each.
 class contradictions {
  public:
   void compare_count(std::string_view what, std::size_t claimed, std::size_t counted) {
@@ -49,8 +49,8 @@ class contradictions {
           ", this one has " + std::to_string(counted));
   }
 
-  // Compares to the last bit, as the same program computes both (a number that is none equals
-  // none).
+  // Compares to the last bit, as the same program computes both numbers (NaN equals
+  // NaN).
   template <class Value>
   void compare(const std::string& field, const Value& claimed, const Value& found) {
     if (claimed != found)
@@ -89,7 +89,7 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
     return;
   }
   if (is_unmeasured(*claim)) {
-    // A run that was told to end may have that reason alone.
+    // Accepts that one of both measurements was told to end, and has that reason alone.
     theorem_hypotheses nothing;
     nothing.reason = claim->reason;
     compare_measures(all, *claim, nothing);
@@ -101,12 +101,12 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
   }
 }
 
-// True if it is a step of the ladder of sizes, to the last bit.
+// True if the factor is a step of the ladder of sizes, to the last bit.
 bool is_step_of_sizes(double factor) { return ladder_factor(ladder_step_below(factor)) == factor; }
 
 // Compares a guarantee with the hypotheses as measured again, which depend on the mesh alone and
-// not on the bound that is asked now. Its factor is compared with the covering radius, which is
-// that many times smaller, and with the size.
+// not on the angle bound of this verification. Its factor is compared with the covering radius,
+// which is that many times smaller, and with the size.
 void compare_guarantee(contradictions& all, const certificate& claim,
                        const std::optional<theorem_hypotheses>& found) {
   const bool is_asked = option_of(claim, "guarantee") == "asked";
@@ -171,7 +171,7 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
               found.curves.largest_distance);
   if (claim.voronoi != voronoi_verdict::not_asked)
     all.compare("audit.voronoi", claim.voronoi, found.voronoi);
-  // A mesh that was not finished may not have had its stars looked at, nor what they tell.
+  // Accepts missing measures of stars in the certificate of a mesh that was not finished.
   if (!claim.certified) return;
   const auto stopped = finding_kind_names[static_cast<std::size_t>(finding_kind::stopped)];
   if (found.found.contains(std::string(stopped)))
@@ -179,8 +179,8 @@ void compare_audit(contradictions& all, const certificate& claim, const certific
   all.compare("audit.certified", claim.certified, found.certified);
   all.compare("audit.stars_checked", claim.stars_checked, found.stars_checked);
   compare_theorems(all, claim.theorem, found.theorem);
-  // Findings about the diagram count among the others: the lists are the same only where it was
-  // asked for in both audits, or in neither.
+  // Compares the lists of findings only if both audits, or neither, judged the Voronoi diagram:
+  // findings about it count among the others.
   if (claim.voronoi != found.voronoi) return;
   if (claim.found != found.found)
     all.add("\"audit.findings\" are others in the certificate than those of this mesh");
@@ -220,14 +220,15 @@ void erase_rare(certificate& claim) {
   for (const std::string_view name : rare_option_names) claim.options.erase(std::string(name));
 }
 
-// Words about a piece are all there, or none.
+// Checks that the options about a piece are present together, or all absent.
 void compare_mesh_names(contradictions& all, const certificate& claim) {
   certificate without = claim;
   if (claim.options.count("piece") != 0)
     for (const std::string_view name : piece_option_names)
       if (without.options.erase(std::string(name)) == 0)
         all.add("\"asked.options." + std::string(name) + "\" is missing");
-  // Certificates from before there were sizes at places have no such word.
+  // Accepts certificates without an option for sizes at places: those from before that option have
+  // none.
   without.options.emplace("sizes", "none");
   erase_rare(without);
   compare_names(all, without, mesh_option_names);
@@ -275,7 +276,7 @@ void compare_with_rule(contradictions& all, const delivered_report& delivered) {
             text_of(density_ratio(delivered)) + " times as dense or as thin as the one wanted");
 }
 
-// True if the size delivered is the one asked for or, with a guarantee, that size divided by the
+// True if the delivered size is the one asked for or, with a guarantee, that size divided by the
 // guarantee's factor.
 bool is_size_delivered(const certificate& claim) {
   if (claim.options.count("size-delivered") == 0) return true;
@@ -308,15 +309,15 @@ void compare_completeness(contradictions& all, const certificate& claim) {
             " is tolerated");
 }
 
-// Whoever calls the library need not say how the question was worded: then there is no metric, and
-// no option but the tolerance, on which it depends whether the mesh was completed.
+// Accepts certificates of library callers, who need not state the question in words: then there is
+// no metric, and no option but the tolerance, on which it depends whether the mesh was completed.
 void compare_unworded(contradictions& all, const certificate& claim) {
   for (const auto& [name, value] : claim.options)
     if (name != "metric-tolerance")
       all.add("\"asked.options." + name + "\" is there, and \"asked.metric\" names no metric");
 }
 
-// The options of `certify`. A metric that came from a file has no size.
+// Checks the options of `certify`. A metric that came from a file has no size.
 void compare_certify_options(contradictions& all, const certificate& claim) {
   compare_names(all, claim, certify_option_names);
   if (claim.metric.starts_with("of ") != (option_of(claim, "size") == "none"))
@@ -378,7 +379,7 @@ void compare_former(contradictions& all, const mesh& subject, const certificate&
             " away from the former one, and " + text_of(*allowed) + " was asked for");
 }
 
-// Finds again how the sides match that were to have the same points.
+// Repeats the match of the sides that were to have the same points, and compares it.
 void compare_periodic(contradictions& all, const mesh& subject, const certificate& claim,
                       verify_report& report) {
   for (const periodic_pair& sides : claim.periodic_asked) {
@@ -394,7 +395,8 @@ void compare_periodic(contradictions& all, const mesh& subject, const certificat
         "\"audit.periodic\" says in the certificate how other sides match than those of this mesh");
 }
 
-// Looks again for inner edges that join two vertices of the boundary, where there were to be none.
+// Searches again for inner edges that join two vertices of the boundary, where there were to be
+// none.
 void compare_split_edges(contradictions& all, const mesh& subject, const certificate& claim) {
   const auto asked = claim.options.find("split-across");
   if (asked == claim.options.end()) return;
@@ -419,7 +421,7 @@ std::vector<std::string> contradictions_of(const certificate& claim, const certi
   all.compare_count("boundary edges", claim.boundary_subsegments, audited.boundary_subsegments);
   if (all.none() && claim.fingerprint != found.fingerprint)
     all.add("the certificate is of another mesh: the fingerprints differ");
-  // Numbers of another mesh say nothing.
+  // Compares further numbers only if nothing differs so far: those of another mesh mean nothing.
   if (all.none()) {
     compare_regions(all, claim, found, as_claimed);
     if (as_claimed) compare_audit(all, claim, found);
@@ -431,8 +433,8 @@ std::vector<std::string> contradictions_of(const certificate& claim, const certi
   return all.take();
 }
 
-// Returns the hypotheses for the bound that the certificate is of: measured anew where another is
-// asked now, and the mesh is one.
+// Returns the hypotheses of the theorem for the certificate's angle bound: measured anew where the
+// present bound is another one and the mesh is certified.
 std::optional<theorem_hypotheses> theorem_at_bound(const mesh& subject, const certificate& claim,
                                                    const audit_options& options,
                                                    const certificate& found) {

@@ -23,7 +23,7 @@ struct verify_report {
   audit_report audit;
   std::vector<std::string> contradictions;  // one sentence each, claim against mesh
   std::vector<region_area> regions;         // measured again
-  // Measured again, of a certified mesh with an angle bound.
+  // Hypotheses of the theorem on nets, measured again; of a certified mesh with an angle bound.
   std::optional<theorem_hypotheses> theorem;
   std::vector<periodic_match> periodic;  // found again, of the sides that the certificate names
 };

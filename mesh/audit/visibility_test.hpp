@@ -38,7 +38,7 @@ class visibility_test {
     return turn(e.a, e.b, v) * turn(e.a, e.b, w) == sign::negative;
   }
 
-  // True if q, on the line of v and w, is between them.
+  // True if q, which is on the line of v and w, is strictly between them.
   bool inside_segment(vertex_index q, vertex_index v, vertex_index w) const {
     return q != v && q != w && same_ray(context_.at(v), context_.at(q), context_.at(w)) &&
            same_ray(context_.at(w), context_.at(q), context_.at(v));

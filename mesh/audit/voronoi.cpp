@@ -57,7 +57,7 @@ class vertex_check {
   voronoi_vertices& vertices_;
 };
 
-// One dual edge against the sites near it.
+// Tests the dual edge of one mesh edge against the sites near it.
 class arc_check {
  public:
   arc_check(const audit_context& context, audit_tally& tally, const voronoi_vertices& vertices,
@@ -70,11 +70,11 @@ class arc_check {
     if (!edge.has_ends) return;
     order_ = question_.order_of_ends();
     if (order_ == sign::negative) report_order();
-    // An arc that is a point is an end of others.
+    // Encloses no arc that is a single point: it is an end of other arcs, and is tested there.
     if (order_ == sign::positive) enclosed_.emplace(at(edge.v), at(edge.u), edge.from, edge.to);
   }
 
-  // Sites that matter are as near as v to a point that v sees at this distance, at most.
+  // Returns a distance from v: only sites as near as v to a point within that distance matter.
   double reach() const {
     double reach = enclosed_ ? enclosed_->reach() : 0;
     if (edge_.on_boundary) {
@@ -107,11 +107,12 @@ class arc_check {
     if (meeting.nearer) return report_nearer(w, "is nearer to");
     if (meeting.between) return report_nearer(w, "is as near to");
     if (meeting.at_to && !is_left) check_tie(w, edge_.left);
-    // A tie on the boundary edge is a meeting with it.
+    // Leaves out ends on the boundary: a tie there is a meeting with the boundary edge, tested
+    // below.
     if (meeting.at_from && !is_right && !edge_.on_boundary) check_tie(w, edge_.right);
   }
 
-  // Checks w, which is as near to the Voronoi vertex of t as its corners.
+  // Checks a site w that is as near to the Voronoi vertex of triangle t as t's corners.
   void check_tie(vertex_index w, vertex_index t) {
     if (!is_in_polygon(w, t)) {
       tally_.found(finding_kind::voronoi_site_nearer,
@@ -133,7 +134,8 @@ class arc_check {
     return std::binary_search(corners.begin(), corners.end(), w);
   }
 
-  // A site may touch the boundary edge in its own Voronoi vertex alone.
+  // Checks that w is farther from the boundary edge than its nearer end. A tie is allowed only in a
+  // Voronoi vertex of w.
   void check_boundary(vertex_index w) {
     const site &a = at(edge_.v), &b = at(edge_.u);
     if (is_certainly_farther_than_nearer_end(a, b, at(w))) return;
@@ -184,8 +186,8 @@ class arc_check {
   std::optional<enclosed_arc> enclosed_;
 };
 
-// All arcs of v but those that a neighbour with a lesser number answers for, and the boundary edges
-// that leave it.
+// Checks all arcs of v, except those that a neighbour with a lesser number checks, and the boundary
+// edges that leave v.
 class cell_check {
  public:
   cell_check(const audit_context& context, audit_tally& tally, const voronoi_vertices& vertices,
@@ -226,7 +228,7 @@ class cell_check {
 }  // namespace
 
 void check_voronoi(audit_context& context) {
-  // Counts work from zero: what the check of stars took is no part of this limit.
+  // Counts work from zero: the check of stars does not use up this limit.
   context.looked_units -= audit_units(context.report, context.looked_units);
   context.unfinished = false;
   const auto never = [] { return false; };

@@ -17,7 +17,7 @@ offset operator*(const bounded& factor, const offset& a) { return {factor * a.x,
 offset exactly(const vector2<double>& a) { return {a.x, a.y}; }
 vector2<double> values(const offset& a) { return {a.x.value(), a.y.value()}; }
 
-// Returns an upper bound of the absolute value.
+// Returns an upper bound of the absolute value of an enclosed number.
 double magnitude(const bounded& a) { return greatest_bound(a.upper(), (-a).upper()); }
 
 bool is_finite(const vector2<double>& a) {
@@ -68,7 +68,8 @@ bool certainly_positive_up_to(const bounded& c0, const bounded& c1, const bounde
   return middle.certainly_positive() || (c0 * last - middle * middle).certainly_positive();
 }
 
-// f_w - f_a along a + u (b - a), u from 0 to `share`: |w-x|_w^2 - u^2 |b-a|_a^2.
+// True only if w is farther than a from all points a + u (b - a), u from 0 to `share`: |w-x|_w^2 -
+// u^2 |b-a|_a^2 is positive.
 bool certainly_farther(const site& a, const site& b, const site& w, double share) {
   const offset d = between(a.position, b.position), from_w = between(w.position, a.position);
   const tensor<bounded> own = tensor_of_doubles(w.metric);
@@ -92,10 +93,11 @@ bool is_certainly_farther_than_nearer_end(const site& a, const site& b, const si
   const offset d = between(a.position, b.position);
   const double from_a = root(square_norm(tensor_of_doubles(a.metric), d)).value(),
                from_b = root(square_norm(tensor_of_doubles(b.metric), d)).value();
-  // About where both are as far. Any share will do: there one of them is the nearer.
+  // Divides the segment where both ends are about equally far. Any share is valid: it only affects
+  // how often the test succeeds.
   const double share = from_b / (from_a + from_b);
   if (!(share > 0 && share < 1)) return false;
-  // The second half is measured from b, up to what is certainly no less than the rest.
+  // Measures the remainder from b, with its length rounded up.
   const double rest = std::min(1.0, (1 - share) * (1 + 0x1p-48) + 0x1p-60);
   return certainly_farther(a, b, w, share) && certainly_farther(b, a, w, rest);
 }
@@ -130,7 +132,7 @@ std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const
     const offset g = to_b.gradient(at), h = to_c.gradient(at);
     const vector2<double> gv = values(g), hv = values(h);
     const double turn = cross(gv, hv);
-    // The inverse of the matrix with rows g and h, nearly.
+    // Computes the inverse of the matrix with rows g and h, approximately.
     const vector2<double> row_x{hv.y / turn, -gv.y / turn}, row_y{-hv.x / turn, gv.x / turn};
     const offset newton{dot(exactly(row_x), value), dot(exactly(row_y), value)};
     move = values(newton);
@@ -155,8 +157,8 @@ std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const
   return std::nullopt;
 }
 
-// f_v - f_u at l times the direction is A l^2 + 2 H l - C, negative at l = 0: where it goes from
-// negative to positive is its first root.
+// Finds the first root: f_v - f_u at l times the direction is A l^2 + 2 H l - C, negative at l = 0:
+// where it goes from negative to positive is its first root.
 std::optional<offset> enclose_bisector_point(const site& v, const site& u,
                                              const offset& direction) {
   const tensor<bounded> own = tensor_of_doubles(v.metric), other = tensor_of_doubles(u.metric);
@@ -210,18 +212,19 @@ std::optional<enclosed_arc::span> enclosed_arc::make_span(const offset& from,
   const bounded slope_a = dot(across, slope_from), slope_b = dot(across, slope_to);
   if (!slope_a.certainly_positive() || !slope_b.certainly_positive()) return std::nullopt;
   const double slope = std::min(slope_a.lower(), slope_b.lower());
-  // Far above the least error of `bounded`, so that a straight arc passes what follows.
+  // Adds a least bulge far above the least error of `bounded`, so that a straight arc passes the
+  // tests below.
   constexpr double least_bulge = 0x1p-900;
   s.bulge = 1.25 * bend / slope + least_bulge;
   if (!(s.bulge < infinity)) return std::nullopt;
 
-  // The slope across the whole span times the bulge is above the bend.
+  // Tests that the slope across the whole span, times the bulge, exceeds the bend.
   const bounded curving = dot(across, bisector_.form * across);
   const bounded lost = bounded(0.5) * bounded(s.bulge) * bounded(magnitude(curving));
   const bounded risen = (bounded(slope) - lost) * bounded(s.bulge) - bounded(bend);
   if (!(risen.lower() >= 0)) return std::nullopt;
 
-  // All of it is in the wedge of v and u.
+  // Tests that all of the span is in the wedge of v and u.
   const offset aside = bounded(0.25 * s.bulge) * across;
   const offset to_u = between(v_.position, u_.position);
   const offset seen_from_v = tensor_of_doubles(v_.metric) * to_u,
@@ -245,7 +248,8 @@ std::optional<offset> enclosed_arc::middle(const offset& from, const offset& to)
   return cut;
 }
 
-// The span is in the parallelogram of its ends moved aside, where f_v is greatest in a corner.
+// Extends the reach to a span, which is in the parallelogram of its ends moved aside: f_v is
+// greatest in one of the four corners.
 void enclosed_arc::extend_reach(const span& s) {
   const offset aside = bounded(0.25 * s.bulge) * exactly(s.across);
   const tensor<bounded> own = tensor_of_doubles(v_.metric);
@@ -267,12 +271,12 @@ uncertain_bool enclosed_arc::is_nearer(const site& w, bool tied_from, bool tied_
   return any;
 }
 
-// With e = f_w - f_v at the ends, f_w - f_v >= e0 (1 - t) + e1 t - k t (1 - t). For k <= e0 + e1
-// that is at least e0 (1 - t)^2 + e1 t^2: positive but for a tied end. For e0, e1 > 0 it is
-// positive if k < e0 + e1 + 2 sqrt(e0 e1).
+// Tests a sufficient condition: with e = f_w - f_v at the ends, f_w - f_v >= e0 (1 - t) + e1 t - k
+// t (1 - t). For k <= e0 + e1 that is at least e0 (1 - t)^2 + e1 t^2: positive but for a tied end.
+// For e0, e1 > 0 it is positive if k < e0 + e1 + 2 sqrt(e0 e1).
 uncertain_bool enclosed_arc::is_nearer(const difference_of_distances& w, const span& s,
                                        bool tied_from, bool tied_to, int depth) const {
-  // A zero without the least error that `bounded` gives to every other.
+  // Makes a zero without the least error that `bounded` gives to all other zeros.
   const bounded zero = bounded::within(0, 0);
   const bounded from = tied_from ? zero : -w.at(s.from), to = tied_to ? zero : -w.at(s.to);
   if (from.certainly_negative() || to.certainly_negative()) return true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Encloses Voronoi vertices and arcs of a mesh in doubles with error bounds, and answers whether a
-// site is nearer to a point of an arc than the arc's owners. Certain or not at all: what is left
-// goes to mesh/audit/voronoi_exact.hpp.
+// site is nearer to a point of an arc than the arc's owners. Answers are certain or missing;
+// questions without one go to mesh/audit/voronoi_exact.hpp.
 //
 // An arc is cut into spans. Over a span from p to q the arc is p + t (q - p) + h(t) n with
 // |h(t)| <= bulge t (1 - t) for a vector n across it, so f_w - f_v is at least a quadratic in t.
@@ -32,8 +32,8 @@ std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const
 // a right angle of u, as v sees it: a point of the visible arc. Empty when not found.
 std::optional<offset> enclose_bisector_point(const site& v, const site& u, const offset& direction);
 
-// True if at every point of the segment from a to b, w is certainly farther, as it measures, than
-// the nearer of a and b, as they do.
+// True only if at every point of the segment from a to b, w, by its own metric, is farther than the
+// nearer of a and b, by theirs.
 bool is_certainly_farther_than_nearer_end(const site& a, const site& b, const site& w);
 
 class enclosed_arc {
@@ -42,17 +42,18 @@ class enclosed_arc {
   // v; displacements from v.
   enclosed_arc(const site& v, const site& u, const offset& from, const offset& to);
 
-  // True if anything is known of the arc.
+  // True if the arc, or a part of it, is enclosed.
   bool usable() const { return !spans_.empty(); }
-  // Returns a bound of the distance from v to the arc's points; infinite when not usable.
+  // Returns an upper bound of the distance from v to the arc's points; infinite where the arc is
+  // not enclosed.
   double reach() const { return reach_; }
 
-  // True if w is nearer to a point of the arc than v. "No" is said only if it is farther from every
-  // point, but for an end that is tied: known to be equally near.
+  // Returns whether w is nearer to a point of the arc than v. "No" means that w is farther from
+  // every point, except an end marked as tied: known to be equally near.
   uncertain_bool is_nearer(const site& w, bool tied_from, bool tied_to) const;
 
  private:
-  // f_v - f_z as a quadratic in the displacement from v.
+  // The quadratic function f_v - f_z of the displacement from v.
   struct difference_of_distances {
     difference_of_distances(const site& v, const site& z);
     bounded at(const offset& r) const;

@@ -52,8 +52,8 @@ sign dual_edge_question::order_of_ends() {
   return from_ && to_ ? exact_voronoi_arc::order(*to_, *from_) : sign::negative;
 }
 
-// True if all have one metric. Then the bisectors are lines, and f_w - f_v is linear along the dual
-// arc.
+// True if all sites concerned have one metric. Then the bisectors are lines, and f_w - f_v is
+// linear along the dual arc.
 bool dual_edge_question::has_equal_metrics(vertex_index w) const {
   const metric_tensor& metric = at(edge_.v).metric;
   return identical(metric, at(edge_.u).metric) && identical(metric, at(w).metric) &&
@@ -76,7 +76,7 @@ sign dual_edge_question::excess_at_right(vertex_index w) const {
 arc_meeting dual_edge_question::meeting_with(vertex_index w) {
   if (has_equal_metrics(w)) {
     const sign left = w == edge_.left_apex ? sign::zero : excess_at_left(w);
-    // Who is as near at the end on the boundary meets the boundary edge.
+    // Takes no tie at an end on the boundary: a site as near there meets the boundary edge.
     const sign right = edge_.on_boundary       ? sign::positive
                        : w == edge_.right_apex ? sign::zero
                                                : excess_at_right(w);
@@ -85,13 +85,13 @@ arc_meeting dual_edge_question::meeting_with(vertex_index w) {
   }
   ++tally_.part.voronoi_pairs_exact;
   find_parameters();
-  // The ends are there: this is not reached without them.
+  // Requires both ends; the callers call this only where they exist.
   if (!from_ || !to_) return {true, true, true, true};
   return exact_->meeting_with(at(w), *from_, *to_);
 }
 
-// Asks nothing of sites with one metric: if all are as far from a point, every two have it in their
-// wedge.
+// Skips the test for sites with one metric: a point equally far from all of them is in the wedges
+// of every two.
 bool dual_edge_question::is_wedged_with(vertex_index w, vertex_index t) {
   if (has_equal_metrics(w)) return true;
   ++tally_.part.exact_decisions;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Holds the dual of one edge of a mesh: the part of the Voronoi arc of its two sites between the
-// Voronoi vertices of the triangles beside it. Questions about it that are left when doubles with
-// error bounds do not decide, ties included, and the polygon of sites around a Voronoi vertex.
-// Source: docs/math/voronoi-certificate.md.
+// Voronoi vertices of the triangles beside it. Answers the questions about it that doubles with
+// error bounds leave undecided, ties included, and lists the polygon of sites around a Voronoi
+// vertex. Source: docs/math/voronoi-certificate.md.
 #pragma once
 
 #include <optional>
@@ -37,16 +37,17 @@ struct dual_edge {
 dual_edge dual_of(const audit_context& context, const voronoi_vertices& vertices,
                   const directed_edge& edge);
 
-// Exact answers about one dual edge whose ends are there.
+// Exact answers about one dual edge whose ends both exist.
 class dual_edge_question {
  public:
   dual_edge_question(const audit_context& context, audit_tally& tally, const dual_edge& edge)
       : context_(context), tally_(tally), edge_(edge) {}
 
-  // Returns the order of the ends. Positive: the left end is counter-clockwise of the other around
-  // v, as it should be. Zero: the dual arc is a point.
+  // Returns the order of the two ends. Positive: the left end is counter-clockwise of the right one
+  // around v, as it should be. Zero: the dual arc is a point.
   sign order_of_ends();
-  // Returns where w is as near as the owners. Says nothing of an end on the boundary.
+  // Returns at which points of the dual edge w is as near as the owners. Says nothing of an end on
+  // the boundary.
   arc_meeting meeting_with(vertex_index w);
   // True if both owners and w see each other's side of the end at the triangle `at`, one of the
   // two, w being as near to it as they are: it is in the wedges of w and each owner.
@@ -62,7 +63,7 @@ class dual_edge_question {
   const audit_context& context_;
   audit_tally& tally_;
   dual_edge edge_;
-  // Made when first needed.
+  // Exact arc and the parameters of its ends, made when first needed.
   std::optional<exact_voronoi_arc> exact_;
   std::optional<exact_voronoi_arc::parameter> from_, to_;
 };

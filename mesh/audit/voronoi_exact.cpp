@@ -17,14 +17,15 @@ namespace {
 
 using exact_site = basic_site<dyadic>;
 
-// Returns (p - i)^T M_i (j - i) about `origin`: positive where i sees p within a right angle of j.
+// Returns (p - i)^T M_i (j - i), with p relative to `origin`: positive where i sees p within a
+// right angle of j.
 plane_quadratic<dyadic> wedge_side(const basic_point<dyadic>& origin, const exact_site& i,
                                    const exact_site& j) {
   const auto covector = apply(i.metric, between(i.position, j.position));
   return {{dyadic(0), dyadic(0), dyadic(0)}, covector, dot(covector, between(i.position, origin))};
 }
 
-// Returns the number, as far as doubles hold it.
+// Returns bounds of the number in doubles, from its two dyadic bounds.
 bounded around(const dyadic& low, const dyadic& high) {
   const interval below = enclose(low), above = enclose(high);
   const double middle = 0.5 * below.inf() + 0.5 * above.sup();
@@ -84,7 +85,7 @@ arc_meeting exact_voronoi_arc::meeting_with(const site& w, parameter from, param
     if (after_from && compare(to, cut) == sign::positive &&
         exact::sign_at(on_, excess, cut) == sign::zero)
       meeting.between = true;
-    // The section that ends here.
+    // Evaluates the section of the arc that ends at this root.
     if (!after_from || compare(to, cut) == sign::negative) continue;
     const sign sample = exact::sign_at(on_, excess, samples[k]);
     meeting.nearer = meeting.nearer || sample == sign::positive;
@@ -112,7 +113,7 @@ offset exact_voronoi_arc::enclose(parameter at) const {
   return {unknown, unknown};
 }
 
-// Decides by two differences. f_w - f_a and f_w - f_b along the segment are positive at a,
+// Decides by two differences: f_w - f_a and f_w - f_b along the segment are positive at a,
 // respectively at b. Where w meets the segment without encroaching, the greater of both is zero.
 segment_meeting meeting_with_segment(const site& a, const site& b, const site& w) {
   const encroachment_question<dyadic> question(convert<dyadic>(a), convert<dyadic>(b),

@@ -14,8 +14,8 @@
 
 namespace asterism::internal::audit_detail {
 
-// Tells whether a site is as near as the owners on a part of an arc: `nearer` at some point, or as
-// near at some point strictly `between` the ends, or at an end.
+// Result of comparing a site with the owners on a part of an arc: `nearer` at some point, equally
+// near at some point strictly `between` the ends, or equally near at an end.
 struct arc_meeting {
   bool nearer = false, between = false, at_from = false, at_to = false;
 };
@@ -48,7 +48,8 @@ class exact_voronoi_arc {
   // True if the point is in the wedges of w and of each owner.
   bool is_wedged_with(const site& w, parameter at) const;
 
-  // Returns the point itself, as seen from v; errors are infinite when its size leaves the doubles.
+  // Returns the point in doubles with error bounds, relative to v; the bounds are infinite when its
+  // size leaves the doubles.
   offset enclose(parameter at) const;
 
  private:
