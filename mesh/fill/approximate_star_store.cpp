@@ -75,7 +75,7 @@ void approximate_star_store::make_anew(const claims_by_star& all, const Make& ma
 
 bool approximate_star_store::renew(double distance) {
   // Number of stars made between two readings of the work meter, before and after a quarter of the
-  // work allowed is done. Claims are put together block by block, as all at once would take much
+  // work limit is reached. Claims are joined block by block, as all at once would take much
   // memory.
   constexpr std::size_t ordinary_block = 65536, late_block = 1024;
   constexpr std::uint64_t quarter = 4;
@@ -88,7 +88,8 @@ bool approximate_star_store::renew(double distance) {
     const std::size_t end = std::min(count, at + block);
     const std::size_t claims = disturbed.size();
     make_stars(at, end, distance, disturbed);
-    // Reserves no more than this for each star to come: the first may disturb more than others.
+    // Limits the claims reserved for each star to come: the first star may disturb more than
+    // others.
     constexpr std::size_t likely = 8;
     if (claims == 0)
       disturbed.reserve(
@@ -123,8 +124,8 @@ bool approximate_star_store::is_between_segments(vertex_index v, vertex_index y,
   return sites_->is_on_segment(v) && sites_->is_on_segment(y) && sites_->is_on_segment(x);
 }
 
-// Returns for each star whether it agrees with its neighbours. Each triangle is asked of the next
-// corner alone, which asks the third.
+// Returns for each star whether it agrees with its neighbours. Each triangle is looked up in the
+// star of its next corner only: that corner looks it up in the third one's.
 std::vector<char> approximate_star_store::which_agree(
     const std::vector<vertex_index>& order) const {
   const std::vector<vertex_index> those_not = collect_chunks<vertex_index>(
@@ -170,7 +171,7 @@ void approximate_star_store::follow_moves(const std::vector<vertex_index>& order
 }
 
 // Returns the pairs y, x such that the star of y lacks x, although x follows y in a star. The pairs
-// the other way round come from the star on the other side of the two.
+// x, y come from the star on the other side of the edge.
 claim_list approximate_star_store::new_neighbours(const std::vector<vertex_index>& order) const {
   claim_list lacking;
   collect_claims(order.size(), lacking, [&](std::size_t begin, std::size_t end, claim_list& out) {
@@ -191,7 +192,7 @@ std::vector<char> approximate_star_store::mend_disagreeing(const std::vector<ver
   make_anew(all, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
     return build_careful_star(sites_->all(), v, candidates);
   });
-  // Asks again only the stars made anew and their neighbours: others have not changed.
+  // Compares again only the stars made anew and their neighbours: others have not changed.
   std::vector<vertex_index> doubtful = all.stars;
   doubtful.insert(doubtful.end(), all.by.begin(), all.by.end());
   sort_unique(doubtful);
@@ -199,8 +200,8 @@ std::vector<char> approximate_star_store::mend_disagreeing(const std::vector<ver
   return agrees;
 }
 
-// Returns the stars that do not agree with their neighbours, each with the sites that have it as
-// one.
+// Returns the stars that do not agree with their neighbours, each with the sites whose stars have
+// its centre as a neighbour.
 claim_list approximate_star_store::claims_on_disagreeing(const std::vector<char>& agrees) const {
   claim_list claims;
   collect_claims(stars_.size(), claims, [&](std::size_t begin, std::size_t end, claim_list& out) {
@@ -212,8 +213,8 @@ claim_list approximate_star_store::claims_on_disagreeing(const std::vector<char>
 }
 
 // Makes the stars of the sites from `first` to before `last`; adds which stars of older sites they
-// disturb. Sites placed together follow a curve (fill/site_proposals.hpp), so that what was read
-// for one star is at hand for the next.
+// disturb. Sites placed together follow a curve (fill/site_proposals.hpp), so that data read for
+// one star is in the cache for the next.
 void approximate_star_store::make_stars(std::size_t first, std::size_t last, double distance,
                                         claim_list& disturbed) {
   collect_claims(last - first, disturbed, [&](std::size_t begin, std::size_t end, claim_list& out) {
@@ -236,7 +237,7 @@ void approximate_star_store::make_stars(std::size_t first, std::size_t last, dou
 }
 
 // Makes each disturbed star anew from its neighbours and the sites that disturb it, and adds it to
-// changed_. Goes part by part, since a run holds most in memory here.
+// changed_. Works in parts, since a run has its peak of memory here.
 void approximate_star_store::renew_disturbed(const claim_list& disturbed) {
   constexpr std::size_t most_parts = 4, claims_for_a_part = 65536;
   const std::size_t parts = std::min(most_parts, 1 + disturbed.size() / claims_for_a_part);
@@ -257,7 +258,8 @@ void approximate_star_store::renew_disturbed(const claim_list& disturbed) {
 bool approximate_star_store::take_from_new(vertex_index v, plain_gap& gap,
                                            vertex_index next) const {
   const auto take = [&](vertex_index w, vertex_index first, vertex_index second) {
-    // Searching a star with more gaps costs more than computing the vertex again.
+    // Largest number of gaps of a star that is searched: beyond it, computing the vertex again
+    // costs less.
     constexpr std::size_t most_gaps = 16;
     if (w < finished_ || stars_[w].size() > most_gaps) return false;
     const approximate_star& star = stars_[w];
@@ -275,8 +277,8 @@ bool approximate_star_store::is_enough(std::size_t i) const {
   return i % at_a_time == 0 && options_->stop.is_requested();
 }
 
-// Adds the sites within `reach` of w, as w measures, that are not within `known` of it; if the
-// reach is about all the box, all that are not. Returns whether it is.
+// Adds the sites w sees within `reach` of it and not within `known`, by w's metric; if the reach
+// covers about the whole box, all sites not within `known`. Returns whether it covers the box.
 bool approximate_star_store::find_near(vertex_index w, double known, double reach,
                                        std::vector<vertex_index>& near,
                                        std::uint64_t& looked_at) const {
@@ -287,7 +289,7 @@ bool approximate_star_store::find_near(vertex_index w, double known, double reac
   const double squared_known = known < 0 ? known : known * known;
   const double squared_reach = reach * reach;
   std::size_t count = near.size();
-  // Writes every site, and advances only past those that qualify: branches would be mispredicted.
+  // Writes every site and advances only past those that qualify: branches would be mispredicted.
   sites_->index().visit_clusters(
       sites_->all(), box, [&](std::span<const point> places, std::span<const vertex_index> which) {
         looked_at += places.size();
@@ -309,17 +311,17 @@ bool approximate_star_store::find_near(vertex_index w, double known, double reac
 //
 // A site that changes a star lies on the far side of one of its Voronoi vertices, at distance r, as
 // near to it as the centre is: within 2 r of the centre where metrics are equal. The 5 % beyond are
-// for metrics that vary, and the first reach holds a star whose vertices are all within
-// 1.05 times the distance, as most are when their level is done. Reaches of 1.5 and 3
-// and 2 and 2.5 diameters were tried: up to 0.2 % fewer and 4 % more sites.
+// for metrics that vary, and the first reach holds a star whose vertices are all within 1.05 times
+// the distance, as most stars are when their level is done. Reaches of 1.5 and 3 and 2 and 2.5
+// diameters were tried: up to 0.2 % fewer and 4 % more sites.
 void approximate_star_store::make_star(vertex_index w, double distance,
                                        std::vector<vertex_index>& near, std::uint64_t& looked_at) {
   constexpr double diameters = 2.1, first_reach = 2.2;
   constexpr double margin = 1.02, least_growth = 1.25;
-  // Fewer do not surround a site.
+  // Least number of neighbours that surround a site.
   constexpr std::size_t least_neighbours = 3;
-  // Most searches for one site. Each doubles the reach, which leaves the box, or the range of
-  // doubles, long before.
+  // Largest number of searches for one site. Each doubles the reach, which leaves the box, or the
+  // range of doubles, long before.
   constexpr int most_attempts = 64;
   const double ordinary = first_reach * distance;
   double reach = std::min(ordinary, first_reach_among_dense(w, distance));
@@ -345,15 +347,15 @@ void approximate_star_store::make_star(vertex_index w, double distance,
   }
 }
 
-// Prefetches what is read of a star of few gaps.
+// Prefetches the neighbours of a star with few gaps.
 void approximate_star_store::prefetch_star(vertex_index v) const {
   constexpr std::size_t line = 64, most = 4;
   const char* const at = reinterpret_cast<const char*>(&stars_[v]);
   for (std::size_t i = 0; i < most; ++i) prefetch(at + i * line);
 }
 
-// Makes the star of w anew from its neighbours and more sites. Sites that it refused before stay
-// refused.
+// Makes the star of w anew from its neighbours and more sites. Other sites that it refused before
+// are not offered again.
 void approximate_star_store::extend_star(vertex_index w, std::span<const vertex_index> more) {
   std::vector<vertex_index> candidates;
   candidates.reserve(stars_[w].size() + more.size());
@@ -362,8 +364,8 @@ void approximate_star_store::extend_star(vertex_index w, std::span<const vertex_
   stars_[w] = build_approximate_star(sites_->all(), w, candidates, stars_[w]);
 }
 
-// Returns how far the vertices of w's star are; infinite where a gap has none, unless it is less
-// than half a turn and those are left out.
+// Returns the distance of w from the farthest Voronoi vertex of its star; infinite where a gap has
+// none. With leaves_out, gaps of less than half a turn without a vertex are skipped.
 double approximate_star_store::farthest_vertex(vertex_index w, bool leaves_out) const {
   const approximate_star& star = stars_[w];
   double squared = 0;
@@ -376,10 +378,10 @@ double approximate_star_store::farthest_vertex(vertex_index w, bool leaves_out) 
   return std::sqrt(squared);
 }
 
-// True if looking farther around w is given up. At the boundary there may be no neighbour on the
-// outer side, however far one looks; nor, where lengths differ by large factors, behind sites for
-// which they count much more. At the rim of many given sites the way to the next ones is long, and
-// the number of sites looked at on it is bounded.
+// True if a wider search around w is given up. At the boundary there may be no neighbour on the
+// outer side, however wide the search; nor behind sites whose metrics are far denser, where lengths
+// differ by large factors. At the rim of many given sites the next ones are far, and the number of
+// sites tested on the way is bounded.
 bool approximate_star_store::is_hopeless(vertex_index w, int attempt, bool is_ordinary,
                                          std::size_t looked_at) const {
   constexpr int enough_attempts = 3;
@@ -390,8 +392,8 @@ bool approximate_star_store::is_hopeless(vertex_index w, int attempt, bool is_or
 }
 
 // Returns the first reach for an isolated vertex w of the domain: a few spacings of the sites
-// around it where these are much closer than the distance, so that its star is not made from a
-// large part of all sites; infinite elsewhere.
+// around it where these are much closer together than the level's distance, so that its star is not
+// made from a large part of all sites; infinite elsewhere.
 double approximate_star_store::first_reach_among_dense(vertex_index w, double distance) const {
   if (!sites_->is_isolated(w)) return std::numeric_limits<double>::infinity();
   constexpr double much_closer = 0.25, spacings = 2.2;

@@ -25,37 +25,38 @@ namespace asterism::internal {
 
 class approximate_star_store {
  public:
-  // `box` holds all sites. All but the box must outlive it.
+  // Keeps stars of the sites in `box`, which must hold all of them. The other arguments must
+  // outlive the store.
   approximate_star_store(const placed_sites& sites, const bounding_box& box,
                          const fill_options& options, work_meter& work)
       : sites_(&sites), box_(box), options_(&options), work_(&work) {}
 
-  // Makes the missing stars, and renews those that new sites disturb. `distance` is the level's:
-  // once it is finished no point is farther from a site, so that most stars find their neighbours
-  // within a multiple of it. Returns false, with stars missing, when the meter says that the work
-  // allowed was done.
+  // Makes the missing stars, and renews those that new sites disturb. `distance` is that of the
+  // level: once the level is done no point is farther from all sites, so that most stars find their
+  // neighbours within a multiple of it. Returns false, with stars missing, at the work limit of the
+  // meter.
   bool renew(double distance);
 
   const approximate_star& operator[](vertex_index v) const { return stars_[v]; }
-  // True if each triangle of v's star is in the stars of its other two corners; but for those
-  // between three sites on segments, which may be outside the domain.
+  // True if each triangle of v's star is in the stars of its other two corners. Triangles between
+  // three sites on segments, which may be outside the domain, are not compared.
   bool agrees_with_neighbours(vertex_index v) const;
   // Makes all stars anew from their neighbours after sites have moved by parts of their distances,
-  // and offers each what became a neighbour of a neighbour. Ordered as for the function below.
+  // and offers each star the neighbours of its neighbours. `order` is as for the function below.
   void follow_moves(const std::vector<vertex_index>& order);
-  // Makes the disagreeing stars anew with more care, each from its neighbours and the sites that
-  // have it as a neighbour; most agree then. Returns a flag a star: it agrees. Call it when no more
-  // sites come, with all sites in an order in which neighbours are near each other.
+  // Makes the disagreeing stars anew, each from its neighbours and from the sites that have it as a
+  // neighbour; most agree then. Returns one flag for each star: whether it agrees. Requires that no
+  // more sites come, and an order in which near sites follow each other.
   std::vector<char> mend_disagreeing(const std::vector<vertex_index>& order);
-  // Returns the stars that the last renewal made anew, or all after mark_all_changed(): those that
-  // may leave room where they left none before.
+  // Returns the stars that the last renewal made anew, or all after mark_all_changed(): only these
+  // can have new room for sites.
   const std::vector<vertex_index>& changed() const { return changed_; }
   void mark_all_changed();
 
   // Returns the site whose star has most neighbours; of several, the first.
   std::optional<crowded_site> most_crowded() const;
 
-  // Frees the stars. Nothing is asked of this store from then on.
+  // Frees the stars. The store must not be used from then on.
   void forget_stars() { stars_.clear(); }
 
  private:
@@ -85,7 +86,7 @@ class approximate_star_store {
   bounding_box box_;
   const fill_options* options_;
   work_meter* work_;
-  // Paged: a vector would hold these many large records twice while it grows.
+  // Keeps stars in pages: a growing vector would hold these many large records twice.
   using star_blocks =
       boost::container::deque_options_t<boost::container::block_bytes<within_large_page>>;
   boost::container::deque<approximate_star, large_page_allocator<approximate_star>, star_blocks>

@@ -18,7 +18,8 @@ bool domain_locator::contains(const filtered_kernel& kernel, const point& q) con
     const point &a = domain_->vertices[s.a], &b = domain_->vertices[s.b];
     const bool between_y = std::min(a.y, b.y) <= q.y && q.y <= std::max(a.y, b.y);
     if (!between_y || std::max(a.x, b.x) < q.x) return true;
-    // The ray from q towards greater x, moved up by an infinitesimal: it misses every vertex.
+    // Moves the ray from q towards greater x up by an infinitesimal, so that it misses every
+    // vertex.
     const bool spans = !s.internal && (a.y <= q.y) != (b.y <= q.y);
     if (std::min(a.x, b.x) > q.x) {
       inside ^= spans;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides whether a point is strictly inside a domain, and finds the segments near it. `contains`
-// of mesh/domain/point_in_domain.hpp with an index of the segments, for asking often. Exact.
+// Decides whether a point is strictly inside a domain, and finds the segments near it. It answers
+// as `contains` of mesh/domain/point_in_domain.hpp, and has an index of the segments for many
+// points. Exact.
 #pragma once
 
 #include "asterism/core/site.hpp"

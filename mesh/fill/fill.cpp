@@ -59,15 +59,16 @@ class filling {
   }
 
  private:
-  // Most rounds of a level. Each but the last inserts a site, so only a run whose numbers have gone
-  // wrong comes to it.
+  // Largest number of rounds on one level. Each round but the last inserts a site, so only a run
+  // with invalid numbers reaches it.
   static constexpr std::size_t most_rounds = 4000;
 
   bool is_over() const {
     return sampler_.failure() || failure_ || stopped_ || crowded_ || sites_.is_exhausted();
   }
 
-  // Returns the wanted distance, which doubles with each level above the last, 0.
+  // Returns the distance between sites wanted on a level: the final one on level 0, doubled with
+  // each level above.
   double distance_at(int level) const { return options_.distance * elementary::exp2(level); }
 
   // Returns the first level on which no segment is longer than the distance.
@@ -122,7 +123,8 @@ class filling {
     return !is_over();
   }
 
-  // Places sites where the stars leave room. False if there was none, or none could be placed.
+  // Places sites where the stars leave room. Returns false if there was no room, or no site could
+  // be placed.
   bool round(int level) {
     ++rounds_;
     auto proposals = proposals_.collect(distance_at(level));
@@ -137,8 +139,9 @@ class filling {
     return true;
   }
 
-  // Moves the sites towards the middle of their neighbours, twice: the second time brings half as
-  // much as the first, a third one little. Stars follow once, as most have the same neighbours.
+  // Moves the sites towards the mean of their neighbours, twice: the second move gains half as much
+  // as the first, a third one would gain little. Stars are renewed once after both, as most keep
+  // their neighbours.
   void relax() {
     constexpr int times = 2;
     sites_.forget_index();
@@ -148,8 +151,8 @@ class filling {
     stars_.follow_moves(order);
   }
 
-  // Estimates the sites at the last level: half the distance takes twice the sites on segments and
-  // four times those inside.
+  // Estimates the number of sites at the last level: half the distance takes twice the sites on
+  // segments and four times those inside.
   double sites_at_last_level(int level) const {
     const auto on_segments = static_cast<double>(sites_.count_on_segments());
     const double inside = static_cast<double>(sites_.size()) - on_segments;
@@ -189,7 +192,7 @@ class filling {
     return order;
   }
 
-  // Copies the sites, in that order, into the outcome.
+  // Copies the sites, in the order given, into the outcome.
   void put_sites_in_order(const std::vector<vertex_index>& order, filled_domain& filled) const {
     auto next = order.begin() + static_cast<std::ptrdiff_t>(domain_.vertices.size());
     for (const std::vector<vertex_index>& division : segments_.dividing_sites()) {
@@ -201,7 +204,7 @@ class filling {
   }
 
   // Returns the neighbours of the sites in `order`, by their numbers in it. A star that disagrees
-  // with another has no neighbours here, as one of the two is wrong.
+  // with another gets an empty list, as one of the two is wrong.
   neighbour_lists stars_in_order(const std::vector<vertex_index>& order,
                                  const std::vector<char>& agrees) const {
     constexpr std::size_t chunk = 256;
@@ -246,8 +249,8 @@ class filling {
   std::optional<error> failure_;  // of the field, where a site was proposed
 };
 
-// Replaces the divisions measured by those prescribed. Their lengths only decide on which level of
-// the fill a point is added, so parts of equal length are assumed.
+// Replaces the computed divisions of segments by the prescribed ones. Assumes parts of equal
+// length: lengths only decide on which level of the fill a point is added.
 void keep_prescribed(const domain& d, const prescribed_divisions& prescribed,
                      std::vector<division>& divisions) {
   for (std::size_t s = 0; s < divisions.size(); ++s) {

@@ -25,15 +25,15 @@ class placed_sites {
   const site& operator[](vertex_index v) const { return sites_[v]; }
   std::size_t size() const { return sites_.size(); }
   const site_index& index() const { return index_; }
-  // Frees the index. No site is placed, and index() not asked, from then on.
+  // Frees the index. From then on no site may be placed, and index() not be used.
   void forget_index() { index_ = {}; }
-  // True for points that divide segments, and for the domain's vertices.
+  // True if site v divides a segment or is a vertex of the domain.
   bool is_on_segment(vertex_index v) const { return on_segment_[v] != 0; }
   std::size_t count_on_segments() const {
     return static_cast<std::size_t>(std::count(on_segment_.begin(), on_segment_.end(), 1));
   }
 
-  // Notes which of the domain's vertices are on no segment. To be called when they are all placed.
+  // Records which of the domain's vertices are on no segment. Requires that all of them are placed.
   void mark_isolated(const domain& d) {
     isolated_.assign(d.vertices.size(), 1);
     for (const segment& one : d.segments) isolated_[one.a] = isolated_[one.b] = 0;
@@ -41,15 +41,16 @@ class placed_sites {
   // True for vertices of the domain that are on no segment.
   bool is_isolated(vertex_index v) const { return v < isolated_.size() && isolated_[v] != 0; }
 
-  // True if there is room for another site, to be asked before one is placed. Remembers if not.
+  // True if there is room for another site. Must be called before one is placed. Remembers a
+  // refusal.
   bool admits_another() {
     exhausted_ = exhausted_ || sites_.size() >= most_;
     return !exhausted_;
   }
-  // True once a site was wanted for which there was no room.
+  // True once a site was refused for want of room.
   bool is_exhausted() const { return exhausted_; }
 
-  // Reserves room for this many sites in all: a list that grows by itself is held twice meanwhile.
+  // Reserves room for this number of sites: a list that grows by itself is held twice meanwhile.
   void reserve(std::size_t count) {
     sites_.reserve(std::min(count, most_));
     on_segment_.reserve(std::min(count, most_));
@@ -60,16 +61,16 @@ class placed_sites {
     index_.insert(sites_, w);
     return w;
   }
-  // Places a site that index() does not find before find_from().
+  // Places a site that index() finds only after the next call of find_from().
   vertex_index place_later(const site& s, bool on_segment) {
     const auto w = static_cast<vertex_index>(sites_.size());
     sites_.push_back(s);
     on_segment_.push_back(on_segment ? 1 : 0);
     return w;
   }
-  // Puts a site elsewhere. The index must be forgotten.
+  // Moves a site. Requires that the index was freed.
   void move(vertex_index v, const site& to) { sites_[v] = to; }
-  // Adds the sites from that number on to the index, and to another one unless it is null.
+  // Adds the sites from that number on to the index, and to a second index unless it is null.
   void find_from(vertex_index first, site_index* another) {
     const auto add_to = [this, first](site_index& to) {
       for (vertex_index w = first; w < sites_.size(); ++w) to.insert(sites_, w);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the points at which segments of a domain are to be divided, where that was decided before.
+// Holds the points at which segments of a domain must be divided, where another part of the program
+// chose them.
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 
 namespace asterism::internal {
 
-// By segment of the domain: the points that divide it, in its direction, ends left out; none where
-// the fill decides.
+// Points that divide each segment of the domain, in its direction, ends left out; none where the
+// fill chooses them.
 using prescribed_divisions = std::vector<std::optional<std::vector<point>>>;
 
 }  // namespace asterism::internal

@@ -19,8 +19,8 @@ point way(const point& from, const point& to) { return {to.x - from.x, to.y - fr
 
 using ways_to_neighbour = relaxation::ways_to_neighbour;
 
-// True if neither metric finds lengths along the axes, or areas, more than twice or four times as
-// large as the other: there is no jump between two places.
+// True if lengths along both axes differ by at most a factor of two between the metrics, and areas
+// by at most four: then there is no jump of the metric between two places.
 bool is_similar(const metric_tensor& a, const metric_tensor& b) {
   constexpr double most_times = 4;  // as squares
   const auto is_near = [](double p, double q, double most) {
@@ -31,8 +31,8 @@ bool is_similar(const metric_tensor& a, const metric_tensor& b) {
                  most_times * most_times);
 }
 
-// True if all triangles of the site with two neighbours that follow each other turn left and have
-// circles of at most that radius, as the metric sees them and wherever the two will be.
+// True if all triangles of the site with two successive neighbours turn left and have circles of at
+// most that radius in the metric, at the old and the new places of both neighbours.
 bool keep_small(const metric_tensor& m, const std::vector<ways_to_neighbour>& ways, double radius) {
   const double most = 4 * radius * radius * (m.m11 * m.m22 - m.m12 * m.m12);
   int all = 1;
@@ -86,8 +86,8 @@ void relaxation::find_places(const cancellation& stop) {
       });
 }
 
-// Returns the place half the way to the mean of the neighbours: farther would make more triangles
-// too large.
+// Returns the place half the way to the mean of the neighbours: a longer move would make more
+// triangles too large.
 point relaxation::middle_of_neighbours(vertex_index v) const {
   constexpr double part = 0.5;
   point sum{0, 0};
@@ -145,10 +145,10 @@ bool relaxation::stays_clear(vertex_index v, double distance) const {
   return is_clear;
 }
 
-// True if v at its new place keeps `distance` to every neighbour, in both metrics and wherever the
-// neighbour moves; a neighbour that was nearer already may stay as near. False where the two
-// metrics measure the way between them more than twice as long as each other: across a jump of the
-// metric the mean of the neighbours lies on the dense side.
+// True if v at its new place keeps `distance` to every neighbour, in both metrics and at both
+// places of the neighbour; a neighbour that was nearer before may stay as near. False where the two
+// metrics' lengths of the way between them differ by more than a factor of two: across a jump of
+// the metric the mean of the neighbours lies on the dense side.
 bool relaxation::keeps_distances(vertex_index v, const std::vector<ways_to_neighbour>& ways,
                                  double distance) const {
   const double squared = distance * distance;

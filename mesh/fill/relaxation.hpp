@@ -2,12 +2,12 @@
 //
 // Moves the sites of a finished fill towards the middle of their neighbours.
 //
-// A fill keeps distances and leaves no holes, but each site is where the last hole was: edges are
-// longer in the mean than between as many sites that are spread evenly. Each site goes half the way
-// to the mean of its neighbours, all at once, and once (docs/design/refinement.md). Those stay that
-// would come nearer to a neighbour than a fill lets them, or make a triangle too large, whether the
-// others stay or go: so what a fill keeps is kept, up to what metrics vary on the way. In doubles;
-// a proposal.
+// A fill keeps distances and leaves no holes, but each site is where the last hole was: its edges
+// are longer in the mean than those between the same number of evenly spread sites. Each site goes
+// half the way to the mean of its neighbours, all at once, and once (docs/design/refinement.md). A
+// site stays if it might come nearer to a neighbour than a fill allows, or make a triangle too
+// large, whether the neighbours move or not: so the distances of a fill are kept, but for the
+// variation of metrics on the way. Works in doubles; the result is a proposal.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ namespace asterism::internal {
 
 class relaxation {
  public:
-  // Ways from a site at its new place to a neighbour where it is and where it would go, and their
-  // squared lengths as the site measures.
+  // Displacements from a site at its new place to a neighbour's old and new places, and their
+  // squared lengths in the site's metric.
   struct ways_to_neighbour {
     vertex_index neighbour;
     std::array<point, 2> way;
@@ -36,9 +36,9 @@ class relaxation {
   relaxation(const fill_parts& parts, const std::vector<vertex_index>& order)
       : parts_(parts), order_(order), locator_(parts.shape) {}
 
-  // Moves the sites; their stars do not follow yet. Sites of the domain and of its segments stay,
-  // and so do those that would encroach on a subsegment, leave the domain, or be where the metric
-  // is not known; all do if the run is stopped before.
+  // Moves the sites, without their stars. Sites of the domain and of its segments stay, and so do
+  // sites that would encroach on a subsegment, leave the domain, or be where the metric is not
+  // known. All stay if the run is stopped before.
   void run(double distance, const cancellation& stop);
 
  private:

@@ -33,8 +33,8 @@ result<arc_length> length_along(const metric_field& field, const point& a, const
 // all its segments.
 std::vector<double> first_subsegments(const domain& d, const std::vector<arc_length>& measured,
                                       double longest) {
-  // A little shorter than the others, whose length is rounded down to divide the segment evenly
-  // (docs/results/constants.md).
+  // Factor by which the first subsegments are shorter than the others, whose length is rounded down
+  // to divide the segment evenly (docs/results/constants.md).
   constexpr double part_of_longest = 0.92;
   std::vector<double> wanted(d.vertices.size(), part_of_longest * longest);
   for (std::size_t s = 0; s < d.segments.size(); ++s)
@@ -62,8 +62,8 @@ division at_lengths(const point& a, const point& b, const arc_length& measured,
     made.points.push_back(q);
     made.lengths.push_back(lengths[i]);
   }
-  // Takes the end itself: interpolation can miss it by a rounding, which would leave a subsegment
-  // as short as that.
+  // Appends the end itself: the interpolated point can miss it by a rounding, which would leave a
+  // subsegment of that length.
   made.points.push_back(b);
   made.lengths.push_back(lengths.back());
   return made;
@@ -108,8 +108,8 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
   return at_lengths(a, b, measured, lengths);
 }
 
-// Returns into how many parts of equal length a segment is divided so that their length is nearest
-// to `wanted`, as ratios go: n rather than n + 1 where the mean of the two lengths is below it.
+// Returns the number n of equal parts whose length is nearest to `wanted` as a ratio: n rather than
+// n + 1 where the geometric mean of both lengths is below it.
 std::size_t parts_nearest_to(double total, double wanted) {
   const double fewer = std::max(1.0, std::floor(total / wanted));
   const bool one_more = total * total > fewer * (fewer + 1) * wanted * wanted;
@@ -126,7 +126,7 @@ division divide_evenly(const point& a, const point& b, const arc_length& measure
   return at_lengths(a, b, measured, lengths);
 }
 
-// The segments of a domain, and how many subsegments they want.
+// Lengths along the segments of a domain, and the number of subsegments that all of them take.
 struct measured_segments {
   std::vector<arc_length> of_each;
   double subsegments = 0;
@@ -134,7 +134,8 @@ struct measured_segments {
 
 result<measured_segments> measure_segments(const domain& d, const metric_field& field,
                                            double longest) {
-  // Part of a subsegment's length below which lengths are not sampled further.
+  // Step, as a part of a subsegment's length, below which lengths along a segment are not sampled
+  // further.
   constexpr double finest_part = 1.0 / 16;
   measured_segments measured;
   for (const segment& s : d.segments) {

@@ -28,8 +28,8 @@ class segment_intervals {
   // where the field fails or there is no room for a site.
   void halve(double longest, placed_sites& sites, field_sampler& sampler);
 
-  // True if no subsegment has its bisector point nearer to s than to its ends; looks only at
-  // subsegments within `distance` of s. Adds the number of those to `looked_at`.
+  // True if no subsegment has its bisector point nearer to s than to its ends. Tests only
+  // subsegments within `distance` of s, and adds their number to `looked_at`.
   bool stays_clear(const site& s, double distance, std::uint64_t& looked_at) const;
 
   // Returns the metric length of the longest segment; 0 when there is none.
@@ -38,7 +38,8 @@ class segment_intervals {
   std::vector<std::vector<vertex_index>> dividing_sites() const;
 
  private:
-  // An interval of a segment's division that is one subsegment so far.
+  // Part of a segment between two points of its division, not necessarily adjacent ones: a present
+  // subsegment.
   struct interval {
     std::size_t segment, first, last;  // into the division's points
     vertex_index a, b;

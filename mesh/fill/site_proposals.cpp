@@ -28,8 +28,8 @@ bool holds(const bounding_box& box, const point& q) {
 
 }  // namespace
 
-// Scatters sites twice as far from each other as they will be: the rest goes farthest first, which
-// makes better triangles.
+// Scatters sites at twice the distance that they will have: the rest is placed farthest first,
+// which makes better triangles.
 void site_proposals::scatter(double distance) {
   constexpr std::size_t for_each_site = 16, at_least = 4096;
   const filtered_kernel kernel;
@@ -39,8 +39,8 @@ void site_proposals::scatter(double distance) {
       [this](const std::function<std::vector<point>()>& next) { parts_.field.expect(next); });
 }
 
-// Places a site at q if there is room. Returns whether a cell with this half diagonal is to be
-// divided further.
+// Places a site at q if there is room. Returns whether a quadtree cell with this half diagonal is
+// to be divided further.
 bool site_proposals::scatter_at(const filtered_kernel& kernel, const point& q, const point& half,
                                 double distance) {
   const auto metric = parts_.field.at(q);
@@ -103,8 +103,8 @@ void site_proposals::propose(const filtered_kernel& kernel, vertex_index v, doub
 }
 
 // Returns the gap's Voronoi vertex if it is in the box, farther than `distance` from v, and v is
-// the first of the three sites whose stars have it: the others leave it to v. The metric is not
-// set.
+// the first of the three sites whose stars have it: the other two propose nothing there. Does not
+// set the metric.
 std::optional<site_proposal> site_proposals::vertex_of_gap(vertex_index v, std::size_t i,
                                                            double distance) const {
   const approximate_star& star = parts_.stars[v];
@@ -134,14 +134,14 @@ bool site_proposals::is_allowed(const filtered_kernel& kernel, const site& s, do
 }
 
 // True if no site of the index is within `distance` of s as that site measures, or within a part of
-// it as s measures. Asking the whole of both leaves holes where the metric varies: the square in
-// swirl:12 with size 0.1 gets a mesh of 1485 sites then, of 1504 with 0.8, and of 1519 with 0.6 as
-// with 0.4. Of four more metrics two get up to 2 % more or fewer, two the same.
+// it as s measures. Requiring the whole distance of both leaves holes where the metric varies: the
+// square in swirl:12 with size 0.1 gets a mesh of 1485 sites then, of 1504 with 0.8, and of 1519
+// with 0.6 as with 0.4. Of four more metrics two get up to 2 % more or fewer, two the same.
 bool site_proposals::has_room(const site_index& among, const site& s, double distance,
                               std::uint64_t& looked_at) const {
   constexpr double own_part = 0.6;
-  // Metrics that differ by more within the distance are beyond what plain stars can do: a margin of
-  // 1.5 changes nothing, none at all lets some sites come too near.
+  // Factor by which metrics may differ within the distance; plain stars cannot handle more. A
+  // margin of 1.5 changes nothing; without a margin some sites come too near.
   constexpr double margin = 1.25;
   const double squared = distance * distance, own = own_part * own_part * squared;
   const bounding_box near = box_around(s, margin * distance);
@@ -208,8 +208,8 @@ void site_proposals::leave_out_crowded(std::vector<const site_proposal*>& ready,
       });
 }
 
-// Places those that have room beside each other, the first ones first. False if there may be no
-// more sites.
+// Places the proposals that keep their distance from each other, in order. Returns false at the
+// limit on sites.
 bool site_proposals::place_in_turn(const std::vector<const site_proposal*>& ready,
                                    double distance) {
   site_index chosen(parts_.box, site_index::purpose::places);

@@ -25,7 +25,7 @@ struct site_proposal {
   double squared_radius;  // to the sites around, as the first of them measures
 };
 
-// Parts that proposals are made from; all of it must outlive them.
+// Objects that proposals are made from; all of them must outlive the proposals.
 struct fill_parts {
   const domain& shape;
   bounding_box box;
@@ -38,8 +38,8 @@ struct fill_parts {
 
 class site_proposals {
  public:
-  // With `uneven`, where no Voronoi vertex is found a point on the way to the neighbour is
-  // proposed.
+  // Takes the parts. With `uneven`, a gap without a Voronoi vertex proposes a point on the way to
+  // the neighbour.
   site_proposals(const fill_parts& parts, bool uneven)
       : parts_(parts), uneven_(uneven), locator_(parts.shape) {}
 
@@ -62,7 +62,7 @@ class site_proposals {
     bool has_metric = true;  // false: the field failed there
   };
 
-  // Returns the places at which proposals for these sites ask for the metric.
+  // Returns the places at which the proposals for these sites evaluate the metric.
   std::vector<point> places_for(const std::vector<vertex_index>& which, double distance) const;
   void propose(const filtered_kernel& kernel, vertex_index v, double distance,
                std::uint64_t& looked_at, std::vector<attempt>& out) const;

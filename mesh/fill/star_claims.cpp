@@ -31,7 +31,7 @@ claims_by_star sort_few(const claim_list& claims, std::size_t first, std::size_t
   return sorted;
 }
 
-// Sorts by counting where there are many: comparisons would be mispredicted every other time.
+// Sorts long lists by counting: comparisons would be mispredicted every other time.
 claims_by_star sort_many(const claim_list& claims, std::size_t first, std::size_t last) {
   const std::size_t count = last - first;
   std::vector<std::uint32_t> next(count + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists which sites lay claim to which stars, in little room: a fill of a million sites lists
-// several millions at the moment when it holds most.
+// Lists which sites may change which stars, in compact form: a fill of a million sites lists
+// several millions of such claims at its peak of memory.
 #pragma once
 
 #include <cstddef>
@@ -19,32 +19,33 @@ struct claims_by_star {
   std::vector<std::uint32_t> starts;  // of each star's claims in `by`, and the end
   std::vector<vertex_index> by;
 
-  // Returns the sites that lay claim to the star with this number in `stars`.
+  // Returns the sites that claim the star with this number in `stars`.
   std::span<const vertex_index> of(std::size_t nth) const {
     return std::span(by).subspan(starts[nth], starts[nth + 1] - starts[nth]);
   }
 };
 
-// Lists claims in the order in which they are laid, those of one site together.
+// Lists claims in the order in which they are made, those of one site together.
 class claim_list {
  public:
-  // Sites and stars have numbers below this.
+  // Bound of the numbers of sites and stars; the bit above is used as a mark.
   static constexpr std::size_t most_sites = std::size_t{1} << 31;
 
-  // Adds that the site lays claim to the star.
+  // Adds a claim of the site to the star.
   void add(vertex_index star, vertex_index by) {
     if (size_ == 0 || by != last_) entries_.push_back(by | marks_a_site);
     last_ = by;
     entries_.push_back(star);
     ++size_;
   }
-  // Adds what the other list holds.
+  // Adds all claims of the other list.
   void append(const claim_list& other);
   void reserve(std::size_t entries) { entries_.reserve(entries); }
 
-  // Returns how many claims there are.
+  // Returns the number of claims.
   std::size_t size() const { return size_; }
-  // Returns how many numbers hold them: one for each claim, and one for each site that lays some.
+  // Returns the number of entries that hold the claims: one for each claim, and one for each site
+  // that makes any.
   std::size_t entries() const { return entries_.size(); }
 
   // Calls visit(star, by) for each claim, in their order.
@@ -66,8 +67,8 @@ class claim_list {
   vertex_index last_ = 0;
 };
 
-// Returns the claims to stars from `first` to before `last` by their stars, and those to one star
-// in the order of the list.
+// Returns the claims to a range of stars, ordered by star, and those to one star in the order of
+// the list.
 claims_by_star sort_by_star(const claim_list& claims, std::size_t first, std::size_t last);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares the work that a fill has done with the most allowed for its number of sites.
+// Compares the work of a fill with the limit for its number of sites.
 #pragma once
 
 #include <atomic>
@@ -11,22 +11,23 @@
 
 namespace asterism::internal {
 
-// Counts instead of timing, so that every fill ends at the same place; by sums, which are the same
-// for any number of threads.
+// Counts work in place of time, so that every fill ends at the same place. Counts are sums, which
+// are the same for any number of threads.
 class work_meter {
  public:
-  // Adds stars of older sites that new ones disturb.
+  // Adds a number of stars of older sites that new ones disturb.
   void count_disturbed(std::uint64_t stars) { disturbed_ += stars; }
-  // Adds sites and subsegments looked at. Safe to call from several threads.
+  // Adds a number of sites and subsegments tested. Safe to call from several threads.
   void count_candidates(std::uint64_t looked_at) { candidates_ += looked_at; }
-  // Adds gaps of stars that were tested against a site, or made. Safe to call from several threads.
+  // Adds a number of gaps that were made, or tested against a site. Safe to call from several
+  // threads.
   void count_gaps(std::uint64_t looked_at) { gaps_ += looked_at; }
 
-  // True if `parts` times the work done is more than so many sites may take. Fills of metrics that
-  // sites can follow disturb 5 to 110 stars a site and go through 30 to 2600 candidates a site;
-  // where metrics vary wildly every site disturbs a part of all others, and both grow with the
-  // number of sites. So 200 stars and 25 x 200 candidates a site are about twice the most that was
-  // seen of the first kind.
+  // True if `parts` times the work done exceeds the limit for this number of sites. Fills of
+  // metrics that sites can follow disturb 5 to 110 stars a site and go through 30 to 2600
+  // candidates a site; where metrics vary wildly every site disturbs a part of all others, and both
+  // grow with the number of sites. So 200 stars and 25 x 200 candidates a site are about twice the
+  // most that was seen of the first kind.
   bool is_overworked(std::size_t sites, std::uint64_t parts = 1) const {
     constexpr std::uint64_t at_least = 500'000, for_each = 200, candidates_for_one = 25;
     const std::uint64_t most = at_least + for_each * sites;

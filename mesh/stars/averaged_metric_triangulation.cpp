@@ -14,7 +14,8 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the mean of the tensors, each divided by its trace: what counts is which way they lie.
+// Returns the mean of the tensors, each divided by its trace: their directions and ratios count,
+// not their sizes.
 metric_tensor mean_shape(const std::vector<site>& sites) {
   metric_tensor sum{0, 0, 0};
   for (const site& s : sites) {
@@ -25,15 +26,17 @@ metric_tensor mean_shape(const std::vector<site>& sites) {
   return sum;
 }
 
-// Most flips for one new site, in the mean of all: nearly all take less than ten, but the first
-// that are put beside a boundary of n vertices which all see each other take up to n.
+// Largest number of flips for one new site, as a mean over all new sites: nearly all take less than
+// ten, but the first sites put beside a boundary of n vertices which all see each other take up to
+// n.
 constexpr std::size_t most_flips = 64;
 
 }  // namespace
 
 std::optional<averaged_metric_triangulation> averaged_metric_triangulation::make(
     const site_oracle& oracle, const cancellation& cancelled) {
-  // Most flips a site: where metrics vary little over an edge two or three suffice.
+  // Largest number of flips for each site: where metrics vary little over an edge two or three
+  // suffice.
   constexpr std::size_t flips_for_each = 16;
   auto questions = std::make_unique<asked>();
   questions->kernel = oracle.kernel().fork(questions->counted);
@@ -77,15 +80,15 @@ double averaged_metric_triangulation::excess(vertex_index a, vertex_index b, ver
   return -(one + other) / (std::abs(one) + std::abs(other));
 }
 
-// A tie by roundings stays as it is.
+// Keeps an edge whose two diagonals tie but for rounding.
 bool averaged_metric_triangulation::is_better(vertex_index a, vertex_index b, vertex_index c,
                                               vertex_index d) const {
   constexpr double tie = 0x1p-30;
   return excess(a, b, c, d) > tie;
 }
 
-// Uses doubles alone: an undecided edge stays, and all others do after as much work as making the
-// stars without guesses would cost.
+// Decides in doubles alone: an undecided edge stays. All edges stay once the work equals that of
+// making the stars without guesses.
 bool averaged_metric_triangulation::is_better_in_stars(vertex_index a, vertex_index b,
                                                        vertex_index c, vertex_index d) {
   constexpr double most_for_each = 2;
@@ -104,9 +107,9 @@ bool averaged_metric_triangulation::is_better_in_stars(vertex_index a, vertex_in
   return comes.certain() && comes.value();
 }
 
-// Flips that a site does not use are left to later sites. With a limit of 64 for each site a circle
-// of 30,000 equal segments was left to stars with thousands of neighbours, and took 62,000 sites in
-// place of 52,000.
+// Returns the flips left to the next site: those that a site does not use are left to later sites.
+// With a limit of 64 for each site alone a circle of 30,000 equal segments was left to stars with
+// thousands of neighbours, and took 62,000 sites in place of 52,000.
 std::size_t averaged_metric_triangulation::flips_left() const {
   const std::size_t in_all = most_flips * sites_.size(),
                     done = from_.delaunay.flips_of_insertions();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps a triangulation of all sites of a mesh whose edges are flipped as the mean of the metrics
-// at the four sites around wants them.
+// Keeps a triangulation of all sites of a mesh whose edges are flipped by the mean of the metrics
+// at the four sites around each.
 //
 // It begins as one in a metric for all. Where metrics vary little over an edge, stars are about
 // those of this triangulation. Nothing may rely on its edges; that it is a triangulation with all
@@ -24,7 +24,7 @@ namespace asterism::internal {
 class averaged_metric_triangulation {
  public:
   // Triangulates the sites of the oracle, which must have a neighbourhood; none where that takes
-  // too long or a segment goes through a site. What it asks is counted apart.
+  // too long or a segment goes through a site. The kernel's decisions are counted apart.
   static std::optional<averaged_metric_triangulation> make(const site_oracle& oracle,
                                                            const cancellation& cancelled);
 
@@ -43,9 +43,9 @@ class averaged_metric_triangulation {
   // `around`.
   void insert(const site& s, const delaunay_triangulation::location& at,
               std::vector<std::uint32_t>& around);
-  // Does so with one that splits the subsegment from a to b, as the sites are numbered. Returns
-  // false, with nothing changed, where the place of the site, which is rounded, is on the wrong
-  // side of something: then the triangulation is of no use.
+  // Inserts a site that splits the subsegment from a to b; the vertices are numbered as the sites.
+  // Returns false, with nothing changed, where the rounded position of the site is on the wrong
+  // side of another edge: then the triangulation is of no use.
   bool split(const site& s, vertex_index a, vertex_index b, std::vector<std::uint32_t>& around);
 
   // Follows a renumbering: what was site v of the mesh is site to[v] from now on.
@@ -76,10 +76,10 @@ class averaged_metric_triangulation {
       return is_better(a, b, c, d);
     };
   }
-  // Says whether the stars refuse the edge from a to b and accept that from c to d. Notes at the
-  // ends of an edge that they do not plainly accept it.
+  // Decides whether the stars refuse the edge from a to b and accept that from c to d. Marks the
+  // ends of an edge whose stars do not plainly accept it.
   bool is_better_in_stars(vertex_index a, vertex_index b, vertex_index c, vertex_index d);
-  // Returns how many flips the next site may take.
+  // Returns the number of flips that the next site may take.
   std::size_t flips_left() const;
   void number_last(vertex_index v);
   void collect_faces(vertex_index v, std::vector<std::uint32_t>& around) const;
@@ -94,8 +94,8 @@ class averaged_metric_triangulation {
 };
 
 // Returns the neighbours that the star of each site is likely to have, counter-clockwise from the
-// nearest: those of such a triangulation of the oracle's sites. Each is confirmed exactly or not
-// used. Returns nothing where there is no triangulation. Requires a neighbourhood.
+// nearest: those in an averaged-metric triangulation of the oracle's sites. Each is confirmed
+// exactly or not used. Returns nothing where there is no triangulation. Requires a neighbourhood.
 neighbour_lists guess_neighbours(const site_oracle& oracle, const cancellation& cancelled);
 
 }  // namespace asterism::internal

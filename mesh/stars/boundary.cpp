@@ -48,7 +48,7 @@ bool pair_rays(const std::vector<ray>& rays, std::vector<boundary_corner>& corne
 
 result<boundary> boundary::build(const domain& d, const star_predicates& kernel) {
   boundary b;
-  // Vertices after these are isolated.
+  // Counts the vertices up to the last one on a segment; all after it are isolated.
   std::size_t on_segments = 0;
   for (const segment& s : d.segments)
     on_segments = std::max({on_segments, std::size_t{s.a} + 1, std::size_t{s.b} + 1});
@@ -100,14 +100,14 @@ bool boundary::is_subsegment(vertex_index a, vertex_index b) const {
 
 void boundary::split(std::size_t subsegment, vertex_index m) {
   const boundary_edge whole = subsegments_[subsegment];
-  // By a little at a time: sites that are no corners may be most.
+  // Grows the list in small steps: sites that are no corners may be most.
   if (corners_.capacity() <= m) corners_.reserve(m + 1 + m / 8);
   if (corners_.size() <= m) corners_.resize(m + 1);
   corners_[m] = {{whole.b, whole.a}};
   const std::size_t second = subsegments_.size();
   split_one(subsegment, m);
   if (!whole.internal) return;
-  // a -> b and b -> a became a -> m, m -> b and b -> m, m -> a.
+  // Completes the split of the twin: a -> b and b -> a became a -> m, m -> b and b -> m, m -> a.
   const std::size_t back = companions_[subsegment].twin;
   split_one(back, m);
   corners_[m].push_back({whole.a, whole.b});
@@ -140,7 +140,7 @@ std::vector<boundary_edge> boundary::in_order() const {
   for (auto begin = by_start.begin(); begin != by_start.end();) {
     const auto end = std::find_if(
         begin, by_start.end(), [&](const boundary_edge& p) { return p.segment != begin->segment; });
-    // A chain starts at the one vertex that ends no subsegment of it.
+    // Finds the start of a chain: the one vertex that ends no subsegment of it.
     ends.clear();
     for (auto p = begin; p != end; ++p) ends.push_back(p->b);
     std::sort(ends.begin(), ends.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Turns triangles so that equal ones are written alike.
+// Turns triangles so that those with the same corners in the same sense are written alike.
 #pragma once
 
 #include <algorithm>

@@ -12,8 +12,8 @@ namespace asterism::internal {
 delaunay_triangulation::delaunay_triangulation(std::vector<site> sites,
                                                const star_predicates& kernel)
     : sites_(std::move(sites)), frame_(static_cast<vertex_index>(sites_.size())), kernel_(&kernel) {
-  // Steps allowed a site. In a good order a site takes about 20; this many cost ten microseconds,
-  // less than stars made one by one.
+  // Largest number of steps for each site. In a good order a site takes about 20; this limit costs
+  // ten microseconds, less than stars made one by one.
   constexpr std::size_t at_least = 100'000, for_each = 400;
   most_steps_ = at_least + for_each * sites_.size();
   is_framed_ = add_frame();
@@ -74,8 +74,8 @@ delaunay_triangulation::place delaunay_triangulation::next_around(const place& p
   return {next, corner_of(faces_[next], f.corner[p.corner])};
 }
 
-// Searches around both ends in turn: one may have very many edges, or be in the frame, with faces
-// on one side alone.
+// Finds the face left of an edge. Searches around both ends in turn: one end may have very many
+// edges, or be in the frame, with faces on one side alone.
 std::optional<delaunay_triangulation::place> delaunay_triangulation::find_edge(vertex_index a,
                                                                                vertex_index b) {
   const place first_a = at(a), first_b = at(b);
@@ -116,7 +116,7 @@ void delaunay_triangulation::relink(std::uint32_t neighbour, std::uint32_t old_f
     if (f == old_face) f = new_face;
 }
 
-// Writes the face so that this corner comes first.
+// Rotates the corners of the face so that this corner comes first.
 void delaunay_triangulation::turn_to_front(const place& p) {
   face& f = faces_[p.face];
   const auto by = static_cast<std::ptrdiff_t>(p.corner);
@@ -176,7 +176,7 @@ std::optional<delaunay_triangulation::location> delaunay_triangulation::locate_n
   return std::nullopt;
 }
 
-// New faces have v as their first corner.
+// Makes the new faces with v as their first corner.
 void delaunay_triangulation::split_face(std::uint32_t f, vertex_index v) {
   const auto [corner, across, fixed] = faces_[f];
   const auto [a, b, c] = corner;
@@ -264,7 +264,7 @@ void delaunay_triangulation::suspect(const face& f) {
   for (std::uint32_t i = 0; i < 3; ++i) suspects_.emplace_back(f.corner[i], f.corner[after(i)]);
 }
 
-// Fixes the edge; false if it is not there.
+// Marks the edge as one that stays; returns false if there is no such edge.
 bool delaunay_triangulation::fix(vertex_index a, vertex_index b) {
   const auto left = find_edge(a, b);
   if (!left || faces_[left->face].across[left->corner] == none) return false;
@@ -298,7 +298,7 @@ bool delaunay_triangulation::cross(vertex_index a, vertex_index b,
     if (apex == b) return true;
     const sign side = turn(a, b, apex);
     if (side == sign::zero) return false;  // the segment goes through a site
-    // Continues across the edge from the apex to the end on the other side.
+    // Continues on the far side, in the next face that the segment enters.
     p = {next, corner_of(o, side == sign::positive ? left : right)};
   }
   return false;
@@ -361,8 +361,8 @@ bool delaunay_triangulation::may_flip(const place& p, const comparison& is_bette
          turn(c, d, b) == sign::positive;
 }
 
-// Flips one edge of the face that is to be flipped; false if there is none. Adds the faces on both
-// sides to open_. Leaves out edges to faces before `first`.
+// Flips one edge of the face if is_better prefers the other diagonal of some edge; returns false
+// otherwise. Adds the faces on both sides to open_. Leaves out edges to faces before `first`.
 bool delaunay_triangulation::improve(std::uint32_t at, std::uint32_t first,
                                      const comparison& is_better) {
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -419,7 +419,7 @@ vertex_index delaunay_triangulation::split_towards(const site& s, const place& a
   return v;
 }
 
-// Looks at edges across from the new site alone: each flip leaves two more.
+// Tests only edges across from the new site: each flip leaves two more of these.
 void delaunay_triangulation::flip_around_towards(vertex_index v, const comparison& is_better,
                                                  std::size_t most) {
   std::size_t flips = 0;

@@ -27,8 +27,8 @@ class delaunay_triangulation {
  public:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  // Counter-clockwise. across[i] is the face on the other side of the edge that corner[i] is not an
-  // end of, and fixed[i] tells whether that edge must stay.
+  // A face with its corners in counter-clockwise order. across[i] is the face on the other side of
+  // the edge that corner[i] is not an end of, and fixed[i] tells whether that edge must stay.
   struct face {
     std::array<vertex_index, 3> corner{};
     std::array<std::uint32_t, 3> across{};
@@ -44,20 +44,21 @@ class delaunay_triangulation {
   // must outlive the triangulation.
   delaunay_triangulation(std::vector<site> sites, const star_predicates& kernel);
 
-  // Each of the following returns false, and leaves a triangulation of no use, where the sites are
-  // not as required, or where it takes more steps than are allowed for this number of sites.
+  // Each of the following functions returns false, and leaves a triangulation of no use, where the
+  // sites are not as required, or where it takes more steps than are allowed for this number of
+  // sites.
 
-  // Puts site v in. Requires that it is not in yet and that no segment was put in.
+  // Inserts site v. Requires that it was not inserted yet and that no segment was.
   bool insert(vertex_index v);
-  // Makes the edge from a to b one that stays. Requires that both are in; false where the segment
-  // goes through a site.
+  // Makes the edge from a to b one that stays. Requires that both sites were inserted; returns
+  // false where the segment goes through a site.
   bool insert_segment(vertex_index a, vertex_index b);
   // Flips edges until all are Delaunay but those that stay; to be called after the last segment.
   bool settle();
   // Flips edges while is_better(a, b, c, d) says that the edge from c to d is to take the place of
   // that from a to b, at most so many times. What comes out is a triangulation with the edges that
-  // stay, and in general not the Delaunay one: to be called last. Returns true if each edge that is
-  // left was asked about with the faces that it has in the end.
+  // stay, and in general not the Delaunay one: to be called last. Returns true if is_better was
+  // called for each remaining edge with the faces that it has in the end.
   using comparison =
       std::function<bool(vertex_index a, vertex_index b, vertex_index c, vertex_index d)>;
   bool flip_towards(const comparison& is_better, std::size_t most);
@@ -68,34 +69,37 @@ class delaunay_triangulation {
     bool on_edge = false;
   };
   std::optional<location> locate_near(const point& q, std::uint32_t from) const;
-  // Puts one more site in, at a place found for it, and flips edges as flip_towards() does around
-  // it, at most so many times: all faces that are new or changed are at it. Returns its number,
-  // which is not the next one: the frame is in between. Requires that it is on no edge that stays.
+  // Inserts one more site at a place found for it, and flips edges around it as flip_towards()
+  // does, at most so many times: all faces that are new or changed have it as a corner. Returns its
+  // number, which is not the next one: the frame's corners are numbered in between. Requires that
+  // it is on no edge that stays.
   vertex_index insert_towards(const site& s, const location& at, const comparison& is_better,
                               std::size_t most);
-  // Does so with a site on or beside the edge across from the corner. If that edge is fixed, both
-  // its parts are. Edges are flipped on the corner's side, and on the other side as well if asked.
-  // The first of the two new faces is on the corner's side. Requires a face on either side.
+  // Inserts a site on or beside the edge across from the corner. If that edge is fixed, both its
+  // parts are. Edges are flipped on the corner's side, and on the other side as well if that is
+  // asked for. The first of the two new faces is on the corner's side. Requires a face on either
+  // side.
   vertex_index split_towards(const site& s, const place& at, bool on_both_sides,
                              const comparison& is_better, std::size_t most);
-  // Returns how many flips these two have made in all.
+  // Returns the number of flips made by the two insertions above, in all.
   std::size_t flips_of_insertions() const { return flips_of_insertions_; }
   // Returns the face to the left of the edge from a to b, with the corner that is not on it; none
   // where there is no such edge, or too many steps were taken.
   std::optional<place> find_edge(vertex_index a, vertex_index b);
 
-  // Returns the number of sites it was made of, which is that of the first corner of the frame.
+  // Returns the number of sites that the triangulation was made of, which is the number of the
+  // first corner of the frame.
   std::size_t sites() const { return frame_; }
   const std::vector<site>& all_sites() const { return sites_; }
   bool is_frame(vertex_index v) const { return v >= frame_ && v < frame_ + frame_size; }
   const std::vector<face>& faces() const { return faces_; }
-  // Returns one face at v, with v's corner.
+  // Returns one face at the site v, with v's corner in it.
   place at(vertex_index v) const { return {face_at_[v], corner_of(faces_[face_at_[v]], v)}; }
   // Returns the next face around the corner, counter-clockwise.
   place next_around(const place& p) const;
 
-  // True if the face turns counter-clockwise, and no edge of it that may go has to; each edge is
-  // asked about by the face of the lesser number.
+  // True if the face turns counter-clockwise and every edge of it is fixed or Delaunay; each edge
+  // is tested for the face with the lesser number.
   bool is_sound(std::uint32_t face, const star_predicates& kernel) const;
 
  private:
@@ -115,13 +119,13 @@ class delaunay_triangulation {
   sign turn(vertex_index a, vertex_index b, const point& q) const {
     return kernel_->orientation(sites_[a].position, sites_[b].position, q);
   }
-  // True if the edge across from the corner is not to be flipped. Asks the first tier itself: all
-  // metrics are the same, and it decides nearly always.
+  // True if the edge across from the corner is fixed or Delaunay. Evaluates the first tier of the
+  // kernel directly: all metrics are the same, and it nearly always decides.
   bool stays(const place& p, const star_predicates& kernel) const;
   bool take_step() { return ++steps_ <= most_steps_; }
   std::optional<place> locate(vertex_index v, bool& on_edge);
-  // For a face on the walk to q: the edge to cross, or, where q is in it, the number of edges that
-  // q is on.
+  // Result of one step of the walk to q: the edge to cross or, where q is in the face, the number
+  // of edges that q is on.
   struct way {
     bool goes_on = false;
     std::uint32_t edge = 0, touched = 0;

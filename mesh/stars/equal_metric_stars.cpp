@@ -16,9 +16,9 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the radius of the circle around a triangle in its metric, from above: the product of its
+// Returns the radius of the circle around a triangle in its metric, rounded up: the product of its
 // sides over four times its area. A length is off by at most 2^-46 of its monomials, an area by
-// 2^-49. Infinite where that does not say enough, or near underflow or overflow.
+// 2^-49. Infinite where these errors are too large, or near underflow or overflow.
 double circumradius_above(const site& v, const point& q, const point& r) {
   const metric_tensor& m = v.metric;
   const auto squared_above = [&](double x, double y) {
@@ -40,14 +40,15 @@ double circumradius_above(const site& v, const point& q, const point& r) {
   return in_range ? std::sqrt(sides / below) * (1 + 0x1p-40) : infinity;
 }
 
-// Reads stars from the triangulation. Each proves the faces of which its site has the least number.
+// Reads stars from the triangulation. Each star proves those faces of which its site has the least
+// number.
 class star_reader {
  public:
   star_reader(const site_oracle& oracle, const site_triangulation& from,
               const star_predicates& kernel)
       : oracle_(oracle), from_(from), kernel_(kernel) {}
 
-  // Returns the star of v; none if something is not as it must be.
+  // Returns the star of v; none if a face is not proved or an end of a sector is missing.
   std::optional<constructed_star> read(vertex_index v) {
     constructed_star built{empty_star(oracle_.edges(), v), true, false, {}};
     reach_ = 0;
@@ -63,7 +64,7 @@ class star_reader {
 
   static std::uint32_t after(std::uint32_t i) { return i == 2 ? 0 : i + 1; }
 
-  // Fills in the sector between its ends, or all around, beginning with the nearest neighbour.
+  // Fills in a sector, from end to end or all around, beginning with the nearest neighbour.
   bool fill(vertex_index v, sector& s) {
     const vertex_index centre = from_.numbers[v];
     place p = from_.delaunay.at(centre);
@@ -94,7 +95,7 @@ class star_reader {
     });
   }
 
-  // Turns p about its corner until the edge to `end` starts the face.
+  // Rotates the place p around its corner until the edge to `end` is the first one of its face.
   bool turn_to(place& p, vertex_index end) const {
     const std::uint32_t first = p.face;
     do {
@@ -135,8 +136,8 @@ bool have_one_metric(const std::vector<site>& sites) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
-// Collects the faces inside as triangles by the sites' own numbers; fewer where one reaches out of
-// the domain, or, by_mesher, is not sound.
+// Collects the faces inside the domain as triangles, by the sites' own numbers. Returns fewer where
+// one reaches out of the domain or, by_mesher, is not sound.
 std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_triangulation& from,
                                       const std::vector<char>& inside,
                                       star_confirmation confirmed) {
@@ -162,8 +163,8 @@ std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_tria
   return all;
 }
 
-// Sorts triangles whose least corner comes first: by counting for that, and each of its few by
-// comparing.
+// Sorts triangles whose least corner comes first: by counting for that corner, and by comparing
+// those that share it.
 std::vector<triangle> in_order(const std::vector<triangle>& triangles, std::size_t sites) {
   std::vector<std::size_t> start(sites + 1, 0);
   for (const triangle& t : triangles) ++start[t[0] + 1];
@@ -208,7 +209,7 @@ std::optional<std::vector<constructed_star>> stars_of_equal_metrics(const site_o
   constexpr std::size_t chunk = 1024;
   std::vector<tier_counters> counts(chunk_count(oracle.size(), chunk));
   std::vector<char> is_made(counts.size(), 0);
-  // Written in place: a large mesh has its peak of memory here.
+  // Writes the stars in place: a large mesh has its peak of memory here.
   std::vector<constructed_star> stars(oracle.size());
   parallel_chunks(stars.size(), chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
     const auto kernel = oracle.kernel().fork(counts[i]);

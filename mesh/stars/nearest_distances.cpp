@@ -78,8 +78,8 @@ double least_of_pairs(const std::vector<site>& sites, const site_index& near, do
   return least;
 }
 
-// Returns the least squared distance of v and a subsegment near the box that is not at v; at most
-// `least`.
+// Returns the least squared distance of v from a subsegment near the box that has no end at v; at
+// most `most`.
 double least_to_subsegments(const std::vector<site>& sites, vertex_index v, const boundary& edges,
                             const proximity& near, const bounding_box& around, double least) {
   near.subsegments().visit(around, [&](std::uint32_t i) {
@@ -92,7 +92,8 @@ double least_to_subsegments(const std::vector<site>& sites, vertex_index v, cons
   return least;
 }
 
-// Returns the same of all sites, group by group: most are not near any subsegment.
+// Returns the least squared distance of any site from a subsegment not at it, group by group: most
+// sites are not near any subsegment.
 double shortest_of_all(const std::vector<site>& sites, const boundary& edges, const proximity& near,
                        double most) {
   const double at_first = std::min(most * most, least_along(near.order(), sites));
@@ -114,7 +115,7 @@ double shortest_of_all(const std::vector<site>& sites, const boundary& edges, co
 double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
                          const proximity& near, double most) {
   if (count == sites.size()) return shortest_of_all(sites, edges, near, most);
-  // Along the curve each search finds what it looks at in the cache, as the one before did.
+  // Goes along the curve: each search then finds in the cache what the search before it read.
   std::vector<vertex_index> order = near.order();
   std::erase_if(order, [count](vertex_index v) { return v >= count; });
   double least = std::min(most * most, least_along(order, sites));

@@ -13,10 +13,10 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the order in which sites are put in: in rounds, each four times as many as all before and
-// drawn as if at random, so that no arrangement of sites makes many long flips; along a curve
-// within each, so that the way to the next is short. Source: Amenta, Choi and Rote, Incremental
-// constructions con BRIO, 2003.
+// Returns the order in which sites are inserted: in rounds, each four times as many as all before
+// and drawn as if at random, so that no arrangement of sites makes many long flips; along a curve
+// within each round, so that the walk to the next site is short. Source: Amenta, Choi and Rote,
+// Incremental constructions con BRIO, 2003.
 std::vector<vertex_index> insertion_order(const site_oracle& oracle) {
   constexpr std::size_t most_rounds = 16;
   const auto round_of = [](vertex_index v) {
@@ -66,7 +66,7 @@ std::optional<site_triangulation> triangulate(const site_oracle& oracle,
   return site_triangulation{std::move(delaunay), std::move(order), std::move(numbers)};
 }
 
-// Floods from each subsegment over the edges that are not fixed.
+// Marks faces from each subsegment on, across edges that are not fixed.
 std::vector<char> faces_inside(site_triangulation& from, const boundary& edges) {
   std::vector<char> inside(from.delaunay.faces().size(), 0);
   std::vector<std::uint32_t> open;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whether a subsegment of the boundary can be split at a point without harm to its
+// Decides whether a subsegment of the boundary can be split at a point without harm to its
 // surroundings.
 #pragma once
 

@@ -6,8 +6,9 @@
 namespace asterism::internal {
 namespace {
 
-// Place of the direction v -> u, counter-clockwise from the ray v -> first. It orders directions
-// but for those within one open half plane, which one orientation tells apart.
+// Sector of directions that v -> u lies in, counter-clockwise from the ray v -> first: the ray, an
+// open half plane, the opposite ray, or the other half plane. Directions within one half plane are
+// ordered by one orientation.
 enum class half { on_first_ray, left, on_opposite_ray, right };
 
 half half_of(const site_oracle& oracle, vertex_index v, vertex_index first, vertex_index u) {
@@ -53,8 +54,8 @@ placement locate(const site_oracle& oracle, vertex_index v, const sector& s, ver
   const vertex_index first = s.neighbours.front();
   const half half_of_w = half_of(oracle, v, first, w);
   if (half_of_w == half::on_first_ray) return {placement_kind::on_ray, 0};
-  // Keeps w after neighbour `low` and before `high`. The last neighbour of a slit, which is the
-  // first one again, comes after everything.
+  // Keeps the neighbours before w by `low` and after it by `high`. The last neighbour of a slit,
+  // which is the first one again, comes after everything.
   std::size_t low = 0, high = s.is_slit() ? s.size() - 1 : s.size();
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
@@ -80,8 +81,8 @@ bool holds_triangle(const site_oracle& oracle, vertex_index v, const sector& s, 
 
 std::optional<std::size_t> gap_from(const site_oracle& oracle, vertex_index v, const sector& s,
                                     vertex_index y, vertex_index x) {
-  // Number of neighbours above which a search by halving is cheaper than comparing each; few stars
-  // have as many.
+  // Number of neighbours above which a bisection is cheaper than comparing each; few stars have as
+  // many.
   constexpr std::size_t many = 64;
   const auto is_from = [&](std::size_t gap) {
     return gap < s.gaps() && s.neighbours[gap] == y && s.neighbours[s.after(gap)] == x;

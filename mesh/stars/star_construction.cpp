@@ -17,8 +17,8 @@
 namespace asterism::internal {
 namespace {
 
-// Most rounds over all sites. A star that does not settle in a few is replacing neighbours in a
-// circle, which more rounds do not cure.
+// Largest number of rounds over all sites. A star that does not settle in a few rounds replaces
+// neighbours in a cycle, which more rounds do not end.
 constexpr std::size_t most_rounds = 8;
 
 struct candidate {
@@ -64,7 +64,7 @@ constructed_star settle(const site_oracle& oracle, vertex_index v, star begun,
   return built;
 }
 
-// --- The star from what is near.
+// --- The star made from the sites near v.
 
 // Returns the part of the ring, which is counter-clockwise, from one end of a corner to the other;
 // none where one of them is missing.
@@ -111,8 +111,8 @@ bool is_clear_of_subsegments(const site_oracle& oracle, vertex_index v, const st
   return oracle.near()->subsegments().visit(around, [](std::uint32_t) { return false; });
 }
 
-// True if the work allowed was done. Asked now and then while the neighbours of one star are gone
-// through: there may be tens of thousands, and as many subsegments that hide each.
+// True if the work limit is reached. Polled for every sixteenth neighbour of a star: there may be
+// tens of thousands, and as many subsegments that hide each.
 bool is_over_at(const site_oracle& oracle, std::size_t neighbour) {
   constexpr std::size_t at_a_time = 16;
   return neighbour % at_a_time == at_a_time - 1 && oracle.is_over();
@@ -135,8 +135,8 @@ std::optional<star> seen_star(const site_oracle& oracle, vertex_index v,
   return s;
 }
 
-// Returns the star with these neighbours if exact tests find nothing wrong with it: each is seen
-// and stands.
+// Returns the star with these neighbours if exact tests confirm it: v sees each of them, and each
+// is accepted.
 std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
                                   std::span<const vertex_index> ring) {
   auto s = seen_star(oracle, v, ring);
@@ -158,9 +158,9 @@ bool is_calm(const site_oracle& oracle, vertex_index v, const star& s) {
   return true;
 }
 
-// Returns the star with the neighbours proposed if they stand and, unless that is left to the
-// auditor, exact tests confirm it at once against all sites. What is left to the auditor is asked
-// of those alone that are in doubt whether they stand: the auditor asks it of all edges.
+// Returns the star with the neighbours proposed if each is accepted and, unless that is left to the
+// auditor, exact tests confirm it at once against all sites. Where it is left to the auditor, only
+// neighbours whose acceptance is in doubt are tested here: the auditor tests all edges.
 std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_index v,
                                              const star_proposal& proposed) {
   if (proposed.guess.empty()) return std::nullopt;
@@ -183,9 +183,9 @@ std::vector<vertex_index> ring_of(const approximate_star& guess) {
   return ring;
 }
 
-// Returns the star to begin with: the neighbours guessed that v sees and that pass their tests.
-// Most stay. A star begun without neighbours takes many in far directions first, which only exact
-// numbers remove.
+// Returns the star to begin with: the guessed neighbours that v sees and that pass their tests,
+// which are most. A star begun without neighbours first accepts many in far directions, which only
+// exact numbers remove.
 star begun_star(const site_oracle& oracle, vertex_index v, const approximate_star& guess) {
   auto s = ring_star(oracle, v, ring_of(guess));
   if (!s) return empty_star(oracle.edges(), v);
@@ -197,9 +197,9 @@ star begun_star(const site_oracle& oracle, vertex_index v, const approximate_sta
   return *std::move(s);
 }
 
-// Returns the star guessed in plain doubles if exact tests confirm it: at once against all sites
-// there are, or else against the given ones. A search of what is near leaves gaps to which far
-// sites matter to a thorough one: where they are many, most stars with them are soon changed.
+// Returns the star guessed in plain doubles if exact tests confirm it: at once against all sites,
+// or else against the given ones. A search of what is near leaves gaps to which far sites matter to
+// a thorough one: where they are many, most stars with them are soon changed.
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
                                                 star_search search, const approximate_star& guess,
                                                 const std::vector<vertex_index>& order) {
@@ -215,23 +215,23 @@ std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, verte
   return constructed_star{*std::move(s), true, false, {}};
 }
 
-// Extent of a star as site_index::visit_reach wants it, but in doubles. A gap whose vertex is not
-// found has an infinite radius. A gap closed by a subsegment of the boundary has none, as it
-// accepts nothing.
+// Extent of a star for site_index::visit_reach, in doubles. A gap whose vertex is not found has
+// an infinite radius. A gap closed by a subsegment of the boundary has none, as it accepts
+// nothing.
 struct star_extent {
   double radius = 0, longest = 0;
   bool lacks_vertex = false;  // of a gap of less than half a turn
   double finite = 0;          // the greatest radius that is
-  // Gaps of infinite radius and less than half a turn, from y counter-clockwise to x; a wider one
-  // may be closed by any site.
+  // A gap of infinite radius and less than half a turn, from y counter-clockwise to x. Wider gaps
+  // are not listed: any site may close them.
   struct open_gap {
     vertex_index y, x;
   };
   std::vector<open_gap> open;
   bool is_wide = false;
 
-  // Calls visit(w) for each site not certainly out of reach: of the gaps of finite radius, or of a
-  // gap that has none. May do so more than once.
+  // Calls visit(w) for each site not certainly out of reach of all gaps: those of finite radius,
+  // and those that have none. May call it more than once for a site.
   template <class Visit>
   bool visit(const site_oracle& oracle, vertex_index v, const Visit& visit) const {
     const site_index& near = oracle.near()->sites();
@@ -303,8 +303,8 @@ constructed_star construct_from(const site_oracle& oracle, vertex_index v, star_
   return settle(oracle, v, begun_star(oracle, v, guess), order);
 }
 
-// Multiple of the farthest vertex's distance beyond which sites are left to the thorough search:
-// two, which is enough where metrics are equal, and a margin.
+// Multiple of the farthest vertex's distance within which sites are tested before the thorough
+// search: two suffices where metrics are equal, and a margin is added.
 constexpr double reach_of_vertices = 2.1;
 
 struct local_star {
@@ -323,8 +323,8 @@ star_extent extent_of(const site_oracle& oracle, vertex_index v, const approxima
   return extent;
 }
 
-// Constructs the star of v from the sites near it. Looks farther and farther, until the star's
-// farthest vertex is well within what was looked at. The first look takes two spacings, and the
+// Constructs the star of v from the sites near it. Searches farther and farther, until the star's
+// farthest vertex is well within the radius searched. The first look takes two spacings, and the
 // margin of reach_of_vertices: they hold the star in an even lattice. Six sites are what a site has
 // as neighbours on average. A look that was too short names the reach it wants. The next one takes
 // that with 2 % for its own rounding, but at least a quarter more than the last, so that looks get
@@ -366,7 +366,7 @@ local_star construct_near(const site_oracle& oracle, vertex_index v, star_search
   }
 }
 
-// Returns the sites not certainly out of reach that are not among the given ones.
+// Returns the sites not certainly out of the star's reach that are not among the given ones.
 std::vector<vertex_index> others_in_reach(const site_oracle& oracle, vertex_index v,
                                           const local_star& from) {
   std::vector<vertex_index> known = from.among.order, others;
@@ -379,8 +379,8 @@ std::vector<vertex_index> others_in_reach(const site_oracle& oracle, vertex_inde
   return others;
 }
 
-// Makes the star anew with those other sites that it would accept; false if there are none, or the
-// work allowed was done.
+// Makes the star anew with the other sites that it would accept; returns false if there are none,
+// or at the work limit.
 bool take_missed(const site_oracle& oracle, vertex_index v, star_search search,
                  std::span<const vertex_index> others, local_star& from) {
   std::vector<vertex_index> missed;

@@ -31,24 +31,27 @@ namespace asterism::internal {
 struct constructed_star {
   star content;
   // True if the star is settled. False (the default) when neighbours were still replacing each
-  // other after the bound on rounds (stars/star_construction.cpp); (a) or (b) then fails.
+  // other after the bound on rounds (stars/star_construction.cpp); (a) or (b) of the definition
+  // above then fails.
   bool settled = false;
   // True if a thorough search had to change the star made of the near sites; false by default.
   bool repaired = false;
   // Reach of a star known to be final (stars/star_finality.hpp): a site that comes later and is
-  // certainly out of it does not change the star. Empty (the default) if that is not known.
+  // certainly out of it does not change the star. Empty, the default, if the star is not known to
+  // be final.
   std::optional<double> final_reach;
 };
 
 enum class star_search { near, thorough };
 
-// Says what is known of a star before it is made; nothing by default.
+// What is known of a star before it is made: neighbours that it probably has; nothing by default.
 struct star_proposal {
-  // The neighbours that it is likely to have, counter-clockwise. They are the star if exact tests
-  // find that each stands and, by_mesher, confirm them against all sites; else they are not used.
+  // Neighbours that the star probably has, counter-clockwise. They are its neighbours if exact
+  // tests find that each is accepted and, by_mesher, confirm them against all sites; else they are
+  // not used.
   std::span<const vertex_index> guess = {};
-  // True if doubles found of each of them that it stands, and are not in doubt: where the auditor
-  // confirms the star, that is not asked once more.
+  // True if doubles decided for each of these neighbours that it is accepted, without doubt: where
+  // the auditor confirms the star, that is not tested again.
   bool is_plain = false;
   star_confirmation confirmed = star_confirmation::by_mesher;
   std::span<const vertex_index> others = {};  // offered to it besides what is near
@@ -61,10 +64,10 @@ constructed_star construct_star(const site_oracle& oracle, vertex_index v,
                                 const star_proposal& proposed = {});
 
 // Returns the distance from v to the farthest Voronoi vertex of the star's gaps, as v measures;
-// infinite when a gap has none. In doubles, for choosing how far to look.
+// infinite when a gap has none. In doubles, for choosing the radius of a search.
 double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s);
-// Returns that distance, or that of the farthest neighbour if it is more, and passes over gaps of
-// less than half a turn that have no vertex: where metrics vary fast, no distance would do.
+// Returns the greater of that distance and the farthest neighbour's. Leaves out gaps of less than
+// half a turn that have no vertex: where metrics vary fast, no distance would be enough for these.
 double farthest_known_vertex(const site_oracle& oracle, vertex_index v, const star& s);
 
 }  // namespace asterism::internal

@@ -25,7 +25,7 @@ struct prepared_gap {
   }
 };
 
-// Holds one sector of v's star, its gaps prepared for many questions.
+// One sector of v's star with its gaps prepared for many tests.
 class prepared_sector {
  public:
   prepared_sector(const site_oracle& oracle, vertex_index v, const sector& part)
@@ -35,7 +35,8 @@ class prepared_sector {
       gap.y = part.neighbours[i];
       gap.x = part.neighbours[part.after(i)];
       gap.on_boundary = oracle.edges().is_subsegment(gap.y, gap.x);
-      // Leaves out gaps of half a turn or more: they accept sites that prepared ones would refuse.
+      // Prepares no gaps of half a turn or more: they accept sites that a prepared gap would
+      // refuse.
       if (!gap.on_boundary && holds_triangle(oracle, v, part, i))
         gap.content.emplace(at(v), at(gap.y), at(gap.x));
     }
@@ -53,7 +54,7 @@ class prepared_sector {
     return reach;
   }
 
-  // Returns a reach that most gaps are within: no more than `times` that of the one in the middle.
+  // Returns a reach that covers most gaps: the largest one that is at most `times` the median.
   double common_reach(double times) const {
     boost::container::small_vector<double, 16> all;
     for (const prepared_gap& gap : gaps_)
@@ -93,15 +94,15 @@ class prepared_sector {
       gap = &gaps_[where.at];
     }
     if (!gap->content) return false;
-    // Excludes the triangle of the gap: a site inside it is accepted whatever the arcs say.
+    // Returns false for sites inside the gap's triangle: these are accepted whatever the arcs say.
     return refuses(*gap, w) && oracle_->orientation(gap->y, gap->x, w) != sign::positive;
   }
 
  private:
   const site& at(vertex_index u) const { return oracle_->sites()[u]; }
 
-  // True if the gap certainly refuses w. Asks w too if v is undecided: the question is the same to
-  // w, who may see it more clearly.
+  // True if the gap certainly refuses w. If v's test is undecided, evaluates w's: it answers the
+  // same question, and may have the smaller error.
   bool refuses(const prepared_gap& gap, vertex_index w) const {
     const uncertain_bool by_v = gap.content->accepts(at(w));
     if (by_v.certain()) return !by_v.value();
@@ -136,8 +137,8 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
                                   unbounded_gaps unbounded) {
   std::vector<prepared_sector> sectors;
   sectors.reserve(s.sectors.size());
-  // Tests a site only against the gap that it is in, or those on both sides of its ray: a gap that
-  // reaches farther than the others adds no sites to these.
+  // Tests a site only against the gap that contains it, or the two gaps beside its ray: a gap with
+  // a longer reach adds no sites to the tests of other gaps.
   constexpr double much = 1.5;
   double reach = 0, common = 0;
   bool at_boundary = false;
@@ -160,7 +161,7 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
     return std::nullopt;
   for (const prepared_sector& p : sectors)
     if (!p.visit_gaps_beyond(common, refused)) return std::nullopt;
-  // The reach is infinite at the boundary, as a split of a subsegment opens the gap it closed.
+  // Sets an infinite reach at the boundary: a split of a subsegment opens the gap it closed.
   return at_boundary ? infinity : reach;
 }
 

@@ -16,9 +16,9 @@ bool stands(const site_oracle& oracle, vertex_index v, const sector& s, std::siz
   return accepts(oracle, v, s.neighbours[i], s.neighbours[s.before(i)], s.neighbours[s.after(i)]);
 }
 
-// Removes neighbours that no longer stand, on the counter-clockwise side of neighbour i, then on
+// Removes neighbours that fail their test, on the counter-clockwise side of neighbour i, then on
 // the clockwise side. The thesis stops while fewer than three sites are left; there a lone second
-// neighbour always stands.
+// neighbour always passes.
 void remove_beside(const site_oracle& oracle, vertex_index v, sector& s, std::size_t i) {
   const vertex_index w = s.neighbours[i];
   const auto at_w = [&] {

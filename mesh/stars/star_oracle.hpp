@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Answers the geometric questions of stars, which know only indices. Exact, but for the squared
-// distance, which only chooses the order in which sites are looked at.
+// distance, which only chooses the order in which sites are tested.
 #pragma once
 
 #include <vector>
@@ -16,10 +16,10 @@
 
 namespace asterism::internal {
 
-// Asks the kernel about sites and boundary, which may grow while it is in use. All objects must
-// outlive the oracle. With a memory (optional) a repeated edge_test is seldom computed again. With
-// a neighbourhood (optional; it must know all sites and subsegments) only what is near is looked
-// at; the answers are the same.
+// Answers questions about sites and a boundary, which may grow while it is in use, by a kernel. All
+// these objects must outlive the oracle. With a memory (optional) a repeated edge_test is seldom
+// computed again. With a neighbourhood (optional; it must know all sites and subsegments) only
+// nearby sites and subsegments are searched; the answers are the same.
 class site_oracle {
  public:
   site_oracle(const std::vector<site>& sites, const boundary& edges, const star_predicates& kernel,
@@ -31,25 +31,25 @@ class site_oracle {
   const std::vector<site>& sites() const { return *sites_; }
   const proximity* near() const { return near_; }
   const star_predicates& kernel() const { return *kernel_; }
-  // Returns an oracle for another thread, which asks this kernel and has a memory of its own, or
+  // Returns an oracle for another thread, with this kernel and a memory of its own, or
   // none.
   site_oracle with_kernel(const star_predicates& kernel, edge_test_cache* memory = nullptr) const {
     return {*sites_, *boundary_, kernel, memory, near_};
   }
-  // Returns the same oracle with a patience, which must outlive it.
+  // Returns the same oracle with a work guard, which must outlive it.
   site_oracle with_patience(star_work_guard& patience) const {
     site_oracle other = *this;
     other.patience_ = &patience;
     return other;
   }
-  // True once the work allowed was done: the star is left as it is (stars/star_work_guard.hpp).
+  // True once the work limit was reached: the star is left as it is (stars/star_work_guard.hpp).
   bool is_over() const { return patience_ != nullptr && patience_->is_over(*kernel_); }
 
   // Returns the orientation of u, v, w: positive when they turn counter-clockwise.
   sign orientation(vertex_index u, vertex_index v, vertex_index w) const;
   // True if u, on the line through v and w, is on the same side of v as w.
   bool same_direction(vertex_index v, vertex_index w, vertex_index u) const;
-  // True if `near` is nearer to v than `far`; both must be on one ray from v.
+  // True if the site `near` is nearer to v than the site `far`. Requires both on one ray from v.
   bool nearer_on_ray(vertex_index v, vertex_index near, vertex_index far) const;
   // True if v and w may be neighbours when x and y are their common ones (predicates/). Ties are
   // broken.
@@ -60,7 +60,7 @@ class site_oracle {
   bool crosses(vertex_index v, vertex_index w, vertex_index a, vertex_index b) const;
   // Returns the squared distance of v and w as v measures it, in doubles.
   double squared_distance(vertex_index v, vertex_index w) const;
-  // True if v comes before w in the tie-breaking order of sites, by position.
+  // True if v comes before w in the order of sites by position, which breaks ties.
   bool precedes(vertex_index v, vertex_index w) const;
 
  private:

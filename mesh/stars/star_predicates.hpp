@@ -20,7 +20,8 @@ namespace asterism::internal {
 
 class star_predicates {
  public:
-  // Counts in `decided`, which must outlive the predicates. For one thread.
+  // Three predicates of one arithmetic. Counts decisions in `decided`, which must outlive them.
+  // Used by one thread.
   explicit star_predicates(tier_counters& decided) : decided_(&decided) {}
   virtual ~star_predicates() = default;
   star_predicates(const star_predicates&) = delete;
@@ -31,16 +32,16 @@ class star_predicates {
   virtual bool edge_test(const site& v, const site& w, const site& x, const site& y) const = 0;
 
   // Returns predicates of the same arithmetic that count in `decided`: for another thread, or for
-  // work that is to be counted apart.
+  // work that is counted separately.
   virtual std::unique_ptr<star_predicates> fork(tier_counters& decided) const = 0;
-  // Returns the place where decisions are counted.
+  // Returns the counters of decisions.
   tier_counters& counters() const { return *decided_; }
 
  private:
   tier_counters* decided_;
 };
 
-// Asks a kernel, which counts if it can.
+// Evaluates the predicates by a kernel, and its counters if the kernel has them.
 template <class Kernel>
 class star_predicates_on final : public star_predicates {
  public:

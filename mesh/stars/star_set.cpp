@@ -20,10 +20,10 @@
 namespace asterism::internal {
 namespace {
 
-// Most work, as a part of the bound on refinement's. More than 1, as refinement ends with these
-// stars.
+// Work limit of making all stars, as a multiple of refinement's. It is more than 1, as refinement
+// ends once its own is reached.
 constexpr double most_work = 1.1;
-// Fewest sites for which guesses are made.
+// Least number of sites for which guesses of stars are made.
 constexpr vertex_index worth_guessing = 100;
 
 // Returns the stars that a new site is offered to: those of its own neighbours, as a site is mostly
@@ -31,8 +31,9 @@ constexpr vertex_index worth_guessing = 100;
 // (stars/star_construction.hpp).
 std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w,
                                           const star& own) {
-  // A reach of twice the distance of the farthest vertex holds all of them where metrics are equal,
-  // and a tenth more holds most where they vary (docs/results/constants.md).
+  // Radius of the search, as a multiple of the farthest vertex's distance: twice holds all
+  // neighbours where metrics are equal, and a tenth more holds most where they vary
+  // (docs/results/constants.md).
   constexpr double reach_of_candidates = 2.2;
   std::vector<vertex_index> candidates;
   const proximity* near = oracle.near();
@@ -118,8 +119,8 @@ void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& g
   guesses_ = nullptr;
 }
 
-// Adds empty stars up to this number. Reserves room for few more: a large mesh gets few others, and
-// doubled room would exceed what holds it.
+// Adds empty stars up to this number. Reserves room for a few more only: doubled room would exceed
+// the memory limit of a large mesh.
 void star_set::add_empty_stars(std::size_t size) {
   if (size > stars_.capacity()) {
     const std::size_t room = size + size / 16;
@@ -150,7 +151,7 @@ double star_set::part_of_work_bound(const site_oracle& oracle) const {
          work_share_;
 }
 
-// Returns the units of work that may have been done once all stars are made.
+// Returns the work limit, in units, for making all stars.
 double star_set::most_units(const site_oracle& oracle) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double own =
@@ -164,8 +165,8 @@ std::size_t star_set::stars_missing() const {
 }
 
 // Makes stars block by block and checks the work done in between. Blocks grow while that is little,
-// up to a size at which the stars held beside the old ones take little memory. A star that a block
-// leaves out, its share of work being used up, comes first in the next block.
+// up to a size at which the stars held beside the old ones take little memory. A star left out of a
+// block whose work was used up comes first in the next block.
 std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
                                               const std::vector<vertex_index>& which,
                                               star_search search) {
@@ -200,9 +201,9 @@ std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
   return changed;
 }
 
-// Returns the stars that changed or did not settle, and those left for later: each thread may do an
-// equal part of the work that is left. `latest` is given if settled stars are to be confirmed;
-// `in_all` is the number of stars in all blocks.
+// Makes one block of stars. Returns those that changed or did not settle, and those left for later:
+// each thread has an equal part of the work that is left. `latest` is given if settled stars are to
+// be confirmed; `in_all` is the number of stars in all blocks.
 std::vector<star_set::made_star> star_set::construct_block(const site_oracle& oracle,
                                                            std::span<const vertex_index> which,
                                                            star_search search,
@@ -217,7 +218,7 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
   std::vector<made_star> all = collect_chunks<made_star>(
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
-        // Uses the common cache if stars are few: this thread makes them alone then.
+        // Uses the common cache of answers if stars are few: this thread then makes them alone.
         star_work_guard patience(cancelled_, few ? done + part : part);
         edge_test_cache memory(edge_test_cache::extent::few);
         const site_oracle own =
@@ -300,8 +301,8 @@ void star_set::note_final(vertex_index v, vertex_index against,
                           const std::optional<double>& reach) {
   final_[v] = {};
   if (!reach) return;
-  // Bounds for rounding up to a float: within them the float after one next to the double is no
-  // less than it, in any floating-point environment.
+  // Range of squared reaches that are rounded up to a float: within it the float after the next one
+  // is no less than the double, in any floating-point environment.
   constexpr double least = 0x1p-100, most = 0x1p100;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const auto above = [](double x) { return std::nextafter(static_cast<float>(x), infinity); };
@@ -309,7 +310,7 @@ void star_set::note_final(vertex_index v, vertex_index against,
 }
 
 // Returns an index of the sites that came after the first of these stars was found to be final.
-// Empty if they are too many for a look at them alone to be worth while; is_still_final() sees
+// Empty if they are too many for a separate index to pay; is_still_final() takes account of
 // that.
 site_index star_set::latest_sites(const site_oracle& oracle,
                                   const std::vector<vertex_index>& which) const {
@@ -368,7 +369,8 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         star_work_guard patience(cancelled_, part);
         const site_oracle own = oracle.with_kernel(*kernel).with_patience(patience);
-        // A star that was not tested, for want of work, is made anew like one that accepts a site.
+        // Lists a star that was not tested, at the work limit, like one that accepts a site: both
+        // are made anew.
         for (std::size_t i = begin; i < end; ++i)
           for (const vertex_index v : candidate_stars(own, added[i], stars_[added[i]]))
             if (v < first && (own.is_over() || would_accept(own, v, stars_[v], added[i])))

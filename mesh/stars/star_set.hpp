@@ -34,29 +34,29 @@ class star_set {
   // stay as they are: stale, and empty if they are new. Whoever sets it must end refinement then.
   void cancel_by(cancellation cancelled) { cancelled_ = std::move(cancelled); }
 
-  // Bounds the work of making stars: gives up, even inside a star, once the kernel was asked twice
-  // `share` of the bound (stars/work_limit.hpp) for so many sites, with `given` vertices among
-  // them. The rest stay as they are, as above.
+  // Bounds the work of making stars: gives up, even inside a star, once the kernel has done twice
+  // `share` of the work bound (stars/work_limit.hpp) for the number of sites, `given` vertices
+  // among them. Other stars then stay as they are.
   void bound_work(std::size_t given, double share = 1) {
     given_ = given;
     work_share_ = share;
   }
 
-  // Returns how many stars were never made; they are empty.
+  // Returns the number of stars that were never made; they are empty.
   std::size_t stars_missing() const;
 
   vertex_index size() const { return static_cast<vertex_index>(stars_.size()); }
   const star& operator[](vertex_index v) const { return stars_[v]; }
   bool is_stale(vertex_index v) const { return condition_[v] == condition::stale; }
-  // True if the star is known to be final (stars/star_finality.hpp) against the sites there were
-  // when that was found.
+  // True if the star was found to be final (stars/star_finality.hpp) against all sites of that
+  // time.
   bool is_confirmed(vertex_index v) const { return final_[v].against != 0; }
   // True if construction met its bound: the star violates (a) or (b) and is a defect of the mesh.
   bool is_unsettled(vertex_index v) const { return condition_[v] == condition::unsettled; }
 
   // Replaces everything by one star per site of the oracle, each constructed by itself. `guesses`
   // has the neighbours that some of them are likely to have, counter-clockwise; `confirmed` says
-  // which of those that stand are held against all sites.
+  // which guesses are tested against all sites.
   void construct_all(const site_oracle& oracle, const neighbour_lists& guesses = {},
                      star_confirmation confirmed = star_confirmation::by_mesher);
   // Adds the oracle's last site: offers it to the other stars and constructs its own. If it splits
@@ -77,17 +77,18 @@ class star_set {
                                       const std::vector<vertex_index>& which, star_search search);
 
   // Offers each of `which` the sites listed for it, list by list in the same order, and constructs
-  // those anew that would accept one, from these and what is near. Returns what construct() does.
-  // Requires `which` sorted.
+  // those anew that would accept one, from these and what is near. Returns those that changed or
+  // did not settle, as the overload above. Requires `which` sorted.
   std::vector<vertex_index> exchange(const site_oracle& oracle,
                                      const std::vector<vertex_index>& which,
                                      const neighbour_lists& others);
 
-  // Returns the number of stars that sites added one by one were offered to: all stars, each time,
-  // where metrics vary wildly.
+  // Returns how many stars were tested against sites added one by one, in all: every star, each
+  // time, where metrics vary wildly.
   std::size_t candidates_looked_at() const { return candidates_; }
 
-  // Stars that were changed, and the neighbours they had before; either may hold an index twice.
+  // Stars that were changed, and the neighbours they had before; an index may occur twice in either
+  // list.
   struct touched_stars {
     std::vector<vertex_index> changed, neighbours_before;
   };
@@ -98,7 +99,7 @@ class star_set {
  private:
   enum class condition : unsigned char { settled, stale, unsettled };
   // Number of first sites against which the star, as it is, is final (stars/star_finality.hpp); 0,
-  // the default, if that is not known. The reach is rounded up.
+  // the default, if it is not known to be. The reach is rounded up.
   struct finality {
     vertex_index against = 0;
     float reach = 0;
@@ -131,7 +132,7 @@ class star_set {
   void touch(vertex_index v, const star& before);
 
   cancellation cancelled_;
-  // Units of work that may have been done when what is left on the run's account is used up.
+  // Work, in units, at which the run's account is used up.
   double most_of_run_ = std::numeric_limits<double>::infinity();
   std::optional<std::size_t> given_;
   double work_share_ = 1;
@@ -139,7 +140,7 @@ class star_set {
   touched_stars touched_;
   const neighbour_lists* guesses_ = nullptr;                    // while all stars are made
   star_confirmation confirmed_ = star_confirmation::by_mesher;  // the guesses
-  // Arguments of exchange() while it runs.
+  // Arguments of exchange(), kept for the threads while it runs.
   struct exchanged {
     const std::vector<vertex_index>* which = nullptr;
     const neighbour_lists* others = nullptr;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Says when the making of stars is to end early, even inside one star: when the run is cancelled,
-// or has done the most work that is allowed.
+// Ends the making of stars early, even inside one star, when the run is cancelled or has reached
+// its work limit.
 //
-// A star of hundreds of neighbours with different metrics can take seconds. So this is asked at
-// every offer of a site. The cancellation, which may look at a clock, is polled only after some
+// A star of hundreds of neighbours with different metrics can take seconds. So the guard is asked
+// at every offer of a site. The cancellation, which may look at a clock, is polled only after some
 // work. A star that was cut short is not settled, and its run ends without it.
 #pragma once
 
@@ -16,14 +16,14 @@
 
 namespace asterism::internal {
 
-// For one thread.
+// Work limit and cancellation for the stars that one thread makes.
 class star_work_guard {
  public:
-  // `cancelled` must outlive it.
+  // Takes a work limit in units. `cancelled` must outlive the guard.
   star_work_guard(const cancellation& cancelled, double most_units)
       : cancelled_(&cancelled), most_units_(most_units) {}
 
-  // True if enough was done by this kernel, or the run is cancelled; then it stays true.
+  // True if the kernel has done work up to the limit, or the run is cancelled; it stays true then.
   bool is_over(const star_predicates& kernel) {
     constexpr std::size_t asked_between = 4096;
     constexpr double units_between = 1000;  // about ten milliseconds

@@ -27,7 +27,8 @@ bool strictly_inside(const boundary& b, const std::vector<site>& sites,
     const sign side = kernel.orientation(p, r, q) * turned;
     const bool is_beside = std::min(along(p), along(r)) <= along(q);
     if (side == sign::zero && is_beside) return false;  // the range across was checked above
-    // Half-open across, so that a ray through a vertex counts it once.
+    // Counts a subsegment for half-open ranges of the height, so that a ray through a vertex
+    // crosses there once.
     const bool forth = across(p) <= across(q) && across(q) < across(r),
                back = across(r) <= across(q) && across(q) < across(p);
     if ((forth && side == sign::positive) || (back && side == sign::negative)) inside = !inside;

@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Returns the work, in units of kernels/work_units.hpp, that is allowed for so many sites.
+// Returns the work limit for this number of sites, in units of kernels/work_units.hpp.
 //
 // Meshes that become complete take 7 to 700 edge tests a site, the most where metrics are so thin
 // (condition 1e16) that all come to exact numbers, and 60 to 13000 orientations (of sites with
@@ -20,8 +20,8 @@ namespace asterism::internal {
 // wildly every site is in reach of every other and of every subsegment: both grow with the number
 // of sites, and no mesh is within reach. The `given` vertices may all see each other before there
 // is a site between them, for instance on a convex polygon; so every pair of them has an allowance.
-// Comes to ten seconds on one core for 3,000 sites and to thirty for 100,000, the default limit;
-// meshes of so many take 5 to 20 units a site.
+// The limit is ten seconds on one core for 3,000 sites and thirty for 100,000, the default limit on
+// sites; meshes of that size take 5 to 20 units a site.
 inline double most_work_units(std::size_t sites, std::size_t given) {
   constexpr double at_least = 4e5, for_each = 150, first_ones = 5000, for_more = 20, a_pair = 1,
                    pairs_at_most = 3e5;
@@ -30,26 +30,27 @@ inline double most_work_units(std::size_t sites, std::size_t given) {
          std::min(a_pair * g * g, pairs_at_most);
 }
 
-// Returns the work done as a part of the most that is allowed; above 1 the run is abandoned.
+// Returns the work done as a part of that limit; above 1 the run is abandoned.
 inline double part_of_work_bound(const tier_counters& counts, std::size_t sites,
                                  std::size_t given) {
   return work_units(counts) / most_work_units(sites, given);
 }
 
-// Work that a whole run may take, whatever it tries: ten seconds on one core, and 0.08 milliseconds
-// a site. A million triangles take two fifths of that, an adaptation that meets its metric 9 units
-// a site. The audit of what comes out has its own (audit/audit_work.hpp).
+// Work limit of a whole run, in units, whatever it tries: ten seconds on one core, and 0.08
+// milliseconds a site. A mesh of a million triangles takes two fifths of that, an adaptation that
+// meets its metric 9 units a site. The audit of the result has its own limit
+// (audit/audit_work.hpp).
 constexpr double units_for_run = 1e6, run_units_for_site = 8;
 
-// Returns the stop of a run with an account of the work it may do, unless it has one already: some
-// times as much where a run may have to go several ways.
+// Returns the stop of a run with an account of the work it may do, unless it has one already:
+// `times` the limit where a run may need several attempts.
 inline cancellation with_run_work(const cancellation& stop, double times = 1) {
   const bool has_account = stop.units_left() < std::numeric_limits<double>::infinity();
   return has_account ? stop : stop.with_work(times * units_for_run, times * run_units_for_site);
 }
 
-// Work that a mesh in one metric for all sites may take, where one in the metric given was
-// abandoned.
+// Work limit, in units, of a mesh in one metric for all sites, made after one in the metric given
+// was abandoned.
 constexpr double units_for_last_resort = 3e5;
 
 }  // namespace asterism::internal
