@@ -15,7 +15,7 @@ bool arc_insertion::insert() {
   while (true) {
     const pass_result result = insert_at_worst();
     if (result != pass_result::exhausted) return result == pass_result::progressed;
-    // A triangle that failed may succeed once something has changed.
+    // Tries failed triangles again: a candidate may succeed once another site was inserted.
     failed_at_tolerance_.clear();
     if (std::exchange(retry_, false)) continue;
     if (tolerance_ <= range_.floor) return split_before_worst();
@@ -41,9 +41,10 @@ arc_insertion::pass_result arc_insertion::insert_at_worst() {
   return pass_result::exhausted;
 }
 
-// Splits a subsegment where no tolerance leaves a candidate. Where metrics vary, candidates are
-// outside for other reasons than rounding, and smaller tolerances cost less: splitting before the
-// tolerance shrinks takes 143 sites in place of 110 for the square in swirl:12.
+// Splits a subsegment only at the floor of the tolerance, where no candidate is left. Where metrics
+// vary, candidates are outside for other reasons than rounding, and smaller tolerances cost less:
+// splitting before the tolerance shrinks takes 143 sites in place of 110 for the square in
+// swirl:12.
 bool arc_insertion::split_before_worst() {
   if (state_.is_full() || cancelled_.is_requested()) return false;
   return std::any_of(queue_.bad().begin(), queue_.bad().end(), [&](const bad_triangle& b) {
@@ -54,7 +55,7 @@ bool arc_insertion::split_before_worst() {
 
 // Tries off-centres first where collateral angles are mended. Voronoi vertices there encroach on
 // the long subsegments at the tips of wedges; these are split, and the same happens again at half
-// the size. A quarter more than the bound leaves room for metrics that vary.
+// the size. An angle a quarter above the bound leaves room for metrics that vary.
 bool arc_insertion::insert_at(const triangle& t, double tolerance) {
   constexpr double part_of_bound = 1.25;
   if (mends_collateral_)
@@ -66,8 +67,8 @@ bool arc_insertion::insert_at(const triangle& t, double tolerance) {
          refine_by_arcs(state_, t, tolerance, rejected_);
 }
 
-// Inserts sites for all triangles of the queue that are not set aside, from one look at the mesh.
-// Passes over triangles that have gone meanwhile. The order matters little when nothing but size is
+// Inserts sites for all triangles of the queue that are not set aside, from one state of the queue.
+// Skips triangles that earlier insertions removed. Their order matters little where only size is
 // left to mend.
 void arc_insertion::insert_for_large() {
   for (const bad_triangle& b : queue_.bad()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Inserts sites at candidates on Voronoi arcs, for one bad triangle after the other or for many at
-// once. The tolerance shrinks when nothing else can be inserted.
+// once. The tolerance shrinks when no candidate can be inserted.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ class arc_insertion {
 
   // Inserts a site for the worst triangle that can be mended, and shrinks the tolerance while none
   // can. Returns false when the tolerance is at its floor and nothing can be inserted, or the field
-  // failed. Returns true without an insertion when the run is cancelled or overworked, for the loop
-  // to see.
+  // failed. Returns true without an insertion when the run is cancelled or overworked, which the
+  // loop then detects.
   bool insert();
   // Inserts a site each for many bad triangles; does nothing when they are few. Skips a triangle
   // that shares a site or a neighbour with a triangle that got a site: it has to be examined again
@@ -41,22 +41,23 @@ class arc_insertion {
   // inserted.
   bool insert_in_bulk();
   // Inserts a site for a triangle at a sharp corner whose low angles are not the corner's own
-  // alone; true if one was inserted. Takes only places not far below the first tolerance, so that
-  // this cannot run away.
+  // alone; true if one was inserted. Keeps the distance between sites near the first tolerance, so
+  // that this cannot go on without end.
   bool insert_at_exempt_corners();
 
-  // Tries places nearer to the triangles as well from now on: for collateral angles.
+  // From now on, tries candidates nearer to the triangles as well: for collateral angles.
   void mend_collateral() { mends_collateral_ = true; }
 
   double tolerance() const { return tolerance_; }  // in force
-  // Returns how many candidates were tried in vain.
+  // Returns the number of candidates that were tried and refused.
   std::size_t rejected() const { return rejected_; }
 
  private:
   enum class pass_result { progressed, field_failed, exhausted };
 
   pass_result insert_at_worst();
-  // Splits a subsegment for the worst triangle with a candidate just beyond one; true if it did.
+  // Splits a subsegment for the worst triangle that has a candidate just beyond one; returns true
+  // if it did.
   bool split_before_worst();
   void insert_for_large();
   bool insert_at(const triangle& t, double tolerance);

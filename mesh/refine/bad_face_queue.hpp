@@ -26,10 +26,10 @@ struct bad_face {
 
 // Ranks by the class of the shortest edge, within a class as if at random. Sizes grow from the
 // shortest edges: with the smallest angle first a noisy ring of 10,000 vertices took 17,206 sites
-// in place of 16,069. Along a boundary whose edges grow, one after the other would each be put
-// beside a site that nearly all vertices are neighbours of, and so take nearly all its edges: in
-// the order of lengths alone such a circle of 30,000 vertices takes 6.9 seconds, in classes 0.9.
-// The source of the random order is that of triangulate() (stars/site_triangulation.cpp).
+// in place of 16,069. Along a boundary whose edges grow, each new site would be put beside one that
+// nearly all vertices are neighbours of, and take over nearly all its edges: in the order of
+// lengths alone such a circle of 30,000 vertices takes 6.9 seconds, in classes 0.9. The source of
+// the random order is that of triangulate() (stars/site_triangulation.cpp).
 class bad_face_queue {
  public:
   bool empty() const { return heap_.empty(); }

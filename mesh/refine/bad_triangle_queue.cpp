@@ -23,7 +23,7 @@ bool lies_in(const site_oracle& oracle, const domain_corner& c, vertex_index v, 
          oracle.orientation(v, y, ends.last) == sign::positive;
 }
 
-// The domain's corner that contains each corner of a triangle; null where none does.
+// Corners of the domain that contain the corners of a triangle; null where none does.
 using corners_of_domain = std::array<const domain_corner*, 3>;
 
 // Returns the domain corners that contain the triangle's corners. `list` is sorted by vertex.
@@ -42,8 +42,8 @@ corners_of_domain corners_in(const site_oracle& oracle, const triangle& t,
   return in;
 }
 
-// Returns, in all three metrics, the angles at those domain corners that the triangle fills from
-// one subsegment to the other. A part of a divided corner could be wider.
+// Marks, in all three metrics, the angles of the triangle that fill one of those domain corners
+// from one subsegment to the other. A corner that is divided could have wider parts.
 angle_set unavoidable(const boundary& edges, const triangle& t, const corners_of_domain& in) {
   angle_set at;
   for (std::size_t i = 0; i < 3; ++i)
@@ -54,7 +54,7 @@ angle_set unavoidable(const boundary& edges, const triangle& t, const corners_of
 }
 
 // Returns the angles that the auditor exempts: those at these corners, in metrics that measure the
-// domain's own angle there below the bound. Errs only towards fewer.
+// domain's own angle there below the bound. Errors can only make the set smaller.
 angle_set exempt_angles(const refine_state& state, const triangle& t, const corners_of_domain& in,
                         double bound) {
   constexpr double guard = 1 - 1e-9;
@@ -71,7 +71,7 @@ angle_set exempt_angles(const refine_state& state, const triangle& t, const corn
   return exempt;
 }
 
-// Returns the cost of comparing the star of v with its neighbours' stars, in neighbours looked at:
+// Returns the cost of comparing the star of v with its neighbours' stars, in neighbours visited:
 // the square of a degree where vertices of high degree are neighbours.
 std::size_t neighbours_of_neighbours(const star_set& stars, vertex_index v) {
   std::size_t all = 0;
@@ -160,7 +160,8 @@ const domain_wedge* bad_triangle_queue::crossed_wedge(const refine_state& state,
   return state.segments().wedges().across(t, accepts);
 }
 
-// True if the triangle, which has a low angle, is bad for it.
+// Records a triangle with a low angle, as exempt, bad or collateral. Returns true if it is
+// bad.
 bool bad_triangle_queue::judge_low(const refine_state& state, const site_oracle& oracle,
                                    const triangle& t, record& into) const {
   const triangle_sites sites = sites_of(state, t);
@@ -215,8 +216,8 @@ bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state
       if (!holds_triangle(oracle, v, s, gap)) {
         found.disagreeing.push_back(t);  // a wide gap
       } else if (!has(t[1], t[2], v) || !has(t[2], v, t[1]) || stars.is_unsettled(v)) {
-        // Lists the triangle from its least vertex on, for all three stars alike. Its orientation
-        // stays positive.
+        // Rotates the triangle so that its least vertex comes first, for all three stars alike. Its
+        // orientation stays positive.
         found.disagreeing.push_back(canonical(t));
       } else if (v < t[1] && v < t[2]) {
         judge(state, oracle, t, found);

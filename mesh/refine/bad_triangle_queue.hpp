@@ -55,15 +55,15 @@ class bad_triangle_queue {
   // Returns disagreeing triangles, then those with low angles, then large ones. Ties go by the
   // indices of the sites, so that the order is the same every time.
   const std::set<bad_triangle>& bad() const { return bad_; }
-  // Returns triangles at exempt corners with low angles elsewhere than at the corner. They are
-  // worth trying, not demanded.
+  // Returns the triangles at exempt corners with low angles elsewhere. Refinement tries to mend
+  // them, but does not require it.
   const std::set<bad_triangle>& improvable() const { return improvable_; }
-  // Counts collateral triangles; of those demanded to be mended, which are bad then, none.
+  // Returns the number of collateral triangles; those that must be mended count as bad instead.
   std::size_t collateral() const { return collateral_; }
   std::set<vertex_index> collateral_sites() const;
-  // Makes collateral triangles bad from the next update on, but for those beside the corners named.
+  // Makes collateral triangles bad from the next update on, except those beside the corners named.
   void demand_collateral(const std::set<vertex_index>& but_beside);
-  // Returns the vertices of the corners that bad triangles with low angles are beside.
+  // Returns the vertices of domain corners that have bad triangles with low angles beside them.
   std::set<vertex_index> corners_beside_low(const refine_state& state) const;
   std::size_t count(badness why) const { return counts_[static_cast<std::size_t>(why)]; }
   // Returns the triangles with an exempt angle below the bound in lexicographic order.
@@ -71,7 +71,7 @@ class bad_triangle_queue {
   const std::vector<exempt_corner>& exempt_corners() const { return exempt_corners_; }
 
  private:
-  // Findings of one star.
+  // Bad triangles that one star reports.
   struct record {
     std::vector<triangle> disagreeing;  // may be found by several stars
     std::vector<bad_triangle> bad;      // low or large: by the star of the smallest index alone

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the edges of meshes longer or shorter than asked for, all by the same factor. The squared
-// lengths of the metric are divided by a power of two, which loses nothing, and multiplied again
+// Makes the edges of meshes longer or shorter than asked for, all by the same factor. Squared
+// lengths of the metric are divided by a power of two, which is exact, and multiplied again
 // afterwards.
 #pragma once
 
@@ -31,9 +31,9 @@ class coarser_field : public metric_field {
 // itself.
 void restore_lengths(int halvings, mesh_outcome& outcome);
 
-// Turns the outcome of a coarser mesh into one of what was asked; does nothing without halvings.
-// The outcome is then not complete, and has the count of too large triangles and the size
-// delivered. Estimates from its sites how many would have been wanted, unless the fill was stopped
+// Converts the outcome of a coarser mesh into one for the size asked for; does nothing without
+// halvings. The outcome is then not complete, and has the count of too large triangles and the size
+// delivered. Estimates from its sites how many the size wanted takes, unless the fill was stopped
 // before its end.
 void report_coarser(int halvings, bool fill_stopped, const mesh_options& options,
                     mesh_outcome& outcome);

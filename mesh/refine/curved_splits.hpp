@@ -22,11 +22,11 @@ class curved_splits {
   // Takes the curves of `d`, which check_domain has accepted.
   explicit curved_splits(const domain& d) : chords_(d) {}
 
-  // Returns the point of the curve nearest to q, about, of a subsegment that is a chord of one;
-  // none if it is no chord, or an end of it or the point is not on the curve between its chord's
+  // Returns about the nearest point to q on the curve whose chord the subsegment is; none if
+  // it is no chord, or an end of it or the point is not on the curve between its chord's
   // ends.
   std::optional<point> place(const boundary_edge& subsegment, const point& q) const;
-  // Notes that site v splits a subsegment, on its curve or on its line.
+  // Records that site v splits a subsegment, on its curve or on its line.
   void note_split(vertex_index v, bool on_curve);
 
  private:

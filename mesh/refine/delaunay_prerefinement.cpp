@@ -74,7 +74,7 @@ class delaunay_prerefinement {
       at_wedge_end_[w.first_end] = at_wedge_end_[w.last_end] = 1;
   }
 
-  // Runs to the end; returns false if the triangulation is of no use then.
+  // Adds sites until no face is queued; returns false if the triangulation is of no use then.
   bool run() {
     state_.listen_to_splits([this](vertex_index a, vertex_index b) { note_split(a, b); });
     for (std::uint32_t face = 0; face < delaunay_.faces(); ++face) judge(face);
@@ -90,7 +90,7 @@ class delaunay_prerefinement {
     return !is_broken_;
   }
 
-  // Returns the sites that were put inside, in the order in which that was.
+  // Returns the sites that were inserted inside, in the order of their insertion.
   std::vector<vertex_index> added_inside() const {
     std::vector<vertex_index> inside;
     for (std::size_t v = given_; v < state_.sites().size(); ++v)
@@ -162,7 +162,8 @@ class delaunay_prerefinement {
     judge_around();
   }
 
-  // Splits these subsegments, and those then encroached; false if none of them can be split.
+  // Splits these subsegments, and those encroached by the splits; returns false if none of them can
+  // be split.
   bool split(const std::vector<std::size_t>& subsegments) {
     bool any = false;
     for (const std::size_t subsegment : subsegments)
@@ -172,7 +173,7 @@ class delaunay_prerefinement {
     return any;
   }
 
-  // Updates the triangulation for a split by the last site.
+  // Updates the triangulation for the split of a subsegment by the last site.
   void note_split(vertex_index a, vertex_index b) {
     const vertex_index m = static_cast<vertex_index>(state_.sites().size() - 1);
     on_boundary_.resize(m + 1, 0);
@@ -186,7 +187,7 @@ class delaunay_prerefinement {
   const cancellation& cancelled_;
   averaged_metric_triangulation& delaunay_;
   const vertex_index given_;  // the sites before these
-  // By site; fewer where the rest are inside.
+  // Flags of sites by number; shorter lists where all further sites are inside.
   std::vector<char> on_boundary_, at_tight_corner_, at_wedge_end_;
   bad_face_queue bad_;
   std::vector<std::uint32_t> around_;  // faces that are new or changed

@@ -21,7 +21,8 @@ double squared_length_below(const metric_tensor& m, const point& d) {
   return inner_product(m, d, d) - 0x1p-46 * (m.m11 * d.x * d.x + m.m22 * d.y * d.y);
 }
 
-// Squared lengths below it may have lost more to underflow than the bounds allow.
+// Least squared length that is used: smaller ones may have lost more to underflow than the bounds
+// allow.
 constexpr double near_underflow = 0x1p-900;
 
 // The squared distances of the points a + t (b - a) of a subsegment, as a, b and w measure them.
@@ -38,7 +39,7 @@ class subsegment_distances {
     magnitude_ = w_.m11 * reach_x * reach_x + w_.m22 * reach_y * reach_y;
   }
 
-  // Returns what bounds the error of f_w anywhere on a b, with room for that of t.
+  // Returns a bound of the error of f_w at any point of the segment a b, the error of t included.
   double error() const { return 0x1p-44 * magnitude_; }
 
   // True if w certainly does not encroach. Nowhere on a b are both f_a and f_b above r^2, their
@@ -91,7 +92,7 @@ class subsegment_distances {
   }
 
  private:
-  // A power of two, so that ends of pieces are exact.
+  // Makes the number of pieces a power of two, so that ends of pieces are exact.
   static constexpr int pieces = 32;
 
   double nearest_to_w() const {
@@ -109,8 +110,8 @@ class subsegment_distances {
 
 }  // namespace
 
-// In one metric for all three, w encroaches if it is in the disk that has a b for its diameter:
-// if (w - a)^T M (w - b) < 0, with an error of less than 40 eps S as above.
+// Decides for one metric of all three sites: w encroaches if it is in the disk that has a b for its
+// diameter: if (w - a)^T M (w - b) < 0, with an error of less than 40 eps S as above.
 uncertain_bool encroaches_quickly(const site& a, const site& b, const site& w) {
   const subsegment_distances along(a, b, w);
   if (identical(a.metric, w.metric) && identical(b.metric, w.metric)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides in doubles whether a site encroaches on a subsegment, where they can tell
-// (predicates/encroachment.hpp has the question, and the kernel the rest).
+// Decides in doubles whether a site encroaches on a subsegment, where error bounds allow it
+// (predicates/encroachment.hpp defines the question; the kernel decides the rest).
 #pragma once
 
 #include "asterism/core/sign.hpp"

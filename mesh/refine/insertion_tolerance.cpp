@@ -39,13 +39,13 @@ constexpr double fill_shrink = 0.75;
 constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 
-// Returns how near to each other the domain brings sites, as its vertices measure, at most `most`.
-// This is the shortest distance from a vertex to a site or to a subsegment not at it, and between
-// the subsegments at a sharp corner.
+// Returns the least distance that the domain forces between sites, as its vertices measure, at most
+// `most`: the shortest from a vertex to a site or to a subsegment not at it, and that between the
+// subsegments at a sharp corner.
 double smallest_feature(const refine_state& state, vertex_index vertices, double most) {
   double least =
       shortest_distance(state.sites(), vertices, state.edges(), *state.oracle().near(), most);
-  // Beyond the first two subsegments at a sharp corner the domain is about so wide.
+  // Takes the width of a sharp corner where its first two subsegments end.
   for (const domain_corner& c : state.segments().corners())
     if (c.is_sharp())
       for (const std::size_t subsegment : state.segments().subsegments_at(c))
@@ -68,7 +68,8 @@ tolerance_range choose_tolerance(const refine_state& state, vertex_index vertice
     return {start, std::min(start, smallest_feature(state, vertices, start)) / fill_ladder,
             fill_shrink, finest};
   }
-  // With a size limit edges will be about 1 long, however far apart the given sites are.
+  // Takes 1 as the greatest distance with a size limit: edges will be about 1 long, however far
+  // apart the given sites are.
   const double most = options.limit_size ? 1 : std::numeric_limits<double>::infinity();
   const auto all = static_cast<vertex_index>(state.sites().size());
   const proximity& near = *state.oracle().near();

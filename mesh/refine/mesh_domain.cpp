@@ -23,8 +23,8 @@ result<mesh_outcome> refine_coarser(const meshing_context& job, filled_domain pr
   return made;
 }
 
-// Returns the mesh of the given vertices alone, without room for another site: complete if there is
-// nothing to mend.
+// Returns the mesh of the given vertices alone, with no further site allowed: complete if no
+// triangle is bad.
 result<mesh_outcome> mesh_as_given(const meshing_context& job, int halvings) {
   mesh_options options = job.options;
   options.max_sites = job.shape.vertices.size();
@@ -81,9 +81,9 @@ result<mesh_outcome> mesh_domain(const meshing_context& job) {
   auto filled = fill_within_budget(job);
   if (!filled) return filled.failure();
   if (const auto& crowded = filled.value().proposed.crowded) return mesh_without(*crowded, job);
-  // Keeps the mesh given if it is final at a size that is coarser by two halvings more, at most: it
-  // may already be as fine as the limit allows. A fill with all its vertices given may come out
-  // finer, by less than halved edges.
+  // Keeps the mesh of the given vertices if it is complete at a size that is coarser by at most two
+  // halvings more: it may already be as fine as the limit allows. A fill with all its vertices
+  // given may come out finer, by less than halved edges.
   const int halvings = filled.value().halvings;
   const int coarsest = halvings > 0 && keep ? halvings + 2 : 0;
   for (int fewer = 1; fewer <= coarsest; ++fewer)

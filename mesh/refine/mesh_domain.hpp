@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a mesh within the limit on sites: refines what is given and what the fill proposes, and
-// improves it.
+// Makes a mesh within the limit on sites: refines the given vertices and the sites that the fill
+// proposes.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace asterism::internal {
 
-// Returns what is wrong with the options of a run in this domain, if anything is.
+// Returns the reason why the options of a run do not fit this domain, if there is one.
 std::optional<error> check_options(const domain& d, const mesh_options& options);
 
 // Makes the mesh that make_mesh promises, on any kernel and in the metric given, in the
@@ -22,7 +22,7 @@ std::optional<error> check_options(const domain& d, const mesh_options& options)
 // believes.
 result<mesh_outcome> mesh_domain(const meshing_context& job);
 
-// Does the same from sites proposed already, which must not be crowded.
+// Makes the mesh from sites proposed before, which must not be crowded.
 result<mesh_outcome> mesh_from_sites(const meshing_context& job, budgeted_filling filled);
 
 }  // namespace asterism::internal

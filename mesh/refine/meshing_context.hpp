@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bundles all that one refinement is given.
+// Bundles the input of one refinement.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"
@@ -12,9 +12,9 @@
 
 namespace asterism::internal {
 
-// Input of one refinement. The domain and the field are in the unit frame (metric/unit_frame.hpp),
-// and so is whatever comes of them: the pipeline scales in, and out again. All references must
-// outlive the context.
+// Input of one refinement. The domain and the field are in the unit frame
+// (metric/unit_frame.hpp), and so is the outcome: the pipeline scales both ways. All references
+// must outlive the context.
 struct meshing_context {
   const star_predicates& kernel;
   const domain& shape;  // accepted by check_domain
@@ -25,7 +25,7 @@ struct meshing_context {
   star_confirmation confirmed = star_confirmation::by_mesher;
   const prescribed_divisions* prescribed = nullptr;  // by segment of the shape, in the frame
 
-  // Returns the same job with one thing changed.
+  // Return the same job with one member replaced.
   meshing_context on(const star_predicates& other) const {
     return {other, shape, field, options, progress, work_share, confirmed, prescribed};
   }

@@ -12,8 +12,8 @@
 namespace asterism::internal {
 namespace {
 
-// True if the segments of a wedge are split alike. Wider wedges, and those without an internal
-// segment, have room to mend their triangles.
+// True if the segments of a wedge are to be split at equal distances from its corner. Wider wedges,
+// and those without an internal segment, have room to mend their triangles.
 bool is_mirrored_in(const domain_wedge& w) {
   constexpr double mirrored_angle = 10;
   return w.internal && w.corner.angle < mirrored_angle;
@@ -38,7 +38,8 @@ std::optional<point> point_between(const point& near, const point& far, double n
 // that has one there, the one nearest to the middle. Requires 0 < low < high.
 double coarsest_in_middle(double low, double high) {
   const double quarter = (high - low) / 4, middle = low + 2 * quarter;
-  // One of two neighbouring multiples is in an interval at least as long as their distance.
+  // Uses that one of two neighbouring multiples is in any interval at least as long as their
+  // distance.
   double step = elementary::exp2(std::ceil(elementary::log2(high)));
   for (int i = 0; i < 64; ++i, step /= 2) {
     const double multiple = step * std::round(middle / step);

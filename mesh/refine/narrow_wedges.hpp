@@ -2,7 +2,7 @@
 //
 // Finds where to split the segments of narrow wedges. A wedge is two segments at a sharp corner as
 // far as they go. In it each split of one segment encroaches on the other; points at the same
-// distances from the corner on both make that end (docs/design/refinement.md, "Corners").
+// distances from the corner on both end this (docs/design/refinement.md, "Corners").
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ class narrow_wedges {
   explicit narrow_wedges(const boundary& edges);
   // Adds the wedge of a sharp corner, whose subsegments leave it and enter it.
   void add(const domain_corner& c, const boundary_edge& leaving, const boundary_edge& entering);
-  // Notes that site v splits a segment.
+  // Records that site v splits a segment.
   void note_split(vertex_index v, vertex_index segment);
 
   const std::vector<domain_wedge>& all() const { return wedges_; }
@@ -83,8 +83,8 @@ class narrow_wedges {
   std::vector<std::optional<vertex_index>> split_segment_;  // by site: the segment it splits
 };
 
-// True if the angle between the wedge's segments is surely below `degrees` as v measures it. Errs
-// only towards false.
+// True if the angle between the wedge's segments is certainly below `degrees` as v measures it.
+// False where that is not certain.
 bool is_narrower(const std::vector<site>& sites, const domain_wedge& w, vertex_index v,
                  double degrees);
 

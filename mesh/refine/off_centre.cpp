@@ -13,7 +13,8 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the corner that the shortest edge begins at, as both its ends measure it.
+// Returns the corner at which the shortest edge begins; lengths are those that both ends of an edge
+// measure.
 std::size_t shortest_edge(const triangle_sites& s) {
   std::array<double, 3> length{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -32,7 +33,7 @@ std::optional<point> off_centre(const triangle_sites& s, double degrees, double 
                         (p.metric.m22 + q.metric.m22) / 2};
   const point d{q.position.x - p.position.x, q.position.y - p.position.y};
   const double root = std::sqrt(m.m11 * m.m22 - m.m12 * m.m12);
-  // Orthogonal to d as m measures, as long, and to its left.
+  // Returns the vector orthogonal to d in the metric m, of the same length, to its left.
   const point across{-(m.m12 * d.x + m.m22 * d.y) / root, (m.m11 * d.x + m.m12 * d.y) / root};
   const double height = 0.5 / elementary::tan(degrees / 2 * std::numbers::pi / 180);
   if (!(height * std::sqrt(inner_product(m, d, d)) < radius)) return std::nullopt;

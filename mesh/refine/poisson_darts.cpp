@@ -31,7 +31,8 @@ point throw_dart(const refine_state& state, const triangle& t, splitmix64& rando
   for (const site& s : sites) farthest = std::max(farthest, squared_distance(mean, s.position));
   const double radius = reach * std::sqrt(farthest * random.real());
   const double turn = 2 * std::numbers::pi * random.real();
-  // With M = L L^T, the points c + L^-T u, |u| = r, are those at distance r from c.
+  // Draws from an ellipse: with M = L L^T, the points c + L^-T u, |u| = r, are those at distance r
+  // from c.
   const double l11 = std::sqrt(mean.metric.m11), l21 = mean.metric.m12 / l11;
   const double l22 = std::sqrt(least_across(mean.metric.m22, mean.metric.m12, mean.metric.m11));
   const double y = radius * elementary::sin(turn) / l22;

@@ -30,7 +30,7 @@ result<refine_state> refine_state::start(const domain& d, const metric_field& fi
   std::iota(taken.begin(), taken.end(), vertex_index{0});
   state.divide(d, filling, taken);
   state.add_proposed(filling.interior, taken);
-  // In one metric all stars are read from one triangulation, without guesses.
+  // Guesses no stars in one metric: there all stars are read from one triangulation.
   if (!state.sites_->has_one_metric()) state.guess_stars(filling.stars, taken);
   state.segments_.suspect_all();
   return state;

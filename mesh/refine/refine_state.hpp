@@ -29,11 +29,11 @@ namespace asterism::internal {
 
 class refine_state {
  public:
-  // Builds the state with the proposal put in, but for its stars. Segments are divided where that
-  // is possible. Of the other sites those are taken that are inside what then is the domain and
-  // encroach on nothing. No subsegment is split once there are `most_sites`. `field` and `kernel`
-  // must outlive the state. Fails where the field does, and for a boundary that check_domain would
-  // have refused. `cancelled` ends clear_encroachments and shorten_subsegments early. It is polled
+  // Builds the state with the proposed sites, without stars. Divides segments where that is
+  // possible. Takes the other sites that are inside the divided domain and encroach on no
+  // subsegment. No subsegment is split once there are `most_sites`. `field` and `kernel` must
+  // outlive the state. Fails where the field does, and for a boundary that check_domain would have
+  // refused. `cancelled` ends clear_encroachments and shorten_subsegments early. It is polled
   // between stars and between splits, which may be many, and each slow where only exact arithmetic
   // decides.
   static result<refine_state> start(const domain& d, const metric_field& field,
@@ -51,16 +51,16 @@ class refine_state {
     return {sites(), edges(), *kernel_, memory_.get(), &std::as_const(*sites_).near()};
   }
   bool is_full() const { return sites_->is_full(); }
-  // Frees what finds sites and subsegments near a place. Nothing is changed from then on.
+  // Frees the index of sites and subsegments. The mesh must not be changed from then on.
   void forget_index() { sites_->forget_index(); }
   // Lowers the limit on sites to this many.
   void limit_sites(std::size_t most_sites) { sites_->limit(most_sites); }
 
-  // True if the work allowed for so many sites was done (stars/work_limit.hpp). It is counted, not
-  // timed, so that every run ends at the same place.
+  // True if the work limit for the number of sites was reached (stars/work_limit.hpp). Work is
+  // counted, not timed, so that every run ends at the same place.
   bool is_overworked() const;
-  // Counts the work of proposing places for one triangle, and of looking through stars, which the
-  // kernel does not see.
+  // Count work that the kernel does not: proposing places for one triangle, and comparing
+  // stars.
   void count_triangle_tried() { ++triangles_tried_; }
   void count_neighbours_looked_at(std::size_t neighbours) { looked_at_ += neighbours; }
 
@@ -78,10 +78,10 @@ class refine_state {
   void construct_stars(const neighbour_lists& likely, star_confirmation confirmed);
 
   // Adds a site with its star. Requires a site strictly inside the domain and distinct from the
-  // others, and !is_full().
+  // others, and that the mesh is not full.
   void add_interior(const site& s);
-  // Adds a site without its star, for many in a row; requires what add_interior() does. Before
-  // anything is asked of the stars, add_stars() makes those left out.
+  // Adds a site without its star, for many sites in a row; requires the same as add_interior(). The
+  // stars left out must be made by add_stars() before any use of stars.
   void add_interior_later(const site& s);
   void add_stars();
   // Renumbers the inside sites, all but the domain's vertices, among themselves (site_set).
@@ -103,8 +103,8 @@ class refine_state {
   // Splits subsegments until none is encroached by a site, as far as split() allows. Returns false
   // when it ended early, cancelled or overworked.
   bool clear_encroachments(double shortest);
-  // Calls the listener after each split of a subsegment from a to b by the last site; an empty one
-  // ends that.
+  // Sets a function that is called after each split of a subsegment from a to b by the last site;
+  // an empty function ends that.
   using split_listener = std::function<void(vertex_index a, vertex_index b)>;
   void listen_to_splits(split_listener listener) { on_split_ = std::move(listener); }
   // Splits subsegments longer than `longest`, as far as split() allows, until cancelled or
@@ -116,7 +116,8 @@ class refine_state {
                split_boundary segments)
       : kernel_(&kernel), given_(given), sites_(std::move(sites)), segments_(std::move(segments)) {}
 
-  // Sites by the numbers of filled_domain::stars; `left_out` where one was not taken.
+  // Numbers of the sites here, indexed by the numbers of filled_domain::stars; `left_out` for a
+  // site that was not taken.
   using numbered_sites = std::vector<vertex_index>;
   static constexpr vertex_index left_out = std::numeric_limits<vertex_index>::max();
 

@@ -22,12 +22,12 @@
 namespace asterism::internal {
 namespace {
 
-// Return value of a phase that changed something: the step begins again. Otherwise a phase returns
-// how refinement ended.
+// Return value of a phase that changed the mesh: the step begins again. Other values tell how
+// refinement ended.
 constexpr std::optional<ending> go_on;
 
-// Returns the sharpest corner below the bound that some of these sites are beside: at one, or on a
-// segment of one.
+// Returns the sharpest corner below the bound that has one of these sites beside it: at the corner,
+// or on a segment of it.
 std::optional<sharp_corner> sharpest_corner_beside(const refine_state& state,
                                                    const std::set<vertex_index>& beside,
                                                    double bound) {
@@ -53,7 +53,7 @@ std::set<vertex_index> sites_of(const std::set<bad_triangle>& bad) {
 
 class refinement_loop {
  public:
-  // Low angles beside the corners of `spared` are left as they are.
+  // Leaves low angles beside the corners in `spared` as they are.
   refinement_loop(refine_state state, const meshing_context& job,
                   const std::set<vertex_index>& spared)
       : options_(job.options),
@@ -82,13 +82,13 @@ class refinement_loop {
     if (state_.field_failure()) return *state_.field_failure();
     const bool mended = *ended == ending::complete || *ended == ending::collateral;
     if (before_collateral_ && !mended) return without_collateral(*ended);
-    // Makes room for the mesh, which is made from the stars alone.
+    // Frees the index to make room for the mesh, which is made from the stars alone.
     if (*ended == ending::complete) state_.forget_index();
     return outcome(*ended);
   }
 
-  // Returns the corners beside which low angles could not be mended; the caller exempts them and
-  // begins again.
+  // Returns the corners beside which low angles could not be mended; the caller begins again
+  // without demanding them.
   const std::set<vertex_index>& hopeless() const { return hopeless_; }
 
  private:
@@ -100,8 +100,8 @@ class refinement_loop {
   }
 
   // Returns the mesh without making a star where it is one triangulation of sites that all have the
-  // same metric, of which neither an angle nor a size is demanded: there would be nothing to mend.
-  // None elsewhere, and where the run is stopped meanwhile.
+  // same metric, with no demand on angles or sizes: there would be nothing to mend. Returns none in
+  // other cases, and where the run is stopped meanwhile.
   std::optional<mesh_outcome> triangulated_at_once() {
     if (angle_.degrees() > 0 || options_.limit_size) return std::nullopt;
     report_progress();
@@ -113,8 +113,8 @@ class refinement_loop {
     return outcome_with(ending::complete, std::move(all_agree));
   }
 
-  // Makes all stars; where angles are demanded of many sites that are given, not before most of
-  // what is low was mended without them.
+  // Makes all stars; where angles are demanded of many given sites, after prerefinement has mended
+  // most low angles without stars.
   void construct_stars() {
     const neighbour_lists likely = is_refined_plainly(options_, given_)
                                        ? refine_plainly(state_, angle_, tolerance_, options_.stop)
@@ -163,7 +163,7 @@ class refinement_loop {
   // is nothing to do.
   std::optional<ending> polish() {
     if (arcs_.insert_at_exempt_corners() || stars_.rebuild_all() || repair()) return go_on;
-    // Stars that were never made have no triangles that could be bad.
+    // Ends as overworked if stars are missing: they have no triangles that could be bad.
     if (state_.stars().stars_missing() > 0) return ending::overworked;
     if (queue_.collateral() == 0) return ending::complete;
     if (before_collateral_) return ending::collateral;  // beside corners that are spared
@@ -174,9 +174,10 @@ class refinement_loop {
   // Tests every star against all sites, unless that is left to the auditor.
   bool repair() { return confirmed_ == star_confirmation::by_mesher && stars_.repair(); }
 
-  // Demands of triangles beside sharp corners what the auditor demands. That may need ever smaller
-  // ones, so the mesh made so far is kept, and few further sites are allowed: of the wedges of 0.1
-  // to 19 degrees that were tried, those that could be mended took up to 400 more.
+  // Demands the bound of collateral angles beside sharp corners, as the auditor does. That may need
+  // ever smaller triangles, so the mesh made so far is kept, and few further sites are allowed: of
+  // the wedges of 0.1 to 19 degrees that were tried, those that could be mended took up to 400
+  // more.
   void mend_collateral() {
     constexpr std::size_t more = 500, more_for_each = 20;
     before_collateral_ = outcome(ending::collateral);
@@ -185,7 +186,7 @@ class refinement_loop {
     arcs_.mend_collateral();
   }
 
-  // Returns the mesh kept; collateral could not be mended.
+  // Returns the mesh that was kept, as collateral angles could not be mended.
   mesh_outcome without_collateral(ending how) {
     hopeless_ = queue_.corners_beside_low(state_);
     mesh_outcome o = std::move(*before_collateral_);
@@ -198,7 +199,7 @@ class refinement_loop {
     return o;
   }
 
-  // Returns `how` once no star is stale; makes stale ones anew before.
+  // Returns `how` if no star is stale; otherwise makes stale stars anew and returns go_on.
   std::optional<ending> conclude(ending how) { return stars_.rebuild_all() ? go_on : how; }
 
   bool is_spent() const {
@@ -233,8 +234,8 @@ class refinement_loop {
     return darts_.refine(state_, bad, darts_rejected_);
   }
 
-  // Settles stars, or has them confirmed again, when nothing can be inserted; else refinement is
-  // stuck.
+  // Makes stale stars anew, or confirms stars again, when no site can be inserted; if neither
+  // changes anything, refinement is stuck.
   std::optional<ending> exhaust() {
     if (stars_.rebuild_all() || stars_.confirm_again()) return go_on;
     return ending::stuck;
@@ -270,7 +271,7 @@ class refinement_loop {
   mesh_outcome outcome(ending how) {
     if (how != ending::complete)
       return outcome_with(how, check_consistency(state_.oracle(), state_.stars()));
-    // Skips the comparison: the queue has made it, and the auditor makes it again.
+    // Skips the comparison of stars: the queue has made it, and the auditor makes it again.
     consistency_report all_agree;
     all_agree.agreeing = triangles_of_consistent(state_.stars());
     return outcome_with(how, std::move(all_agree));

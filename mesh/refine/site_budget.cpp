@@ -28,7 +28,7 @@ constexpr int most_attempts = 2000;
 // segments count: isolated vertices are spread already.
 constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 
-// Returns how many more times the number of sites is to be halved.
+// Returns the number of further halvings of the number of sites that bring it within the limit.
 int halvings_for(double needed, std::size_t most_sites) {
   const double room = part_for_filling * static_cast<double>(most_sites);
   return std::max(1, static_cast<int>(std::ceil(elementary::log2(needed / room))));
@@ -82,8 +82,8 @@ std::optional<error> measure_anew(const metric_field& field, filled_domain& prop
   return measure(proposed.interior);
 }
 
-// Fills the domain as its segments and, where that is limited, the size want it. Returns nothing
-// where they want more sites than there may be, or, without a size, where few of them would be
+// Fills the domain for the lengths of its segments and, with a size limit, for the size. Returns
+// nothing where that takes more sites than the limit or, without a size, where few of them would be
 // inside.
 result<std::optional<filled_domain>> fill_by_features(const meshing_context& job) {
   using filling = result<std::optional<filled_domain>>;
@@ -105,8 +105,8 @@ result<std::optional<filled_domain>> fill_by_features(const meshing_context& job
   return filling(std::move(proposed));
 }
 
-// Fills the domain for the size wanted, or with edges lengthened by the factor that the limit on
-// sites asks for.
+// Fills the domain for the size wanted, or with edges lengthened until the limit on sites is
+// kept.
 result<budgeted_filling> fill_by_halving(const meshing_context& job) {
   const fill_options wanted = fill_options_for(job);
   budgeted_filling filled;

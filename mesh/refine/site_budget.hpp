@@ -16,8 +16,8 @@ struct budgeted_filling {
   double work_units = 0;   // done in all attempts
 };
 
-// Fills the domain for the strategies that begin so; for the others it proposes nothing. Divides
-// the metric by the smallest power of two for which the fill is predicted to use at most 80 % of
+// Fills the domain for strategies that begin with a fill; for others proposes nothing. Divides the
+// metric by the smallest power of two for which the fill is predicted to use at most 80 % of
 // `max_sites`. Fails as fill() does.
 result<budgeted_filling> fill_within_budget(const meshing_context& job);
 

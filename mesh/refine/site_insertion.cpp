@@ -6,7 +6,8 @@
 namespace asterism::internal {
 namespace {
 
-// True if both of the triangle's other vertices lie in the corner's sector, ends included.
+// True if the triangle's two vertices other than the corner lie in the corner's sector, ends
+// included.
 bool lies_in_corner(const refine_state& state, const triangle& t, const domain_corner& c) {
   const sector& s = state.stars()[c.vertex].sectors[c.sector];
   const site_oracle oracle = state.oracle();

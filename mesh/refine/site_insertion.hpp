@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Tries a point as the place of a new site by the conditions of the thesis, section 4.1, which both
-// heuristics share. Shortens corners that must stay undivided.
+// heuristics share. Shortens the subsegments at corners that must stay undivided.
 #pragma once
 
 #include <cstddef>

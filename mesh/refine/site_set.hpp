@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps the sites of a mesh being refined, each with the field's metric, and the index of what is
-// near.
+// Keeps the sites of a mesh being refined, each with the field's metric, and an index of sites and
+// subsegments by place.
 #pragma once
 
 #include <algorithm>
@@ -31,14 +31,14 @@ class site_set {
   // Lowers the limit on sites to this many.
   void limit(std::size_t most_sites) { most_sites_ = std::min(most_sites_, most_sites); }
   // Returns the index of sites and subsegments by place. The boundary, which splits subsegments,
-  // keeps these up to date.
+  // updates it.
   const proximity& near() const { return near_; }
   proximity& near() { return near_; }
   void index(const boundary& edges) { near_ = proximity(sites_, edges); }
-  // Frees the index. No site is added, and nothing looked for, from then on.
+  // Frees the index. No site may be added, and no search made, from then on.
   void forget_index() { near_ = {}; }
-  // Makes room for so many more sites, and for the few that refinement adds to them: where these
-  // alone lacked room, all would be held twice while they are moved.
+  // Reserves room for this number of sites, and for the few that refinement adds to them: without
+  // it all sites would be held twice while the list grows.
   void reserve(std::size_t more) {
     const std::size_t expected = sites_.size() + more;
     sites_.reserve(std::min(expected + expected / 16, most_sites_));
@@ -46,15 +46,15 @@ class site_set {
 
   // Returns the site at q with the field's metric; none where the field fails.
   std::optional<site> site_at(const point& q);
-  // Returns the failure of the field at a point that was tried, if there was one; nothing can go on
+  // Returns the error of the field at a point that was tried, if there was one; refinement must end
   // then.
   const std::optional<error>& field_failure() const { return field_failure_; }
-  // True if s is farther than this from every site, as measured by them and by s.
+  // True if s is farther than this distance from every site, by the metrics of both.
   bool is_farther(const site& s, double distance) const;
 
   // Adds a site and returns its index.
   vertex_index add(const site& s);
-  // Numbers some of the sites anew among themselves, along a curve, so that what is near is near in
+  // Renumbers some of the sites among themselves, along a curve, so that near sites are near in
   // memory. Takes their numbers in ascending order; returns the new number of each site.
   std::vector<vertex_index> number_along_curve(const std::vector<vertex_index>& which);
 

@@ -17,11 +17,11 @@
 namespace asterism::internal {
 namespace {
 
-// Relative slack for lengths on one shell, which agree up to rounding: that of the lengths, and
-// that of the points.
+// Relative tolerance for equal lengths on one shell: they differ by the rounding of lengths and of
+// points.
 constexpr double shell_slack = 1e-6;
 
-// Returns at least how much the distance of two points changes when both are rounded to doubles:
+// Returns a bound of the change of the distance of two points when both are rounded to doubles:
 // with half an ulp for each coordinate of each, one ulp of the larger along both axes.
 double rounding_of_distance(const metric_tensor& m, const point& a, const point& b) {
   const double x = 0x1p-52 * std::max(std::abs(a.x), std::abs(b.x));
@@ -42,8 +42,9 @@ bounding_box disk_box(const site& a, const site& b) {
   return box;
 }
 
-// Returns how near a site sees some point of the subsegment if it encroaches, from above: nowhere
-// on it are both ends farther than this (refine/encroachment_filter.cpp).
+// Returns an upper bound of the distance, by a site's metric, of the nearest point of the
+// subsegment if the site encroaches: at no point are both ends farther than this
+// (refine/encroachment_filter.cpp).
 double reach_of_encroachers(const site& a, const site& b) {
   constexpr double room = 1 + 0x1p-20;
   const double from_a = std::sqrt(squared_distance(a, b.position)),
@@ -97,11 +98,11 @@ std::span<const domain_corner> split_boundary::corners_at(vertex_index v) const 
   const auto [first, last] = std::equal_range(
       corners_.begin(), corners_.end(), domain_corner{v, 0, 0},
       [](const domain_corner& a, const domain_corner& b) { return a.vertex < b.vertex; });
-  // Pointers: libc++ 13 makes no span of its vector's iterators.
+  // Takes pointers, since libc++ 13 makes no span of its vector's iterators.
   return {corners_.data() + (first - corners_.begin()), static_cast<std::size_t>(last - first)};
 }
 
-// Finds the subsegment in the index; there must be one.
+// Finds the subsegment in the index, which must contain it.
 std::size_t split_boundary::find_subsegment(vertex_index a, vertex_index b) const {
   std::size_t found = edges_.subsegments().size();
   near().subsegments().visit(box_of(sites()[a].position, sites()[b].position),
@@ -125,7 +126,7 @@ double split_boundary::subsegment_length(std::size_t subsegment, vertex_index fr
   return std::sqrt(squared_length(sites()[from].metric, d));
 }
 
-// Notes the sharp corners by the segments beside them, while these are whole. Splits change the
+// Records the sharp corners by the segments beside them, before any split. Splits change the
 // neighbour that a segment has at its end, but neither the end nor the side.
 void split_boundary::note_sharp_corners() {
   const std::vector<boundary_edge>& all = edges_.subsegments();
@@ -159,7 +160,8 @@ bool split_boundary::has_sharp_end(const boundary_edge& subsegment, vertex_index
   return subsegment.internal && sharp_corner(v, other_way) != nullptr;
 }
 
-// True if w is the far end of the subsegment across a sharp corner, and no nearer to the corner.
+// True if w, which encroaches, is excused: it is the far end of the subsegment across a sharp
+// corner, and no nearer to the corner.
 bool split_boundary::is_excused(const boundary_edge& subsegment, vertex_index w) const {
   for (const vertex_index v : {subsegment.a, subsegment.b}) {
     const domain_corner* c = sharp_corner(v, subsegment);
@@ -177,7 +179,7 @@ bool split_boundary::is_excused(const boundary_edge& subsegment, vertex_index w)
   return false;
 }
 
-// True if the cell of a site at this place meets the subsegment, from whichever side.
+// True if the Voronoi cell of a site at this place meets the subsegment, from either side.
 bool split_boundary::is_reached(const star_predicates& kernel, const boundary_edge& p,
                                 const site& s) const {
   const site &a = sites()[p.a], &b = sites()[p.b];
@@ -223,9 +225,9 @@ void split_boundary::visit_near(const boundary_edge& p, const Visit& visit) cons
       [&](vertex_index w) { return !contains(box, sites()[w].position) || visit(w); });
 }
 
-// Returns a site that encroaches. Where it matters which, because its distance from the corner of a
-// wedge does, that is the first one, so that the answer does not depend on how they were found.
-// Otherwise what doubles do not decide waits until none is found that they do.
+// Returns a site that encroaches. Returns the first one where the distance of that site from the
+// corner of a wedge matters, so that the answer does not depend on the order of the search.
+// Otherwise exact tests are made only if doubles decide for no site that it encroaches.
 std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegment) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
   const bool any_will_do = !wedges_.is_mirrored(p.segment);
@@ -290,7 +292,7 @@ bool split_boundary::can_split_at(const boundary_edge& subsegment, const site& m
                                 on_curve);
 }
 
-// Adds the new site. The index of boundary edges is updated once before and once after.
+// Adds the new site, and updates the index of boundary edges once before and once after the split.
 void split_boundary::put_on_subsegment(std::size_t subsegment, const site& m, bool on_curve) {
   const auto twin = edges_.twin(subsegment);
   std::size_t new_subsegment = edges_.subsegments().size();

@@ -54,15 +54,15 @@ class split_boundary {
   // Returns the subsegment that q lies on, its ends left out; none if there is none.
   std::optional<std::size_t> subsegment_through(const point& q) const;
   // Returns the subsegment that hides q, a place outside the domain, from a corner of the triangle,
-  // and that a site at q would encroach on from behind if it measured as the corner does: the field
-  // need not be there outside. None if there is none. Decided exactly.
+  // if a site at q with that corner's metric would encroach on it from behind: the field may not
+  // exist outside. Returns none if there is none. Decided exactly.
   std::optional<std::size_t> subsegment_before(const triangle& t, const point& q) const;
   // Returns the subsegment's length as `from` measures it.
   double subsegment_length(std::size_t subsegment, vertex_index from) const;
 
   // Returns the subsegments a site at this place would encroach on.
   std::vector<std::size_t> encroached_by(const star_predicates& kernel, const site& s) const;
-  // Suspects the subsegments on which site w encroaches. suspect_all() suspects all.
+  // Marks the subsegments that site w may encroach on as suspects. suspect_all() marks all.
   void note_encroached_by(vertex_index w);
   void suspect_all();
   bool has_suspects() const { return !suspects_.empty(); }
@@ -74,11 +74,11 @@ class split_boundary {
   // is not encroached.
   std::optional<encroachment> next_encroachment();
 
-  // Returns where the subsegment is to be split: at its bisector point, a shell, or a round
-  // distance from the corner of a narrow wedge.
+  // Returns the place at which the subsegment is to be split: its bisector point, a shell, or a
+  // round distance from the corner of a narrow wedge.
   point split_point(const boundary_edge& subsegment) const;
-  // Returns the point of its curve beside q, a point of the subsegment, if that is a chord of one.
-  // None at sharp corners and in narrow wedges, whose two sides are split alike.
+  // Returns the point of the curve beside q, a point of the subsegment, if the subsegment is a
+  // chord. None at sharp corners and in narrow wedges, whose two sides are split alike.
   std::optional<point> place_on_curve(const boundary_edge& subsegment, const point& q) const;
   // True if m may split the subsegment: no part would be shorter than `shortest` (metric length, as
   // any of its ends measures), doubles have a place between its ends, and no site or other
@@ -95,7 +95,8 @@ class split_boundary {
 
   const std::vector<site>& sites() const { return sites_->all(); }
   const proximity& near() const { return std::as_const(*sites_).near(); }
-  // A sharp corner at an end of a segment; its subsegment there leaves the corner or enters it.
+  // A sharp corner at an end of a segment, and whether the segment's subsegment there leaves the
+  // corner or enters it.
   struct segment_corner {
     vertex_index vertex;
     bool leaving;

@@ -13,14 +13,14 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   const star_set& stars = state_.stars();
   std::vector<vertex_index> stale, unconfirmed;
   std::vector<triangle> disagreeing;
-  // Looks at a neighbour that cost as much as one look at a triangle: a third of a microsecond each
-  // where metrics are the same, else one.
+  // Work of visiting a neighbour, as a multiple of that of visiting a triangle: a third of a
+  // microsecond each where metrics are the same, else one.
   constexpr std::size_t as_neighbours = 110;
   for (const bad_triangle& b : queue.bad()) {
     if (b.why != badness::disagreeing) break;
     state_.count_neighbours_looked_at(as_neighbours);
-    // Passes over triangles that are given up: at a jump of the metric most sites are in reach of
-    // most others, and stars there would be made anew for nothing.
+    // Skips triangles that are given up: at a jump of the metric most sites are in reach of most
+    // others, and making stars anew there changes nothing.
     if (steep_.is_given_up(b.where) || steep_.gives_up(b)) continue;
     if (exchanged_.count(b.where) == 0) disagreeing.push_back(b.where);
     for (const vertex_index v : b.where) {
@@ -31,14 +31,15 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   if (steep_.awaits_other_metric()) return false;
   if (rebuild(std::move(stale), star_search::near)) return true;
   if (exchange(disagreeing)) return true;
-  // Waits for a tenth more sites: where metrics vary much all sites are in reach.
+  // Waits until the number of sites has grown by a tenth: where metrics vary much all sites are in
+  // reach.
   if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
   confirmed_at_ = state_.sites().size();
   return rebuild(std::move(unconfirmed), star_search::thorough);
 }
 
-// Offers each corner of these triangles the neighbours of the other two, once a triangle: a site
-// missed by a local search is, as a rule, in the star of another corner.
+// Offers each corner of these triangles the neighbours of the other two corners, once for each
+// triangle: a site missed by a local search is usually in the star of another corner.
 bool stale_stars::exchange(const std::vector<triangle>& disagreeing) {
   const star_set& stars = state_.stars();
   std::vector<std::pair<vertex_index, vertex_index>> offers;  // to whom, and what

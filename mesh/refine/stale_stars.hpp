@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes stars anew during refinement: the stale ones, and those that a search of what is near may
-// have got wrong.
+// Makes stars anew during refinement: stale ones, and those that a local search may have made
+// wrongly.
 #pragma once
 
 #include <cstddef>
@@ -14,26 +14,26 @@
 
 namespace asterism::internal {
 
-// Makes stars anew. Each function that does returns true if anything new came of it.
+// Makes stars anew. Each function that makes stars returns true if a star changed.
 class stale_stars {
  public:
   // Both references must outlive the object.
   stale_stars(refine_state& state, steepness& steep) : state_(state), steep_(steep) {}
 
   // Makes the stars in disagreeing triangles anew, offers their corners each other's neighbours,
-  // and holds them against all sites, before a site is inserted there. Coarse stars keep neighbours
-  // they should not, and near searches miss some.
+  // and tests them against all sites, before a site is inserted there. Coarse stars keep neighbours
+  // they should not have, and local searches miss some.
   bool rebuild_disagreeing(const bad_triangle_queue& queue);
   bool rebuild_all();
   // Tests every star against all sites that are not certainly out of its reach, since a local
   // search can have missed some. Done once for each number of sites: sites tested before need not
   // be tested again because others came.
   bool repair();
-  // Lets rebuild_disagreeing() hold stars against all sites once more before refinement gives up.
-  // Returns false if it has held them against these sites already.
+  // Lets rebuild_disagreeing() test stars against all sites once more before refinement gives up.
+  // Returns false if it has tested them against the present sites already.
   bool confirm_again();
 
-  // Returns how many stars repair() changed.
+  // Returns the number of stars that repair() changed.
   std::size_t repairs() const { return repairs_; }
 
  private:

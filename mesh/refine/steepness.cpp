@@ -12,15 +12,16 @@ namespace {
 // wants 0.052 (docs/math/refinement.md). A triangle beyond it is given up, so this is the greater
 // of the two.
 constexpr double resolved_variation = 0.3;
-// Distortion below which two sites have wedged arcs at any distance that a net has: the root of the
-// golden ratio (the same page, point 4).
+// Distortion below which two sites have wedged arcs at any distance that sites of a net can have:
+// the root of the golden ratio (the same page, point 4).
 constexpr double resolved_distortion = 1.272;
 
 }  // namespace
 
 bool steepness::gives_up(const bad_triangle& b) {
   if (options_.strategy != refinement_strategy::fill) return false;
-  // Without a size triangles may be so large that the metric is another at every corner.
+  // Judges only disagreeing triangles where no size is limited: large ones have another metric at
+  // every corner.
   if (!options_.limit_size && b.why != badness::disagreeing) return false;
   const bool beside = b.why != badness::too_large && !at_jump_.empty() &&
                       std::any_of(b.where.begin(), b.where.end(),
@@ -64,8 +65,8 @@ bool steepness::is_too_steep(const triangle& t) {
   return false;
 }
 
-// Returns the variation of the metric where it is greatest on the way from p to q, found by
-// following the half over which it changes more, down to where sites could be no nearer.
+// Returns the greatest variation of the metric found between p and q. Follows the half over which
+// the metric changes more, down to the least distance of sites.
 double steepness::steepest_between(site p, site q, double enough) {
   double steepest = variation(p, q);
   while (steepest <= enough && distortion(p.metric, q.metric) > resolved_distortion) {

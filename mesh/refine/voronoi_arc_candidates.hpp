@@ -24,7 +24,7 @@ bool refine_by_arcs(refine_state& state, const triangle& t, double tolerance,
                     std::size_t& rejected);
 
 // Returns the first candidate of t that can simply be inserted: inside, far enough from every site,
-// and encroaching on nothing. Adds to `rejected` those before it.
+// and encroaching on no subsegment. Counts the ones before it in `rejected`.
 std::optional<site> find_place(refine_state& state, const triangle& t, double tolerance,
                                std::size_t& rejected);
 

@@ -52,8 +52,8 @@ std::uint32_t box_index::child_for(std::uint32_t at, division how, const boundin
   return first + (how == division::along_x ? right : above);
 }
 
-// Goes down while the child's cell is no smaller than the item. With `grow` missing children of
-// quartered cells are made and the boxes on the way widened.
+// Descends while the child's cell is no smaller than the item. With `grow`, makes missing children
+// of quartered cells and widens the boxes on the way.
 std::uint32_t box_index::place(const bounding_box& box, bool grow) {
   std::uint32_t at = 0;
   for (int level = 0;; ++level) {
@@ -73,8 +73,9 @@ std::uint32_t box_index::place(const bounding_box& box, bool grow) {
   }
 }
 
-// Halves a cell in the ways in which many of its items are small; they go to the halves. Looks at
-// the items when their number has doubled, so that an insertion takes constant time on average.
+// Halves a cell along each axis along which many of its items are small, and moves these items to
+// the halves. Looks at the items when their number has doubled, so that an insertion takes constant
+// time on average.
 void box_index::relieve(std::uint32_t at) {
   constexpr std::size_t many = 16;
   if (nodes_[at].items.size() < 2 * many || !std::has_single_bit(nodes_[at].items.size())) return;

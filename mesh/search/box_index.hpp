@@ -4,12 +4,12 @@
 // replaced by smaller ones as the boundary is split.
 //
 // An item lies in the node that holds its middle, on the level whose cells are about as large as
-// the item: long subsegments stay near the root, short ones go deep, and a small question never has
-// to look through long lists. Cells are quartered while the item is small both ways. A cell with
-// many items that are small one way alone is halved that way: where metrics are thin, thousands of
-// boxes are as high as the domain and thousands of times as narrow. A node knows a box around
-// everything that ever was below it. Deterministic: items are visited in an order that depends on
-// the changes alone.
+// the item: long subsegments stay near the root, short ones go deep, and a query of a small box
+// never goes through long lists. Cells are quartered while the item is small along both axes. A
+// cell with many items that are small along one axis alone is halved along it: where metrics are
+// thin, thousands of boxes are as high as the domain and thousands of times as narrow. A node knows
+// a box around everything that ever was below it. Deterministic: items are visited in an order that
+// depends on the changes alone.
 #pragma once
 
 #include <algorithm>
@@ -33,8 +33,8 @@ class box_index {
   // Removes an item. Requires that it was inserted with this box.
   void remove(std::uint32_t item, const bounding_box& box);
 
-  // Calls visit(item) for every item whose box meets the closed one.
-  // visit returns whether to go on; so does this.
+  // Calls visit(item) for every item whose box meets the closed one, until visit returns false.
+  // Returns whether it never did.
   template <class Visit>
   bool visit(const bounding_box& box, Visit&& visit) const;
 
@@ -42,7 +42,7 @@ class box_index {
   static constexpr int most_levels = 40;
   static constexpr std::uint32_t none = 0;
 
-  // Ways in which a cell is divided.
+  // Division of a cell: into quarters, or into halves along one axis.
   enum class division : std::size_t { in_four, along_x, along_y };
   static constexpr std::size_t division_count = 3;
 
@@ -54,7 +54,7 @@ class box_index {
   struct node {
     bounding_box around;
     point middle, half;
-    // The first of four or two children, for each way of dividing.
+    // Index of the first of the four or two children, for each kind of division.
     std::array<std::uint32_t, division_count> first_child{none, none, none};
     bool used = false;  // `around` means something
     std::vector<item_box> items;
@@ -80,7 +80,7 @@ inline bounding_box box_of(const point& p, const point& q) {
 
 template <class Visit>
 bool box_index::visit(const bounding_box& box, Visit&& visit) const {
-  // A node at hand leaves at most seven others waiting on each level.
+  // Size of the stack of a descent: each level leaves at most seven other children waiting.
   std::array<std::uint32_t, 7 * most_levels + 8> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = 0;

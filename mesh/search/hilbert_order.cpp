@@ -25,9 +25,9 @@ std::uint32_t cell(double x, double low, double high) {
   return static_cast<std::uint32_t>(std::clamp(part * cells, 0.0, cells - 1));
 }
 
-// Quarter of a cell that a point is in, by its number on the curve, and how the curve enters that
-// one, for each way in which it enters the cell: with x and y exchanged (1), both turned round (2),
-// or both of it.
+// Quarter of a cell that holds a point: its number on the curve, and the way in which the curve
+// enters it. A way has x and y exchanged (1), both reversed (2), or both changes; tables have a row
+// for each way of entering the cell.
 struct quarter {
   std::uint32_t number, way;
 };
@@ -48,8 +48,8 @@ constexpr quarters quarters_of_curve() {
   return all;
 }
 
-// Says which sixteenth of a cell a point is in, and how the curve enters that one: by the way, and
-// by 4 x + y, of two bits each.
+// Sixteenth of a cell that holds a point, with its number and way, for each way of entering the
+// cell and each 4 x + y, x and y of two bits.
 using sixteenths = std::array<std::array<quarter, 16>, 4>;
 
 constexpr sixteenths sixteenths_of_curve() {
@@ -65,8 +65,8 @@ constexpr sixteenths sixteenths_of_curve() {
   return twice;
 }
 
-// Each level picks one of four quarters; the curve enters and leaves it turned or mirrored. From a
-// table, two levels at a time: which one it is is past guessing.
+// Each level picks one of four quarters; the curve enters and leaves it turned or mirrored. A table
+// gives two levels at a time: branches would be mispredicted.
 std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
   static_assert(levels % 2 == 0);
   static constexpr sixteenths all = sixteenths_of_curve();
@@ -80,7 +80,8 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
   return place;
 }
 
-// Puts the numbers of some points into the order of the curve; those of one cell keep theirs.
+// Sorts the numbers of some points into the order of the curve; points of one cell keep their
+// order.
 template <class PointOf>
 void sort_numbers(std::vector<std::uint32_t>& which, const PointOf& of, const bounding_box& box) {
   constexpr std::size_t chunk = 1024;

@@ -13,7 +13,8 @@
 
 namespace asterism::internal {
 
-// Returns how far along the curve through the box the point is; at an end where it is outside.
+// Returns the position of the point on the curve through the box; that of an end for a point
+// outside the box.
 inline constexpr int bits_of_place_on_curve = 40;
 std::uint64_t place_on_curve(const point& q, const bounding_box& box);
 
@@ -21,12 +22,12 @@ std::uint64_t place_on_curve(const point& q, const bounding_box& box);
 // the finest grid keep their order.
 std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
                                              const bounding_box& box);
-// Puts the numbers of some of the sites, or points, into that order.
+// Sorts the numbers of some of the sites, or points, into that order.
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
                       const bounding_box& box);
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<point>& points,
                       const bounding_box& box);
-// Puts the sites, or points, into that order.
+// Sorts the sites, or points, into that order.
 void sort_along_curve(std::vector<site>& sites, const bounding_box& box);
 void sort_along_curve(std::span<point> points, const bounding_box& box);
 

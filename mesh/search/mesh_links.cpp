@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t chunk = 8192;
 
-// Lists the vertices that triangles at v have besides v, each once, ascending.
+// Lists the vertices that triangles at v have in addition to v, each once, ascending.
 void gather_neighbours(const std::vector<triangle>& triangles, std::span<const incidence> around,
                        std::vector<vertex_index>& found) {
   found.clear();
@@ -51,7 +51,7 @@ void mesh_links::find_across(const std::vector<triangle>& triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
         const vertex_index a = triangles[t][(i + 1) % 3], b = triangles[t][(i + 2) % 3];
         across_[t][i] = no_triangle;
-        // The other side of the edge a -> b is the triangle with the edge b -> a.
+        // Finds the triangle across the edge a -> b: the one with the edge b -> a.
         for (const incidence& at : around(b))
           if (triangles[at.triangle][(at.corner + 1) % 3] == a) across_[t][i] = at.triangle;
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles of a mesh with their neighbours: across edges, and around vertices.
+// Links triangles of a mesh with their neighbours: across edges, and around vertices.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@ namespace asterism::internal {
 
 inline constexpr vertex_index no_triangle = std::numeric_limits<vertex_index>::max();
 
-// A triangle at a vertex: its number, and which of its corners the vertex is.
+// A triangle at a vertex: the triangle's index, and the number of its corner that is the vertex.
 struct incidence {
   vertex_index triangle = 0;
   std::uint32_t corner = 0;
 };
 
 // Requires a triangulation: indices in range, each directed edge in one triangle at most. Time and
-// memory are linear; made by as many threads as there are, the same for any number.
+// memory are linear; made by all threads, with the same result for any number of them.
 class mesh_links {
  public:
   mesh_links(std::size_t vertices, const std::vector<triangle>& triangles);

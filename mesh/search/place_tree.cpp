@@ -35,8 +35,8 @@ double foot_on(const point& q, const point& a, const point& b) {
 }
 
 // Returns the distance of q from the line through a and b. The difference of the two products
-// cancels where q is near the line, so that both have twice as many bits, and so do the differences
-// of coordinates.
+// cancels where q is near the line, so that products and differences of coordinates are computed to
+// twice as many bits.
 double distance_from_line(const point& q, const point& a, const point& b) {
   const double_double x = double_double(b.x) - a.x, y = double_double(b.y) - a.y;
   const double_double cross = x * (double_double(q.y) - a.y) - y * (double_double(q.x) - a.x);
@@ -108,16 +108,17 @@ void place_tree::add_node(std::uint32_t first, std::uint32_t last) {
   add_node(half, last);
 }
 
-// Returns no more than any place of the node allows at q, computed as size_at computes it.
+// Returns a lower bound of the sizes that the node's places allow at q, with the operations of
+// size_at.
 double place_tree::bound_at(const node& n, const point& q) {
-  // More than the rounding of both distances, some units of 2^-53 each.
+  // Subtracts more than the rounding of both distances, some units of 2^-53 each.
   constexpr double below = 1 - 0x1p-40;
   return below * (n.size + n.slope * distance_from_box(q, n.box));
 }
 
 place_tree::found place_tree::least_at(const point& q) const {
   found best;
-  // A node at hand leaves one other waiting on each level.
+  // Size of the stack of a descent: each level leaves one other node waiting.
   std::array<std::uint32_t, 64> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = 0;

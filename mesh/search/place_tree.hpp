@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds among places with a size that grows away from them the one that allows the least size at a
-// point: with slope 1 and size 0 the nearest one.
+// Finds, among places with a size that grows with the distance from them, the one that allows the
+// least size at a point: with slope 1 and size 0 the nearest one.
 //
-// A binary tree of boxes, made in O(n log n); a question looks at about log n places where they are
-// spread evenly. In doubles; decides nothing. A distance has a relative error of some units in the
-// last place, however near the point is to a long segment, so that sizes do not sink on the way
-// from a place. Of places alike the first is found, whatever the order of the tree.
+// A binary tree of boxes, made in O(n log n); a query visits about log n places where they are
+// spread evenly. Computes in doubles, and decides nothing. A distance has a relative error of some
+// units in the last place, however near the point is to a long segment, so that sizes do not sink
+// on the way from a place. Of equal places the first is found, whatever the order of the tree.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@
 
 namespace asterism::internal {
 
-// A segment from a to b, or the box between them, and all within `radius` of it.
+// A place: the segment from a to b, or the box between these corners, with everything within
+// `radius` of it.
 struct sized_place {
   point a, b;
   double radius = 0;

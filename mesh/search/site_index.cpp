@@ -17,8 +17,8 @@ namespace {
 constexpr double up = 1 + 0x1p-47, down = 1 - 0x1p-47;
 constexpr double smallest = 0x1p-900, largest = 0x1p900;
 
-// Bounds on m11 m22 - m12^2. Each product is off by 2^-52 of itself; where they cancel, the
-// difference is not, and its magnitude says by how much.
+// Bound m11 m22 - m12^2 from both sides. Each product has an error of 2^-52 of itself. Where they
+// cancel, the error is a large part of the difference, and is bounded by the products' magnitude.
 struct range {
   double low, high;
 };
@@ -123,7 +123,7 @@ void site_index::put_in_leaf(std::uint32_t at, const point& q, vertex_index w) {
   ++n.count;
 }
 
-// The first of the new leaves takes the place of the one that was.
+// Puts the first of the new leaves in the place of the old one.
 void site_index::split(const std::vector<site>& sites, std::uint32_t at, const cell& whole) {
   const auto first = static_cast<std::uint32_t>(nodes_.size());
   for (int child = 0; child < 4; ++child) {
@@ -170,8 +170,8 @@ site_index::centre site_index::centre_of(const site& v, double reach) {
   return {&v, known ? det.low : 0, reach};
 }
 
-// Returns half the trace of M_w^-1 M_v for all sites of the node, from above; infinite when not
-// known.
+// Returns an upper bound of half the trace of M_w^-1 M_v for all sites of the node; infinite when
+// none is known.
 double site_index::half_trace_above(const node& n, const centre& c) const {
   if (!(c.determinant_below > 0)) return infinity;
   const metric_tensor& m = c.v->metric;
@@ -193,19 +193,19 @@ double site_index::limit(const node& n, const centre& c) const {
   return (1 + (sigma > 1 ? sigma : 1)) * c.reach * up;
 }
 
-// Returns the square of a limit that is not as near, without a root: (1 + sigma)^2 <= 2 + 2
-// sigma^2, and sigma^2 <= 2 t.
+// Returns the square of a rougher limit, which needs no root: (1 + sigma)^2 <= 2 + 2 sigma^2, and
+// sigma^2 <= 2 t.
 double site_index::rough_squared_limit(const node& n, const centre& c) const {
   const double t = half_trace_above(n, c);
   if (t == infinity) return infinity;
   return 2 * (1 + (2 * t > 1 ? 2 * t : 1)) * (c.reach * c.reach * up) * up;
 }
 
-// With u any vector and g = M_v u, every w has |w|_v >= g.w / |u|_v. u leads to the middle of the
-// box; the least g.w is at one of its corners. No monomial below passes more than six roundings,
-// and `size` bounds the sum of their magnitudes, of |u|_v^2 as well, to within as many: 2^-48 of it
-// covers the errors. The ranges keep underflow and overflow away: |u|_v^2 is at least the least
-// g.w.
+// Bounds the distance by a covector: with u any vector and g = M_v u, every w has |w|_v >= g.w /
+// |u|_v. u leads to the middle of the box; the least g.w is at one of its corners. No monomial
+// below passes more than six roundings, and `size` bounds the sum of their magnitudes, of |u|_v^2
+// as well, to within as many: 2^-48 of it covers the errors. The ranges keep underflow and overflow
+// away: |u|_v^2 is at least the least g.w.
 site_index::approach site_index::approach_of(const node& n, const centre& c) {
   const point& at = c.v->position;
   const point low{n.box.low.x - at.x, n.box.low.y - at.y},
@@ -229,8 +229,8 @@ bool site_index::approach::is_beyond(double squared_limit) const {
   return squared_limit > 0x1p-500 && squared_least > squared_limit * square_above * up;
 }
 
-// Most nodes are nearer than even equal metrics would reach, or farther than a rougher limit:
-// neither takes a root.
+// Decides most nodes without a root: they are nearer than even equal metrics would reach, or
+// farther than the rougher limit.
 bool site_index::out_of_reach(const node& n, const centre& c) const {
   if (!(c.determinant_below > 0)) return false;
   const approach a = approach_of(n, c);
@@ -247,7 +247,7 @@ bool site_index::is_right_of(const bounding_box& box, const point& from, const p
   return semi_static::orientation(from, to, leftmost).certainly(sign::negative);
 }
 
-// True if |q - v|_v > limit, certainly. Monomials of at most six roundings.
+// True if |q - v|_v is certainly above the limit. Monomials meet at most six roundings.
 bool site_index::is_beyond(const point& q, const centre& c, double limit) {
   const metric_tensor& m = c.v->metric;
   const point d{q.x - c.v->position.x, q.y - c.v->position.y};

@@ -32,8 +32,8 @@ namespace asterism::internal {
 
 class site_index {
  public:
-  // Says what an index will be asked for: where sites are (visit_box, visit_clusters,
-  // spacing_near), or everything, which takes bounds of their metrics.
+  // Queries that an index must answer: positions alone (visit_box, visit_clusters, spacing_near),
+  // or all, which takes bounds of the sites' metrics.
   enum class purpose { places, everything };
 
   site_index() = default;
@@ -43,16 +43,17 @@ class site_index {
   std::size_t size() const { return size_; }
   // Adds sites[w]. Requires a finite position and a positive definite metric; each index once.
   void insert(const std::vector<site>& sites, vertex_index w);
-  // Follows a renumbering: what was sites[w] is sites[to[w]] from now on.
+  // Follows a renumbering: the former sites[w] is now sites[to[w]].
   void renumber(const std::vector<vertex_index>& to);
 
-  // Calls visit(w) for each site in the closed box. visit returns whether to go on; so does this.
+  // Calls visit(w) for each site in the closed box, until visit returns false. Returns whether it
+  // never did.
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
-  // Calls visit(places, which) for a few sites at a time, their positions and their numbers, till
-  // all in the closed box were among them; others near it are as well. Requires an index for places
-  // alone.
+  // Calls visit(places, which) for a few sites at a time, their positions and their numbers, until
+  // all in the closed box were among them; some others near it are visited as well. Requires an
+  // index for places alone.
   template <class Visit>
   bool visit_clusters(const std::vector<site>& sites, const bounding_box& box, Visit&& visit) const;
   // Calls visit(w) for each site w that may see a point q of the box within the distance:
@@ -65,22 +66,23 @@ class site_index {
   }
 
   // Calls visit(v, w) once for each two sites that may be within the distance of each other as
-  // either measures it. The distance is looked at anew each time, and may shrink meanwhile.
+  // either measures it. The distance is read again before each test, and may shrink meanwhile.
   template <class Visit>
   void visit_pairs(const double& distance, Visit&& visit) const {
     if (!nodes_.empty()) visit_pairs(nodes_[0], nodes_[0], distance, visit);
   }
-  // Calls visit(box, extent, each) for each few sites that are near each other: the box around
-  // them, the half extents of a box around what any of them may see within distance 1, and what
-  // calls its argument with each of them.
+  // Calls visit(box, extent, each) for groups of a few sites near each other: the box around them,
+  // the half extents of a box around all points that any of them may see within distance 1, and a
+  // function that calls its argument for each of them.
   template <class Visit>
   void visit_groups(Visit&& visit) const;
 
-  // Returns about how far sites are apart near v, as v measures; 0 where that cannot be told.
+  // Returns the approximate distance between sites near v, as v measures; 0 where there are too few
+  // sites.
   double spacing_near(const site& v) const;
 
   // Calls visit(w) for each site not certainly out of reach of v, with R = reach in v's metric,
-  // infinite where nothing is known; v itself may be among them.
+  // infinite where no bound is known; v itself may be among them.
   template <class Visit>
   bool visit_reach(const std::vector<site>& sites, const site& v, double reach,
                    Visit&& visit) const;
@@ -96,19 +98,19 @@ class site_index {
   static constexpr int most_levels = 60;  // deeper, distinct doubles of one box need not separate
   static constexpr std::uint32_t none = 0;
 
-  // Bounds the inverses of some tensors.
+  // Bounds of the inverses of a node's tensors.
   struct inverse_range {
     double m11 = 0, m22 = 0, determinant = 0;  // above, above, below
     double m12_low = 0, m12_high = 0;
   };
-  // Holds what a descent reads of every node, and no more: the rest is kept beside it.
+  // Part of a node that every descent reads; the rest is kept in a separate list.
   struct node {
     bounding_box box;  // tight around the sites below
     std::uint32_t first_child = none;
     std::uint32_t count = 0;    // of the sites below
     std::uint32_t leaf = none;  // in leaves_; of nodes without children that have sites
   };
-  // The sites of a node without children.
+  // Sites of a node without children: the first few in place, the rest in an overflow list.
   struct leaf_sites {
     std::array<vertex_index, leaf_capacity> first;
     std::uint32_t overflow = none;  // the rest, in overflow_; only on the last level
@@ -130,14 +132,15 @@ class site_index {
   const inverse_range& inverse_of(const node& n) const {
     return inverses_[static_cast<std::size_t>(&n - nodes_.data())];
   }
-  // A star's centre, prepared to be asked how far nodes and sites are.
+  // A star's centre with numbers prepared for measuring distances to nodes and sites.
   struct centre {
     const site* v;
     double determinant_below;  // of its metric; 0 when not known
     double reach;
   };
   static centre centre_of(const site& v, double reach);
-  // Every |w - v|_v^2 of the node is at least squared_least / square_above, if that is positive.
+  // Bound of distances: every |w - v|_v^2 of the node is at least squared_least / square_above, if
+  // that is positive.
   struct approach {
     double squared_least = 0, square_above = 0;
     bool is_beyond(double squared_limit) const;
@@ -148,11 +151,11 @@ class site_index {
   double rough_squared_limit(const node& n, const centre& c) const;
   bool out_of_reach(const node& n, const centre& c) const;
   static bool is_beyond(const point& q, const centre& c, double limit);
-  // The part of the plane that a node divides. It is found on the way down, not kept: the nodes of
+  // Rectangle of the plane that a node divides. Computed on the way down, not stored: the nodes of
   // a large mesh take much of its memory.
   struct cell {
     point middle, half;
-    // Returns the number of the quarter that q is in.
+    // Returns the number of the quarter that contains q.
     std::uint32_t quadrant(const point& q) const {
       return (q.x >= middle.x ? 1U : 0U) + (q.y >= middle.y ? 2U : 0U);
     }
@@ -222,7 +225,7 @@ template <class Visit>
 bool site_index::visit_box(const std::vector<site>& sites, const point& low, const point& high,
                            Visit&& visit) const {
   const bounding_box box{low, high};
-  // Each level leaves at most three children waiting.
+  // Size of the stack of a descent: each level leaves at most three children waiting.
   std::array<std::uint32_t, 3 * most_levels + 4> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = smallest_around(box);
@@ -238,8 +241,8 @@ bool site_index::visit_box(const std::vector<site>& sites, const point& low, con
   return true;
 }
 
-// Asks all before it goes to those inside: which ones they are is past guessing, and a wrong guess
-// costs more than all comparisons.
+// Compares all sites of a leaf with the box first, then visits those inside: mispredicted branches
+// would cost more than all comparisons.
 template <class Visit>
 bool site_index::visit_leaf_inside(const std::vector<site>& sites, const node& n,
                                    const bounding_box& box, Visit& visit) const {
@@ -297,7 +300,8 @@ bool site_index::visit_cluster(const std::vector<site>& sites, const node& n, Vi
   return true;
 }
 
-// |dx| <= distance sqrt(M^-1_11) wherever |d|_M <= distance; the margin covers the roundings.
+// Uses that |dx| <= distance sqrt(M^-1_11) wherever |d|_M <= distance; the margin covers the
+// roundings.
 template <class Visit>
 bool site_index::visit_seeing(const bounding_box& box, double distance, Visit&& visit) const {
   const auto beyond = [](double from, double to, double low, double high) {
@@ -397,7 +401,7 @@ bool site_index::visit_cone(const std::vector<site>& sites, const site& v, doubl
   return visit_reach_within(sites, v, reach, is_outside, visit_inside);
 }
 
-// Passes over nodes of which is_outside(box) is true as well.
+// Visits as above, but skips nodes for which is_outside(box) is true.
 template <class Outside, class Visit>
 bool site_index::visit_reach_within(const std::vector<site>& sites, const site& v, double reach,
                                     const Outside& is_outside, Visit&& visit) const {

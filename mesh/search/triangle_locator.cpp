@@ -29,8 +29,8 @@ std::vector<triangle> counter_clockwise(const mesh& m) {
   return collect_chunks<triangle>(m.triangles.size(), chunk, append);
 }
 
-// Computes the weights of the corners at q. Returns the least; once one is below `least` the rest
-// is left out, and that one returned.
+// Computes the weights of the corners at q, and returns the least one. Ends early once a weight is
+// below `least`, and returns that.
 double find_weights(const std::vector<point>& places, const triangle& t, const point& q,
                     double least, std::array<double, 3>& weights) {
   const point &a = places[t[0]], &b = places[t[1]], &c = places[t[2]];
@@ -66,7 +66,7 @@ triangle_locator::triangle_locator(const mesh& m, const bounding_box& box)
   }
 }
 
-// The whole box, doubled, has triangles in it.
+// Doubles the box of the search until it holds triangles; the doubled box of the mesh does.
 triangle_locator::located triangle_locator::deepest(const point& q) const {
   constexpr int most_doublings = 64;
   const double extent =
@@ -93,8 +93,8 @@ triangle_locator::located triangle_locator::deepest(const point& q) const {
 }
 
 triangle_locator::located triangle_locator::nearby(const point& q, vertex_index hint) const {
-  // Roundings of a weight are a few 1e-16 in a triangle that is not thin. Only the choice between
-  // neighbours depends on it, which agree at their common edge.
+  // Tolerance of weights: their roundings are a few 1e-16 in a triangle that is not thin. Only the
+  // choice between two neighbours depends on it, and both agree at their common edge.
   constexpr double slack = 1e-12;
   const std::size_t most = 64 + 4 * static_cast<std::size_t>(std::sqrt(triangles_.size()));
   located at;

@@ -23,9 +23,11 @@ struct graph_edge {
 // All functions may be called from several threads.
 class triangle_locator {
  public:
-  // Leaves out flat and clockwise triangles; requires one that is neither. Keeps its own copy.
+  // Indexes the triangles of a mesh that are counter-clockwise; requires one at least. Keeps its
+  // own copy.
   explicit triangle_locator(const mesh& m);
-  // Searches as one of a mesh would whose box this is, and of which `m` is a part.
+  // Indexes a part `m` of a larger mesh, and searches as an index of the larger one, which has this
+  // box.
   triangle_locator(const mesh& m, const bounding_box& box);
 
   struct located {
@@ -35,15 +37,15 @@ class triangle_locator {
     double reach = 0;                 // how far around the point deepest() has searched
   };
 
-  // Returns the triangle that q is farthest inside of, by the least weight, and of equals the
-  // first. Searches around q, then farther and farther, until there is a triangle.
+  // Returns the triangle in which q's least weight is greatest, the first one of equals. Searches
+  // around q, then farther and farther, until there is a triangle.
   located deepest(const point& q) const;
   // Walks to q from the triangle `hint`. Returns what deepest() does where the walk meets the
   // boundary: the triangle depends on the hint only where q is on an edge.
   located nearby(const point& q, vertex_index hint) const;
 
   const std::vector<point>& places() const { return places_; }
-  // Returns the triangles that were not left out, in their order.
+  // Returns the indexed triangles, in their order.
   const std::vector<triangle>& triangles() const { return triangles_; }
   // Returns the edges, each once.
   std::vector<graph_edge> edges() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the triangle on the left of a directed edge, and tells which edges lie between regions.
+// Finds the triangle on the left of a directed edge, and decides which edges lie between regions.
 #pragma once
 
 #include <tbb/parallel_sort.h>
@@ -16,7 +16,7 @@
 
 namespace asterism::internal {
 
-// The directed edges of all triangles of a mesh, sorted by their ends. O(n log n) to make.
+// The directed edges of all triangles of a mesh, sorted by their ends. Made in O(n log n).
 class triangle_sides {
  public:
   struct side {
