@@ -3,7 +3,7 @@
 // Finds the sites near enough to matter to a star, in a tree of boxes.
 //
 // How near a site w must be depends on its own metric, and on the direction. With g any covector,
-// |g|_v and |g|_w how long the two metrics find it (|g|_v^2 = g M_v^-1 g), a site with
+// |g|_v and |g|_w its dual lengths in the two metrics (|g|_v^2 = g M_v^-1 g), a site with
 //   g . (w - v) > (|g|_v + max(|g|_v, |g|_w)) reach
 // is accepted in no gap of the star (docs/math/certificate.md, section 4.3). A box bounds the left
 // side from below and the right one from above for all its sites at once; rounding only ever keeps

@@ -66,7 +66,7 @@ bool is_same_triangulation(const mesh& a, const mesh& b) {
                     [](const site& s, const site& t) { return s.position == t.position; });
 }
 
-// The mesh that was adapted: all of the file's, or what was not frozen of it.
+// The mesh that was adapted: that of the file, or its part outside frozen regions.
 struct adapted_rest {
   adopted_mesh adopted;
   std::optional<frozen_part> part;
@@ -101,7 +101,7 @@ result<adapted_rest> rest_as_claimed(const certificate& claim, const adopted_mes
   return adapted_rest{std::move(adopted).value(), std::move(part).value()};
 }
 
-// Returns the mesh as its file has it: slits parted, and frozen triangles in it.
+// Returns the mesh as in its file: with slits parted and frozen triangles added.
 mesh written_of(const mesh& subject, const adopted_mesh& whole, const adapted_rest& rest) {
   if (!rest.part) return part_cracks(subject, whole.cracks).content;
   std::size_t split = 0;
@@ -109,7 +109,7 @@ mesh written_of(const mesh& subject, const adopted_mesh& whole, const adapted_re
   return together ? *std::move(together) : subject;
 }
 
-// Compares what is said of the domain, where it was the mesh's own.
+// Compares the claims about the domain, where it was the mesh's own.
 void compare_domain(const certificate& claim, const adapted_rest& rest, field_check& check) {
   const adopted_mesh& adopted = rest.adopted;
   if (word_of(claim, "domain") != "of " + word_of(claim, "adapt-mesh")) return;
@@ -136,7 +136,7 @@ void compare_domain(const certificate& claim, const adapted_rest& rest, field_ch
        {"boundary-kept", std::to_string(found.keeps_all ? found.boundary_vertices : found.kept)},
        {"boundary-distance", number_text(claim.former_distance.largest_distance)}},
       claim, check);
-  // A mesh that stayed is of the outline as it was found, and so is one with periodic sides.
+  // Uses the outline without chords for a mesh that stayed or has periodic sides.
   const bool is_whole = word_of(claim, "kept") == "yes" || !claim.periodic_asked.empty();
   const chorded_outline now = is_whole ? chorded_outline{found.shape, found.former}
                                        : with_chords_for(adopted.subject, found);
@@ -154,7 +154,7 @@ void compare_domain(const certificate& claim, const adapted_rest& rest, field_ch
     check.contradictions.push_back("the domain is not that of the mesh that was adapted");
 }
 
-// Compares what is said of the regions of the mesh that was adapted.
+// Compares the claims about regions of the mesh that was adapted.
 void compare_areas(const certificate& claim, const mesh& before, field_check& check) {
   areas_by_region areas = areas_of_regions(before);
   if (claim.regions.empty() && areas.size() == 1 && areas.begin()->first == 1) return;
@@ -198,7 +198,7 @@ words words_of(const transfer_report& report, transfer_method how) {
 
 namespace {
 
-// Checks the words of a request against each other, whatever the files say.
+// Compares the words of a request with each other, without reading files.
 void compare_request(const certificate& claim, const metric_request& request, field_check& check) {
   compare(words_of(request), claim, check);
   if (const auto failed = check_sources(request))
@@ -208,7 +208,7 @@ void compare_request(const certificate& claim, const metric_request& request, fi
                                    " in the certificate, and \"adapt-...\" speak of the " +
                                    name_of(request));
   if (is_of_fields(request)) return;
-  // Wishes about a solution where there is none are those that nobody named.
+  // Accepts the defaults of options about a solution where there is none.
   const words unnamed = words_of(metric_request{});
   for (const char* const name : {"adapt-hessian", "adapt-norm", "adapt-error", "adapt-fields"})
     compare({{name, unnamed.at(name)}}, claim, check);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks what the certificate of an adapted mesh says of its metric and of the solution brought to
-// it, made once more from the files: the background mesh, the solution, the new mesh.
+// Checks the claims about metric and transferred solution in the certificate of an adapted mesh:
+// makes both again from the files, the background mesh, the solution and the new mesh.
 #pragma once
 
 #include <map>
@@ -20,12 +20,12 @@ namespace asterism::internal {
 // True if the certificate is of a mesh that `adapt` made.
 bool is_of_adaptation(const certificate& claim);
 
-// Returns what was transferred in words, by names that begin with "transfer-".
+// Returns the report of a transfer in words, by names that begin with "transfer-".
 std::map<std::string, std::string> words_of(const transfer_report& report, transfer_method how);
 
-// Makes the metric asked for once more, adds a sentence for each number of the report and of the
-// transfer that is another one, and returns the metric. Fails where the files are not there or hold
-// another metric.
+// Makes the metric asked for again, and returns it. Adds a sentence for each number of its
+// report and of the transfer that differs. Fails where the files are missing or hold another
+// metric.
 result<std::unique_ptr<metric_field>> check_adaptation(const mesh& subject,
                                                        const certificate& claim,
                                                        field_check& check);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Words an adaptation in its mesh's certificate: what was asked for, of which files, and what was
-// done.
+// Returns the words for an adaptation in its mesh's certificate: the request, its files, and what
+// was done.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace asterism::internal {
 
-// Refers to what a run was made of.
+// Refers to the inputs and results of an adaptation.
 struct adaptation_wording {
   const metric_request& request;
   const mesh& background;  // with the metric wanted at its vertices
@@ -24,7 +24,7 @@ struct adaptation_wording {
   transfer_method how = transfer_method::interpolate;
 };
 
-// Enters the words, and the areas that regions had before, into the certificate.
+// Enters the words into the certificate, with the areas that regions had before.
 ASTERISM_EXPORT void describe_adaptation(adapted_mesh& next, const adaptation_wording& wording);
 
 }  // namespace asterism::internal

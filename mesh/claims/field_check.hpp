@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reports how far the tensors of a mesh are from the metric that was asked for.
+// Holds the result of comparing the tensors of a mesh with the metric that was asked for.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct field_check {
   bool made = false;    // true if the metric asked for could be made again
   std::string why_not;  // half a sentence on why it could not
   std::vector<std::string> contradictions;
-  // Set where the tensors are others than asked for: by how much, as measured here.
+  // Measured distance of the tensors from those asked for; set where they differ.
   std::optional<delivered_report> apart;
 };
 

@@ -37,7 +37,7 @@ bool is_near(const metric_tensor& a, const metric_tensor& b) {
 
 std::string text_of(const metric_tensor& m) { return fmt::format("{} {} {}", m.m11, m.m12, m.m22); }
 
-// Returns a sentence if the tensors are not the field's.
+// Returns a sentence if some tensor of the mesh differs from the field's.
 std::optional<std::string> difference_from(const metric_field& field, const mesh& subject) {
   std::size_t differing = 0;
   std::string first;
@@ -54,20 +54,20 @@ std::optional<std::string> difference_from(const metric_field& field, const mesh
                      differing, subject.sites.size(), first);
 }
 
-// Returns the metric of a mesh, where its file is still there.
+// Returns the metric given on a mesh, if the mesh's file still exists.
 result<std::unique_ptr<metric_field>> background_of(const metric_wording& asked) {
   const auto background = read_metric_on_mesh(asked.name, asked.domain);
   if (!background) return background.failure();
   return make_interpolated_field(background.value().subject, asked.size);
 }
 
-// Makes the metric of the size asked for, before anything is done to it.
+// Makes the metric of the size asked for, without local sizes or gradation.
 result<std::unique_ptr<metric_field>> bare_field(const metric_wording& asked, const domain& shape) {
   return is_metric_on_mesh(asked.name) ? background_of(asked)
                                        : make_metric_field(asked.name, shape.box(), asked.size);
 }
 
-// Returns the metric with sizes at places and gradation.
+// Adds local sizes and gradation to the metric.
 result<std::unique_ptr<metric_field>> dressed(std::unique_ptr<metric_field> bare,
                                               const metric_wording& asked, const domain& shape) {
   const auto wishes = size_wishes_of(asked.sizes);
@@ -108,12 +108,12 @@ bool is_shaped_piece(const certificate& claim) {
          (option_of(claim, "gradation") != "none" || option_of(claim, "sizes") != "none");
 }
 
-// Bounds the metric again, where a guarantee says how fast it varies at most.
+// Computes the field's upper bound of variation again, where a guarantee claims one.
 void check_variation(const certificate& claim, const metric_field& wanted, field_check& check) {
   if (!claim.guarantee || !claim.guarantee->field_variation_bound || !claim.original) return;
   const variation_bounds found = bound_variation(*claim.original, wanted);
   const double said = *claim.guarantee->field_variation_bound;
-  // Asks for the very same number, as the same formula on the same domain has the same bound.
+  // Requires equality to the last bit, as the same formula on the same domain has the same bound.
   if (found.above && *found.above == said) return;
   check.contradictions.push_back(
       "\"guarantee.field_variation_bound\" is " + number_text(said) + ", and the metric is " +
@@ -192,7 +192,7 @@ field_check check_field(const mesh& subject, const certificate& claim) {
     check.why_not = "the certificate is of another mesh";
     return check;
   }
-  // Whoever calls the library need not name a metric.
+  // Checks nothing where no metric is named: callers of the library need not name one.
   if (claim.metric.empty() || is_of_numbers(claim)) {
     check.why_not = claim.metric.empty() ? "the certificate names none" : "it came as numbers";
     return check;
@@ -205,7 +205,7 @@ field_check check_field(const mesh& subject, const certificate& claim) {
   const auto field = is_adapted ? check_adaptation(subject, claim, check) : field_asked_for(claim);
   if (!field) {
     check.why_not = field.failure().message;
-    // A file may be gone, or another by now; what the certificate itself says stays readable.
+    // Accepts that a file is missing or changed, if the words of the certificate are readable.
     const bool is_readable = wording_in(claim).ok();
     if (is_readable && (is_adapted || is_metric_on_mesh(claim.metric))) return check;
     check.contradictions.push_back("\"asked.metric\" cannot be made again: " + check.why_not);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks whether the tensors of a mesh are those of the metric that was asked for, by whoever
-// judges it or as its certificate says.
+// Checks whether the tensors of a mesh are those of the metric that was asked for, as the caller or
+// the certificate states it.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace asterism::internal {
 
-// A metric as it was asked for.
+// A metric as it was asked for in words.
 struct metric_wording {
   std::string name;  // as --metric takes it
   double size = 1;
@@ -32,13 +32,14 @@ struct metric_wording {
 // divided: formulas are placed in its box, sizes at its segments, and gradation knows its width.
 result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, const domain& shape);
 
-// Returns how the certificate of a mesh says its metric was asked for. Fails, saying why in half a
-// sentence, where size, gradation or
-// sizes at places cannot be read.
+// Returns the words in which a certificate states the metric asked for. Fails,
+// with a reason in half a sentence, where size, gradation or local sizes cannot be
+// read.
 result<metric_wording> wording_in(const certificate& claim);
 
-// Returns what the formulas of the metric were placed in: the box of the domain of which this is a
-// piece, as the certificate says; else its own domain. None if it has no domain.
+// Returns the box and domain that the metric's formulas were placed in: those of the whole domain
+// where the mesh is a piece, as the certificate states; else its own domain. None if it has no
+// domain.
 std::optional<domain> placed_in(const certificate& claim);
 
 // Makes the metric that a certificate says its mesh is in, where that is the one asked for. Fails,
@@ -46,14 +47,14 @@ std::optional<domain> placed_in(const certificate& claim);
 // cannot be made again.
 result<std::unique_ptr<metric_field>> field_in(const certificate& claim);
 
-// Holds the tensor of every vertex against the metric the certificate says was asked for, or, where
-// it says that the mesh is of another, the report on how far that is. A tensor may be off by 2^-40
-// of itself: libraries of elementary functions differ in the last places. Nothing is checked of a
-// mesh that is not the certificate's, by its fingerprint.
+// Compares the tensor of every vertex with the metric that the certificate states was asked for,
+// or, where another metric was delivered, compares the report of its distance. A tensor may be off
+// by 2^-40 of itself: libraries of elementary functions differ in the last places. Nothing is
+// checked of a mesh that is not the certificate's, by its fingerprint.
 field_check check_field(const mesh& subject, const certificate& claim);
 
-// Holds the tensor of every vertex against a metric; `apart` says how far they are from it, and
-// which triangles are below the bound in it.
+// Compares the tensor of every vertex with a metric. `apart` gets the distance, and the triangles
+// below the bound in that metric.
 field_check check_against(const mesh& subject, const metric_field& wanted,
                           std::optional<double> angle_bound);
 

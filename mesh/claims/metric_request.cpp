@@ -73,7 +73,7 @@ result<solution_metric> metric_given(const metric_request& request,
   return shape_metric(made.background, given.value(), request.wishes, intersected);
 }
 
-// Adds the fields that are carried to those of the solution.
+// Appends the fields that are only transferred to those of the solution.
 std::optional<error> add_carried(const metric_request& request,
                                  const std::vector<vertex_index>& left_out,
                                  requested_metric& made) {

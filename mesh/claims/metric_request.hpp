@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A metric asked for by files: a mesh, a solution on it, and wishes. The same words make the metric
-// for a run and, from its certificate, once more for verify.
+// Defines a metric asked for by files: a mesh, a solution on it, and options. The same words make
+// the metric for a run and, from its certificate, again for verify.
 #pragma once
 
 #include <optional>
@@ -18,13 +18,13 @@ namespace asterism::internal {
 struct metric_request {
   std::string mesh, solution;  // files; no solution where the mesh's own metric is wanted
   std::string metric;          // file of a metric in place of a solution
-  // File of second derivatives that the metric is made of; a solution besides only comes along.
+  // File of second derivatives that the metric is made of; a solution is then only transferred.
   std::string hessians = {};
   std::vector<std::string> fields;       // names; none: all scalars and vectors, or all tensors
   std::vector<std::string> intersected;  // files of metrics on the same mesh
   bool implied = false;                  // the mesh's own metric in place of a solution
   std::string carried = {};  // file of fields that come along and have no part in the metric
-  // Sides that are one for the solution: second derivatives are recovered across them.
+  // Pairs of periodic sides, by marker: second derivatives are recovered across them.
   std::vector<periodic_pair> periodic = {};
   solution_metric_options wishes;
   bool names_gradation = false;  // else the default of the source holds
@@ -36,10 +36,10 @@ inline bool is_of_fields(const metric_request& request) {
   return !request.solution.empty() || !request.hessians.empty();
 }
 
-// Before the names of fields that are carried: those of two files may be the same.
+// Prefix of the names of fields that are only transferred: two files may have fields of one name.
 inline constexpr const char* carried_prefix = "carried.";
 
-// A request, read and answered.
+// The result of a request: background mesh, metric and fields.
 struct requested_metric {
   mesh background;  // with the metric at its vertices
   // The solution's fields, then those that are carried, with carried_prefix before their names.

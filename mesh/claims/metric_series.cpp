@@ -19,7 +19,7 @@ namespace {
 
 using tensors = std::vector<metric_tensor>;
 
-// A window as read.
+// One window: its mesh and its fields, as read.
 struct window {
   mesh on;
   std::string mesh_file;
@@ -42,7 +42,7 @@ result<window> read_window(const metric_request& request, const std::string& fil
   return made;
 }
 
-// Says how the fields of a window are others than those of the first one.
+// Returns a sentence on how the fields of a window differ from those of the first one.
 std::optional<error> check_names(const window& first, const window& other, const std::string& file,
                                  const std::string& first_file) {
   bool are_same = first.fields.size() == other.fields.size();
@@ -56,7 +56,7 @@ std::optional<error> check_names(const window& first, const window& other, const
                names + ": --field chooses"};
 }
 
-// Adds the parts of a window to those of all.
+// Appends the mesh and the fields of a window to those of all windows.
 void append(const window& part, mesh& whole, std::vector<nodal_values>& fields) {
   const auto first = static_cast<vertex_index>(whole.sites.size());
   whole.sites.insert(whole.sites.end(), part.on.sites.begin(), part.on.sites.end());
@@ -81,7 +81,7 @@ result<std::vector<window>> read_windows(const metric_request& request,
   return all;
 }
 
-// Returns the metrics that are to hold besides, over all windows.
+// Returns the metrics to be intersected with, joined over all windows.
 result<std::vector<tensors>> intersected_over(const metric_request& request,
                                               const std::vector<window>& windows) {
   std::vector<tensors> all;
@@ -96,7 +96,7 @@ result<std::vector<tensors>> intersected_over(const metric_request& request,
   return all;
 }
 
-// Gives the windows their parts of the metric.
+// Divides the metric among the windows.
 metric_series divided(std::vector<window> windows, solution_metric made) {
   metric_series series;
   series.report = std::move(made.report);

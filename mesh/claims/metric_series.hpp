@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics for a series of solutions, the windows of a run in time, that share one complexity.
+// Makes metrics for a series of solutions, the windows of a run in time, that share one complexity.
 //
-// The windows are taken for parts of one mesh that lie over each other. Second derivatives, the
-// optimum and gradation see nothing across parts; and the optimum's one D, and the one factor, are
-// those of the sum of the complexities: a window in which more happens gets more of it, as the
-// space-time optimum has it for windows of as many time steps each. Source: Alauzet, Loseille and
-// Olivier, "Time-accurate multi-scale anisotropic mesh adaptation for unsteady flows in CFD",
-// J. Comput. Phys. 373, 2018.
+// The windows are treated as separate parts of one mesh. Second derivatives, the optimum and
+// gradation do not cross parts; and the optimum's one D, and the one factor, are those of the sum
+// of the complexities: a window in which more happens gets more of it, as the space-time optimum
+// has it for windows of as many time steps each. Source: Alauzet, Loseille and Olivier,
+// "Time-accurate multi-scale anisotropic mesh adaptation for unsteady flows in CFD", J. Comput.
+// Phys. 373, 2018.
 #pragma once
 
 #include <string>
@@ -27,8 +27,8 @@ struct metric_series {
 };
 
 // Makes the metrics. A window is a file of numbers at the vertices of request.mesh, or a mesh that
-// has its own fields; all have fields of the same names. Vertices and complexity wanted are means
-// over the windows. Sources of the request but its mesh are not looked at.
+// has its own fields; all have fields of the same names. The number of vertices and the complexity
+// wanted are means over the windows. Of the request's files only the mesh is read.
 result<metric_series> answer_series(const metric_request& request,
                                     const std::vector<std::string>& windows);
 

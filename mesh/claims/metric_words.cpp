@@ -39,7 +39,7 @@ std::vector<std::string> split(const std::string& text) {
 
 std::string optional_text(const std::optional<double>& x) { return x ? number_text(*x) : ""; }
 
-// Reads words one after another; remembers the first that is wrong.
+// Reads words one after another, and remembers the first that is invalid.
 class word_reader {
  public:
   explicit word_reader(const words& all) : all_(all) {}
@@ -90,7 +90,7 @@ words words_of(const metric_request& request) {
                {"gradation-space", w.gradation_keeps_shape ? "metric" : "mixed"},
                {"isotropic", yes_or_no(w.isotropic)},
                {"step", optional_text(w.step)}};
-  // Words for wishes that few runs have; they are left out where unset.
+  // Adds words for options that few runs have; unset ones are left out.
   if (!request.hessians.empty()) all["given-hessian"] = request.hessians;
   if (w.relative) all["relative"] = "yes";
   if (w.cutoff) all["cutoff"] = number_text(*w.cutoff);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the mesh of a triangulation that is being mended, and what the auditor found of it, in
-// terms of the triangulation's nodes. Internal to the pipeline.
+// Holds the mesh of a triangulation that is being mended, and the auditor's findings about it, by
+// the triangulation's nodes. Internal to the pipeline.
 #pragma once
 
 #include <functional>
@@ -28,19 +28,19 @@ class audited_mesh {
   const std::shared_ptr<audit_report>& report() const { return report_; }
   // True if the last mesh that was audited is certified; false before there is one.
   bool is_certified() const { return report_ && report_->certified; }
-  // True if hard questions were left open.
+  // True if the last audit left hard questions open.
   bool has_open() const { return !memory_.open.empty(); }
 
-  // True if, when a mesh with this many sites is audited quickly, a gap of unknown reach is tested
+  // True if a quick audit of a mesh with this number of sites would test gaps of unknown reach
   // against all sites: where sites are few, and such gaps are not many.
   bool asks_unbounded(std::size_t sites) const { return sites < many_for_a_gap_; }
   // Leaves gaps of unknown reach open from now on, however few sites there are.
   void leave_unbounded() { many_for_a_gap_ = 0; }
 
-  // Takes the present mesh of the triangulation.
+  // Takes the present mesh of the triangulation to be audited.
   void take(const adapting::working_mesh& m);
-  // Takes the present mesh, which has the nodes of the last one taken and audited: what is known of
-  // their stars' reaches is kept.
+  // Takes the present mesh, which has the nodes of the last one that was taken and audited: the
+  // known reaches of their stars are kept.
   void take_changed(const adapting::working_mesh& m);
 
   // Audits the mesh; an audit that keeps all findings is never cut short.
@@ -51,18 +51,18 @@ class audited_mesh {
   // faces; at the boundary only tensors may have changed. They include one node of each finding
   // about a star and of each open question.
   void judge_again(node_list changed, hard_questions hard);
-  // Answers open questions by filters, except those about a tensor that was changed in m since the
-  // mesh was taken. Calls refuse(nodes) for each that is answered against the mesh.
+  // Decides open questions by filters, except those about a tensor that was changed in m since the
+  // mesh was taken. Calls refuse(nodes) for each question decided against the mesh.
   void ask_filters(const adapting::working_mesh& m,
                    const std::function<void(const node_list&)>& refuse);
 
-  // Returns the nodes that the findings are about, a list for each: of stars, and of triangles with
-  // an angle below the bound.
+  // Returns the nodes of each finding, a list for each: of findings about stars, and of triangles
+  // with an angle below the bound.
   std::vector<node_list> nodes_found() const;
-  // Returns the stars of which more than so many questions are open, a list of nodes for each: its
+  // Returns the stars that have more than `most` open questions, a list of nodes for each: its
   // centre, and the neighbours that the questions are about.
   std::vector<node_list> stars_with_open(std::size_t most) const;
-  // Returns the questions that are open, the nodes of each.
+  // Returns the nodes of each open question.
   std::vector<node_list> nodes_of_open() const;
 
  private:

@@ -17,7 +17,7 @@
 namespace asterism::internal {
 namespace {
 
-// Share of the work allowed for the number of sites.
+// Share of the work limit that the background may use.
 constexpr double work_share = 0.1;
 
 std::optional<mesh> coarse_mesh_in(const metric_tensor& m, const domain& d,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Prepares what an adaptation starts from: a coarse triangulation of the domain, and a mesh that
+// Prepares the start of an adaptation: a coarse triangulation of the domain, and a mesh that
 // carries the metric wanted.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace asterism::internal {
 
 // Returns a triangulation of the domain with hardly more sites than it is given with: in the plane,
 // or, where that takes many more, in the mean of the metric at the vertices. Returns nothing where
-// that does not do either.
+// that takes many more, too.
 std::optional<mesh> coarse_mesh(const domain& d, const metric_field& field,
                                 const mesh_options& options);
 
@@ -26,8 +26,8 @@ std::optional<adapting::sampled_background> sample_field(const domain& d, const 
                                                          const metric_field& field, double longest,
                                                          const cancellation& stop);
 
-// Returns the logarithm of the distortion over an edge, for each unit of the edge's length, that
-// one edge in so many exceeds: how fast the metric varies, as far as its samples tell.
+// Returns how fast the metric varies, by its samples: the logarithm of the distortion over an edge
+// for each unit of the edge's length, exceeded by one edge in `one_in`.
 double sampled_variation(const mesh& nodes, std::size_t one_in = 50);
 
 }  // namespace asterism::internal

@@ -27,8 +27,8 @@
 namespace asterism::internal {
 namespace {
 
-// Work that a mesh may take: in units of kernels/work_units.hpp, and as a share of what is allowed
-// for so many sites.
+// Work limit of one mesh: in units of kernels/work_units.hpp, and as a share of the limit for its
+// number of sites.
 struct work_allowed {
   double units, share;
 };
@@ -40,7 +40,7 @@ std::size_t sites_of(const domain& shape, const filled_domain& proposed) {
 }
 
 // Makes a mesh of a job whose field is one metric. Returns none where sites cannot be spread, the
-// run is stopped before, or no work is left. Work is counted from zero, for this mesh.
+// run is stopped before, or no work is left. Counts the work of this mesh from zero.
 std::optional<mesh_outcome> mesh_of(const meshing_context& job, const work_allowed& work) {
   auto filled = fill_within_budget(job);
   if (!filled) return std::nullopt;
@@ -89,9 +89,10 @@ class constant_metric_fallback {
 
   result<mesh_outcome> run() {
     if (auto failure = measure_sites()) return *failure;
-    // Stars agree in every metric that is the same everywhere (docs/math/refinement.md). Where they
-    // are not found to, a limit on sites or on work is in the way, which a less thin metric, as the
-    // mean computed in doubles may be, can keep within; how much it differs is told.
+    // Tries the metric itself where it is the same everywhere: stars agree in every such metric
+    // (docs/math/refinement.md). If they were not found to agree, a limit on sites or work was met;
+    // a less thin metric, as the mean computed in doubles may be, can keep within it, and how much
+    // it differs is reported.
     if (is_same_everywhere_) {
       if (is_final(attempt(false))) return conclude();
       is_same_everywhere_ = false;
@@ -118,7 +119,7 @@ class constant_metric_fallback {
   }
 
   // True if sites and places of a lattice over the box all have this tensor, bit for bit. Then
-  // another metric would not help, and what is in the way is the domain or a limit.
+  // another metric would not help, and the obstacle is the domain or a limit.
   bool is_same_at_all_places(const metric_tensor& one,
                              const std::vector<metric_tensor>& at_sites) const {
     if (std::any_of(at_sites.begin(), at_sites.end(),
@@ -136,7 +137,8 @@ class constant_metric_fallback {
     return true;
   }
 
-  // Makes a mesh in the mean, if one can be made.
+  // Makes a mesh in the mean metric, with or without the demands; returns none where there is no
+  // such mesh.
   std::optional<mesh_outcome> attempt(bool has_demands) {
     has_demands_ = has_demands;
     if (is_stopped() || !(units_left() > least_left * units_for_last_resort)) return std::nullopt;
@@ -151,7 +153,7 @@ class constant_metric_fallback {
     return made;
   }
 
-  // Returns the units of work that an attempt may take.
+  // Returns the work limit of one attempt, in units.
   double units_left() const { return std::min(options_.stop.units_left(), units_for_last_resort); }
 
   bool is_stopped() {
@@ -159,7 +161,7 @@ class constant_metric_fallback {
     return stopped_.has_value();
   }
 
-  // Keeps the mesh in tried_. True if it is what there is to show, or the run is stopped.
+  // Keeps the mesh in tried_. Returns true if it is the mesh to show, or the run is stopped.
   bool is_final(std::optional<mesh_outcome> tried) {
     tried_ = std::move(tried);
     if (stopped_ || !tried_) return is_stopped();
@@ -192,7 +194,8 @@ class constant_metric_fallback {
     return *std::move(tried_);
   }
 
-  // Counts the triangles that the metric given finds too large; without demands nobody has yet.
+  // Counts the triangles that are too large by the metric given: an attempt without demands has not
+  // counted them.
   std::optional<error> count_large() {
     if (!options_.limit_size) return std::nullopt;
     mesh as_given = tried_->result;
@@ -209,7 +212,7 @@ class constant_metric_fallback {
     return std::nullopt;
   }
 
-  // Part of the most work without which no attempt is begun.
+  // Share of the work limit that must be left for an attempt to begin.
   static constexpr double least_left = 0.1;
 
   const meshing_context& job_;

@@ -9,12 +9,12 @@
 //  1. the log-Euclidean mean of the tensors at the sites there are, with the demands;
 //  2. the same without demands on angles and sizes, which is never called complete.
 //
-// A delivery by local changes that did not lead to a certified mesh takes one metric, too, before:
-// with a number of sites, with the demands, and tensors are given back.
+// A delivery by local changes that led to no certified mesh tries one metric as well, earlier: with
+// a number of sites and with the demands; wanted tensors are restored then.
 //
-// The mesh is certified in that metric, and how far it is from the one wanted is reported. It does
-// not hold that 2 ends with agreement where the limits on sites or work leave no room; then the
-// outcome is the one in the metric given.
+// The mesh is certified in that metric, and how far it is from the one wanted is reported. Step 2
+// may end without agreement where the limits on sites or work leave no room; then the outcome is
+// the one in the metric given.
 #pragma once
 
 #include <cstddef>
@@ -31,8 +31,8 @@
 
 namespace asterism::internal {
 
-// True if `made`, in the metric given, is no mesh: some of its triangles disagree, or it has no
-// sites but the given ones because no others could be spread.
+// True if `made`, in the metric given, is no mesh: some of its triangles disagree, or it has only
+// the given sites because no others could be spread.
 bool wants_other_metric(const mesh_outcome& made, const mesh_options& options);
 
 // Makes everything of the outcome but the counters, which the kernel has. Requires
@@ -44,15 +44,15 @@ result<mesh_outcome> refine_in_one_metric(const meshing_context& job, mesh_outco
 // metric in doubles. `start` is any triangulation of the domain.
 std::optional<metric_tensor> one_metric_for(const background_metric& wanted, const mesh& start);
 
-// Mesh in one metric, and the length of its edges in it as a multiple of one.
+// A mesh in one metric for all sites, and the length of its edges in that metric.
 struct mesh_of_one_metric {
   mesh made;
   double length_factor = 1;
 };
 
 // Refines the domain in that metric, for the angle bound and for about `count` vertices. Returns
-// none where the demands are not met, or stars are left that do not agree because a limit on sites
-// or work was met.
+// none where the demands are not met, or where stars disagree because a limit on sites or work was
+// met.
 std::optional<mesh_of_one_metric> mesh_in_one_metric(const domain& shape,
                                                      const metric_tensor& metric,
                                                      const mesh_options& options,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds, by making meshes, the factor of a metric that gives the number of sites wanted.
+// Searches for the factor of a metric that gives the number of sites wanted, by making meshes.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace asterism::internal {
 
 // Searches for the factor of the metric with which a mesh has the number of vertices wanted.
 //
-// They grow with the factor, in steps where a domain is narrow: all subsegments of one length are
-// halved at once, and no factor may lead to a number between.
+// The number grows with the factor, in steps where a domain is narrow: all subsegments of one
+// length are halved at once, and no factor may lead to a number between.
 class count_search {
  public:
   // `slowest` is the least exponent p in sites ~ factor^p that is assumed: 1 where all sites depend
@@ -23,10 +23,11 @@ class count_search {
 
   // Returns the factor to try next, 1 to begin with.
   double factor() const { return elementary::exp(at_); }
-  // Returns how far the nearest number found is off, as a logarithm.
+  // Returns the smallest |log(sites / wanted)| found so far.
   double least_off() const { return least_; }
 
-  // Takes the number of sites found with the factor. Returns whether it is the nearest so far.
+  // Enters the number of sites of the mesh made with the last factor. Returns whether it is the
+  // nearest to the number wanted so far.
   //
   // Assumes that sites are proportional to the factor; later that they grow as between the last two
   // factors, with no exponent below `slowest`. Once one factor was too large and one too small, the

@@ -35,7 +35,8 @@ double area_in_metric(const mesh& m) {
   return sum;
 }
 
-// Returns the distance of two tensors whose ratios may have no double.
+// Returns the distance of two tensors in numbers of wider range: their ratios may exceed the
+// doubles.
 double distance_in_wide_range(const metric_tensor& a, const metric_tensor& b) {
   using number = wide_range;
   const number a11 = a.m11, a12 = a.m12, a22 = a.m22, b11 = b.m11, b12 = b.m12, b22 = b.m22;
@@ -49,8 +50,8 @@ double distance_in_wide_range(const metric_tensor& a, const metric_tensor& b) {
   return std::max(log_of_root(greatest), log_of_root(product / greatest));
 }
 
-// Returns the distance of two tensors; very large and very small ones, of which determinants leave
-// the range of doubles, are brought to about unit size by one power of two, which changes nothing.
+// Returns the distance of two tensors; very large and very small tensors, whose determinants leave
+// the range of doubles, are first scaled by one power of two, which does not change the distance.
 double distance(const metric_tensor& a, const metric_tensor& b) {
   constexpr int ordinary = 200;
   constexpr double most = 1420;  // more than ln of the ratio of any two doubles, less than twice it
@@ -78,7 +79,7 @@ std::vector<double> distances_of(const std::vector<site>& p, const std::vector<s
   return found;
 }
 
-// Gives sites the tensors that are wanted where they are; returns the first failure.
+// Gives sites the wanted tensors at their places; returns the first failure.
 std::optional<error> take_tensors(const metric_field& wanted, std::vector<site>& sites) {
   std::vector<std::optional<error>> failures(chunk_count(sites.size(), sites_at_once));
   parallel_chunks(sites.size(), sites_at_once,

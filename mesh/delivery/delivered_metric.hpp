@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares the metric of a mesh with the one wanted, and finds what contradicts such a report.
+// Compares the metric of a mesh with the one wanted, and finds contradictions to a report of that
+// distance.
 #pragma once
 
 #include <optional>
@@ -15,17 +16,17 @@
 
 namespace asterism::internal {
 
-// Makes the report but for the length factor. Fails where `wanted` does at a site.
+// Makes the report of the distance, without the length factor. Fails where `wanted` does at a site.
 result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
                                              std::optional<double> angle_bound);
 
-// Returns a sentence for each number of the first report that is another one in the second, to the
-// last bit, but for the length factor.
+// Returns a sentence for each number of the first report that differs from the second's, to the
+// last bit; the length factor is not compared.
 std::vector<std::string> contradictions_in_delivered(const delivered_report& claimed,
                                                      const delivered_report& measured);
 
-// Returns a sentence for each number of claim.delivered that is another one, to the last bit; none
-// where the claim has no such report.
+// Returns a sentence for each number of claim.delivered that differs, to the last bit, from the one
+// measured; none where the claim has no such report.
 std::vector<std::string> contradictions_in_delivered(const mesh& subject, const certificate& claim,
                                                      const metric_field& wanted);
 

@@ -23,7 +23,7 @@ double area_of(const mesh& m) {
   return doubled / 2;
 }
 
-// The domain is on the left of its boundary.
+// Returns the area on the left of the boundary segments, which is the domain's.
 double area_of(const domain& d) {
   double doubled = 0;
   for (const segment& s : d.segments)
@@ -37,7 +37,7 @@ namespace {
 
 constexpr double allowed = 0.01;  // share of an area or of a length
 
-// Returns the domain's first vertex that is outside of the box, by more than is allowed.
+// Returns the domain's first vertex that is outside of the box by more than the tolerance.
 const point* first_outside(const domain& d, const bounding_box& box) {
   const double slack = allowed * std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   const auto is_outside = [&](const point& q) {

@@ -15,12 +15,13 @@ namespace {
 
 // Number of vertices of a mesh whose edges have length 1, for each unit of its area.
 constexpr double vertices_for_area = 2 / std::numbers::sqrt3;
-// Parts of the vertices that all the room for short segments takes: below the first no attempt
-// led to a mesh, with all the work there may be; the second sufficed on the coasts tried.
+// Shares, of the number of vertices that all the room for short segments takes, for which meshes
+// failed and succeeded: with less than the first no attempt led to a mesh, whatever its work; the
+// second sufficed on the coasts tried.
 constexpr double too_small_a_part = 0.57, part_that_does = 0.75;
-// Ratio of the complexities with and without that room from which the room is made at once. On
-// the coasts tried, with 1.75 and 4.2, the first mesh showed that it was needed, and its work was
-// lost; with 1.1, where chords of curves are short, it was not.
+// Ratio of the complexities with and without room at short segments from which that room is made
+// before the first mesh. On the coasts tried, with 1.75 and 4.2, the first mesh showed that it was
+// needed, and its work was lost; with 1.1, where chords of curves are short, it was not.
 constexpr double good_part = 1.25;
 
 }  // namespace
@@ -69,7 +70,7 @@ bool fitting_goal::give_up_room_at_chords() {
   return true;
 }
 
-// Raises the number of vertices to this part of what the metric with room takes.
+// Raises the number of vertices to this share of what the metric with room at short segments takes.
 bool fitting_goal::raise_count(double part, const cancellation& stop) {
   const auto all = static_cast<std::size_t>(part * vertices_for_area * fitted_.complexity());
   if (!(count_ < all && all < most_)) return false;
@@ -78,9 +79,9 @@ bool fitting_goal::raise_count(double part, const cancellation& stop) {
   return true;
 }
 
-// Returns, for each node of the background, by how much its tensor is to be multiplied so that it
-// has room: where vertices of the domain are less than one unit apart in it, and at chords much
-// shorter than that.
+// Returns, for each node of the background, the factor of its tensor that makes room: above 1
+// where vertices of the domain are less than one unit apart in it, and at chords much shorter than
+// that.
 std::vector<double> fitting_goal::room_factors() const {
   const std::vector<point>& places = fitted_.places();
   const std::vector<metric_tensor>& tensors = fitted_.tensors();
@@ -130,8 +131,8 @@ background_metric fitting_goal::graded(double distortion, const cancellation& st
   adapting::gradation_limit limit;
   limit.distortion = distortion;
   limit.longest = 20;
-  // Few sites do not resolve the metric yet: its peaks are at single nodes, and much beside them
-  // would be refined for their sake (docs/design/adaptation.md).
+  // Grades less where sites are few and do not resolve the metric: its peaks are at single nodes,
+  // and large areas beside them would be refined (docs/design/adaptation.md).
   if (wants_few()) limit.coarser_part = 0.6;
   adapting::grade(made.places(), made.edges(), limit, tensors, stop);
   made.set_tensors(std::move(tensors));

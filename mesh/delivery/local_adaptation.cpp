@@ -30,20 +30,20 @@ namespace {
 
 using namespace adapting;
 
-// Distortion allowed over an edge of length one: of the metric the mesh is made in, on the graph of
-// the background, and of the one delivered, on that of the mesh. Found by experiment
-// (docs/design/adaptation.md); the later steps of the ladder are for where the first did not lead
-// to agreement.
+// Distortions allowed over an edge of length one: in the metric the mesh is made in, on the graph
+// of the background, and in the one delivered, on that of the mesh. Found by experiment
+// (docs/design/adaptation.md); later steps of the ladder are used where the first did not lead to
+// agreement.
 struct strictness {
   double background, mesh;
-  // In place of `mesh` where that changes nearly all tensors, or stars want so many more edges than
-  // the unit mesh has that nodes have to go again: the metric turns fast, and stars agree about
-  // less.
+  // Distortion in place of `mesh` where that value changes nearly all tensors, or where stars need
+  // so many more edges than the unit mesh has that nodes must be merged: the metric turns fast, and
+  // stars agree about less.
   double turning;
 };
 constexpr std::array<strictness, 4> ladder = {
     {{4, 2.5, 2}, {3, 1.7, 1.7}, {1.8, 1.4, 1.4}, {1.25, 1.15, 1.15}}};
-// Most audits of one mesh, each after the findings of the one before were mended.
+// Largest number of audits of one mesh; each follows the mending of the findings before.
 constexpr int most_repairs = 12;
 constexpr std::size_t every_finding = std::numeric_limits<std::size_t>::max();
 
@@ -63,14 +63,15 @@ class local_adaptation {
     if (goal_.count() < 1) return std::nullopt;
     order_places();
     options_.stop.expect(goal_.count());
-    // A formula has no noise. With more sites what turns from node to node is mostly a feature, and
-    // errors of fine waves grow without it (docs/design/adaptation.md).
+    // Filters noise only of metrics given at nodes: a formula has none. With more sites, turns from
+    // node to node are mostly features, and errors of fine waves grow if these are filtered
+    // (docs/design/adaptation.md).
     if (is_field_itself_ && goal_.wants_few()) goal_.leave_out_noise(options_.stop);
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
-    // Tries stricter steps while the meshes made have, together, no more nodes than one mesh may
-    // have: a step's cost is proportional to its nodes.
+    // Tries stricter steps as long as the meshes made so far have, together, no more nodes than the
+    // limit for one mesh: a step's cost is proportional to its nodes.
     std::size_t made = 0;
     goal_.make_room_where_needed(options_.stop);
     for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
@@ -87,7 +88,8 @@ class local_adaptation {
       }
       made += std::max(goal_.count(), made_.subject().sites.size());
       if (is_certified() || stop_reason() || is_overworked()) break;
-      // Skips to the strictest step: where mending made no progress, a little more does not help.
+      // Skips to the strictest step where mending made no progress: a slightly stricter one does
+      // not help.
       if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
     }
     options_.stop = whole;
@@ -104,7 +106,7 @@ class local_adaptation {
 
   bool is_certified() const { return made_.is_certified(); }
 
-  // True if the work that the run may spend here was done.
+  // True if the work limit of this run is reached.
   bool is_overworked() const { return !(options_.stop.units_left() > 0); }
 
   static double off_count(std::size_t sites, std::size_t wanted) {
@@ -147,7 +149,7 @@ class local_adaptation {
     return !stop_reason() && !is_overworked() && goal_.take_all_room(options_.stop);
   }
 
-  // Returns the field as a function, and charges its searches to the mesh.
+  // Returns the field as a function that charges its searches to the mesh.
   static metric_at field_by(const background_metric& field, const working_mesh& m) {
     return [&field, &m](const point& q, vertex_index& hint) {
       const metric_tensor there = field.at(q, hint);
@@ -161,22 +163,22 @@ class local_adaptation {
     return there ? std::optional(there.value()) : std::nullopt;
   }
 
-  // Sets the nodes' tensors to those interpolated on the background: the metric wanted except for
-  // rounding, and found sooner.
+  // Sets the nodes' tensors to those interpolated on the background: the wanted metric except for
+  // rounding, and computed faster.
   void take_interpolated(working_mesh& m) const {
     m.each_node([&](vertex_index v) {
       m.set_metric(v, goal_.metric().at(m.at(v).position, m.at(v).hint));
     });
   }
 
-  // Sets the node's tensor to that of the metric fitted to where that differs from the metric
-  // wanted; both are interpolated by the same operations.
+  // Sets the node's tensor to that of the fitted metric where it differs from the wanted metric;
+  // both are interpolated by the same operations.
   void take_other(working_mesh& m, vertex_index v) const {
     const auto without = goal_.metric().where_other(wanted_, m.at(v).position, m.at(v).hint);
     if (without) m.set_metric(v, *without);
   }
 
-  // Sets the nodes' tensors to the metric wanted there, or to the other metric fitted to. Returns
+  // Sets the nodes' tensors to the wanted metric there, or to that of the fitted metric. Returns
   // false where the field fails.
   bool take_wanted(working_mesh& m) const {
     std::atomic<bool> is_known = true;
@@ -189,8 +191,8 @@ class local_adaptation {
     return is_known;
   }
 
-  // Makes the mesh and its audit in made_. Returns false where it cannot be made, or not with
-  // the work that is left.
+  // Makes the mesh and its audit in made_. Returns false where the mesh cannot be made within the
+  // work that is left.
   bool attempt(const mesh& start, const strictness& how) {
     auto built = working_mesh::build(domain_, start);
     if (!built) return false;
@@ -198,18 +200,18 @@ class local_adaptation {
     const background_metric background = goal_.graded(how.background, options_.stop);
     unit_mesh_options making;
     making.count = goal_.count();
-    // Ends splitting: if edges are still too long with so many more nodes, the metric is too thin
-    // for it to get anywhere.
+    // Limits the number of nodes that splitting may reach: if edges are still too long with that
+    // many, the metric is too thin for splitting to end.
     constexpr std::size_t times_as_many = 4, at_least = 1000;
     making.most_nodes = std::min(options_.max_sites,
                                  times_as_many * goal_.count() + at_least + start_.sites.size());
     making.stop = options_.stop;
     unit_mesher maker(m, making);
     maker.run(field_by(background, m), seeds_);
-    // Merges the shortest edges where splits, of which a metric that turns fast needs more, have
-    // added too many nodes; measured in the metric that the nodes have. Not where many nodes are
-    // given, as ends of chords are: these may be nearer to each other than the metric wants, and
-    // need as many nodes beside them as splits add.
+    // Merges the shortest edges, measured in the metric of the nodes, where splits have added too
+    // many nodes: a metric that turns fast needs more splits. Skipped where many nodes are given,
+    // as ends of chords are: these may be nearer to each other than the metric wants, and need the
+    // nodes that splits add beside them.
     constexpr double tolerable = 0.015;
     if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
     if (off_count(m.count(), goal_.count()) > tolerable && !stop_reason() && !are_many_given(m)) {
@@ -226,7 +228,7 @@ class local_adaptation {
     return made_.report() != nullptr;
   }
 
-  // True if a quarter of the nodes are vertices of the domain, which stay where they are.
+  // True if at least a quarter of the nodes are vertices of the domain, which stay where they are.
   static bool are_many_given(const working_mesh& m) {
     constexpr std::ptrdiff_t part = 4;
     const auto given = std::count_if(m.nodes().begin(), m.nodes().end(),
@@ -250,8 +252,8 @@ class local_adaptation {
     return how.turning;
   }
 
-  // Fits the mesh to the metric wanted as its own graph grades it, and splits what that leaves
-  // long. Returns false where the metric wanted fails, or not with the work that is left.
+  // Fits the mesh to the wanted metric as graded on its own graph, and splits the edges that are
+  // still long. Returns false where the wanted metric fails, or the work limit is reached.
   bool fit_to_own(working_mesh& m, unit_mesher& maker, const strictness& how,
                   std::size_t most_nodes) const {
     if (is_field_itself_)
@@ -278,10 +280,11 @@ class local_adaptation {
     return agree;
   }
 
-  // Splits the long edges that agreement of stars needs and the unit mesh did not have.
+  // Splits edges that are still too long for stars to agree, which the unit mesh left.
   void split_left_long(working_mesh& m, unit_mesher& maker, std::size_t most_nodes) const {
     repair_options agree = asked_of_agreement(maker.unit());
-    // Rounds enough to see which edges stars need; the rest is mended when the mesh is delivered.
+    // Bounds the rounds: these are enough to find the edges that stars need, and the rest is mended
+    // when the mesh is delivered.
     agree.most_rounds = 12;
     agree.angle_bound = 0;  // low angles are mended then, too
     constexpr int rounds = 3;
@@ -294,9 +297,9 @@ class local_adaptation {
     }
   }
 
-  // Makes tensors alike until the mesh is certified, then restores those that need not be alike. A
-  // mesh whose neighbours agree is nearly always certified; so the first audit follows the
-  // restoring, and comes before it only where that fails.
+  // Makes tensors alike until the mesh is certified, then restores the wanted ones where that is
+  // possible. A mesh whose neighbours agree is nearly always certified; so the first audit follows
+  // the restoration, and precedes it only where that fails.
   void deliver(working_mesh& m, unit_mesher& maker) {
     const repair_options agree = asked_of_agreement(length_factor_);
     consistency_repair agreeing(m, agree);
@@ -357,8 +360,8 @@ class local_adaptation {
     }
   }
 
-  // Restores the tensors wanted at as many nodes as the auditor accepts. Returns whether the mesh
-  // that comes out is certified.
+  // Restores the wanted tensors at as many nodes as the auditor accepts. Returns whether the
+  // resulting mesh is certified.
   bool give_back(working_mesh& m) {
     std::vector<metric_tensor> tensors(m.nodes().size());
     std::atomic<bool> is_known = true;
@@ -372,9 +375,9 @@ class local_adaptation {
                                made_);
   }
 
-  // Makes the mesh in one metric for all sites, as dense on the whole as the one wanted, in which
-  // stars agree whatever sites there are (docs/math/delivered-metric.md), and gives tensors back.
-  // Leaves the outcome as it was if that is not certified: an angle may be low, or a limit met.
+  // Makes the mesh in one metric for all sites, of the wanted metric's complexity, in which stars
+  // agree whatever the sites (docs/math/delivered-metric.md), and restores wanted tensors. Leaves
+  // the outcome as it was if that is not certified: an angle may be low, or a limit met.
   void adapt_in_one_metric() {
     const auto metric = one_metric_for(wanted_, start_);
     if (!metric) return;

@@ -27,8 +27,8 @@ struct adaptation_job {
   std::size_t count = 0;            // of vertices wanted
 };
 
-// Makes everything of the outcome but the counters. Returns none where this way did not lead to a
-// certified mesh and was not stopped.
+// Makes the whole outcome without the counters. Returns none where this led to no certified mesh
+// and was not stopped.
 std::optional<mesh_outcome> adapt_by_local_changes(const adaptation_job& job);
 
 }  // namespace asterism::internal

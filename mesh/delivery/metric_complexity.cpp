@@ -40,7 +40,8 @@ class density_integral {
     return there ? plain_root_of_determinant(there.value()) : 0;
   }
 
-  // The rule of the three middles, exact for polynomials of degree two.
+  // Integrates over a triangle by the values at the middles of its sides, which is exact for
+  // polynomials of degree two.
   double coarse(const point& a, const point& b, const point& c) {
     const double area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
     return area / 3 * (density(middle(a, b)) + density(middle(b, c)) + density(middle(c, a)));
@@ -59,8 +60,8 @@ class density_integral {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > longest_;
   }
 
-  // Returns the integral over the triangle; `before` is that of one rule for all of it. Long
-  // triangles are halved anyway, so that narrow features are noticed.
+  // Returns the integral over the triangle; `before` is its value by one rule for the whole. Long
+  // triangles are halved in any case, so that narrow features are found.
   double refined(const point& a, const point& b, const point& c, double before, int depth) {
     constexpr double slack = 2e-3;  // of a triangle's own part
     constexpr int deepest = 24;
@@ -88,8 +89,8 @@ class density_integral {
   double longest_;
   const cancellation& stop_;
   std::size_t asked_ = 0;
-  // Most questions: four million take some seconds. A part of the area worth less than this many
-  // vertices is not divided for the sake of its own precision.
+  // Largest number of evaluations of the metric: four million take some seconds. A part of the area
+  // with fewer vertices than this is not divided to make its own sum more precise.
   static constexpr std::size_t most_ = 1000000;
   static constexpr double smallest_part_ = 1e-9;
   std::optional<error> failure_;

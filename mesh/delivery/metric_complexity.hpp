@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures the complexity of a metric, and grades a metric where it is given.
+// Measures the complexity of a metric, and grades a metric on the mesh or grid it is given on.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,8 @@ namespace asterism::internal {
 result<graded_metric> grade_as_given(std::unique_ptr<metric_field> field, const domain& d,
                                      const gradation_options& options);
 
-// Returns the complexity of the field over the domain; of one that is given on a mesh, over that
-// mesh, as its vertices have it.
+// Returns the complexity of the field over the domain; for a field given on a mesh, over that mesh,
+// by the tensors at its vertices.
 result<double> complexity_over(const domain& d, const metric_field& field,
                                const cancellation& stop);
 

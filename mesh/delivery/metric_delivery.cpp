@@ -31,7 +31,7 @@ mesh in_frame(const unit_frame& frame, const mesh& m) {
   return image;
 }
 
-// Returns the mesh with all tensors times 2^k, if that is exact.
+// Returns the mesh with all tensors times 2^k; none if that is not exact.
 std::optional<mesh> exactly_times_power_of_two(const mesh& m, int k) {
   mesh made = m;
   for (site& s : made.sites) {
@@ -43,8 +43,8 @@ std::optional<mesh> exactly_times_power_of_two(const mesh& m, int k) {
 }
 
 // Returns the metric at the background's nodes. A field that is interpolated on that mesh, in the
-// same frame, has what it takes to find triangles in it: of a large mesh that takes as long as to
-// read it.
+// same frame, lends its index of triangles: to build that of a large mesh takes as long as reading
+// it.
 background_metric metric_at_nodes(const mesh& background, const background_field* field) {
   if (field == nullptr) return background_metric(background);
   background_metric shared = field->without_size();
@@ -98,7 +98,8 @@ bool metric_delivery::varies_fast() {
 }
 
 bool metric_delivery::jumps() const {
-  // Twice the greatest variation of a mesh whose metric was met as it is.
+  // Least variation from which stars are expected to disagree: twice the greatest of a mesh whose
+  // metric was met as it is.
   constexpr double most_that_is_met = 3;
   constexpr std::size_t one_in = 200;
   return given_ != nullptr && sampled_variation(*given_, one_in) > most_that_is_met;
@@ -140,7 +141,7 @@ std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) c
 }
 
 // Returns the metric wanted, divided by 2^halved. A formula is sampled as densely as the sites will
-// be, unless the samples there are suffice.
+// be, unless the present samples suffice.
 std::optional<background_metric> metric_delivery::wanted_in(
     const metric_field& coarser, int halved, const background_metric& sampled) const {
   constexpr double as_sites = 1;
@@ -177,10 +178,10 @@ std::optional<mesh_outcome> metric_delivery::make(std::size_t few) {
 }
 
 // Scales all tensors by the power of two that brings their density nearest to the one wanted, where
-// more than half of the sites have a tensor far from theirs and that brings them nearer. Where a
-// metric turns by any angle from node to node, each clip of two crossed tensors makes both denser,
-// as the coarser side takes more of the excess. Stars and angles stay the same to the last bit;
-// edge lengths change by the same factor in both metrics.
+// more than half of the sites have a tensor far from the wanted one, and where that brings them
+// nearer. Where a metric turns by any angle from node to node, each clip of two crossed tensors
+// makes both denser, as the coarser side takes more of the excess. Stars and angles stay the same
+// to the last bit; edge lengths change by the same factor in both metrics.
 void metric_delivery::bring_density_near(mesh_outcome& made) const {
   const delivered_report before = *made.delivered;
   const double power = elementary::log2(before.complexity_wanted / before.complexity_delivered);

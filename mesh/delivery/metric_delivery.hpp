@@ -4,8 +4,8 @@
 // (docs/design/adaptation.md). The metric delivered is reported.
 //
 // Stars disagree where tensors turn or change by much over an edge, whatever sites there are. The
-// metric of a site is its own, however. It is changed where that is needed, as little as will do,
-// and the outcome says by how much. The mesh is certified in the metric delivered.
+// metric of a site is its own, however. It is changed where needed, as little as suffices, and the
+// outcome states by how much. The mesh is certified in the metric delivered.
 #pragma once
 
 #include <cstddef>
@@ -23,12 +23,12 @@ namespace asterism::internal {
 // True if the options allow another metric than the one wanted to be delivered.
 bool may_adapt(const mesh_options& options);
 
-// Way to a mesh by a metric delivered. All references must outlive it.
+// Makes meshes in a delivered metric. All references must outlive it.
 class metric_delivery {
  public:
   metric_delivery(const domain& d, const metric_field& field, const mesh_options& options);
 
-  // True if this is the way to begin with: with a size, where the metric comes on a mesh.
+  // True if a delivered metric is tried first: with a size, where the metric is given on a mesh.
   bool is_first_choice() const;
   // True if the metric is a formula with a size that varies by so much over an edge that meshes
   // seldom meet it as it is. Samples the metric, which takes as much as a thousand triangles.
@@ -36,12 +36,12 @@ class metric_delivery {
   // True if the metric comes on a mesh and differs by so much at the ends of one edge in two
   // hundred, for its length, that stars on either side do not agree. Where it jumps these are few.
   bool jumps() const;
-  // True if the metric wants few sites, as far as scattered questions tell: to find out how fast it
-  // varies would take longer than to try.
+  // True if the metric wants few sites, by scattered samples: then it costs more to find out how
+  // fast it varies than to try.
   bool wants_few_sites() const;
 
-  // Makes everything of the outcome but the counters. Without a size there will be about `few`
-  // sites. Returns none where this way did not lead to a certified mesh and was not stopped.
+  // Makes the whole outcome without the counters. Without a size there will be about `few` sites.
+  // Returns none where this led to no certified mesh and was not stopped.
   std::optional<mesh_outcome> make(std::size_t few);
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Brings domain and field from the caller's units into the unit frame once, and the outcome back
-// once.
+// Scales domain and field from the caller's units into the unit frame, and the outcome
+// back.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Holds domain and field as they are meshed. `field` must outlive it.
+// Holds the domain and the field in the unit frame. `field` must outlive it.
 class normalised_problem {
  public:
   normalised_problem(const domain& d, const metric_field& field, const mesh_options& options);
@@ -24,7 +24,7 @@ class normalised_problem {
   const metric_field& field() const {
     return frame_.is_identity() ? field_ : static_cast<const metric_field&>(framed_);
   }
-  // Brings an outcome made of the image back into the caller's units.
+  // Scales an outcome made in the unit frame back into the caller's units.
   void outward(mesh_outcome& outcome) const;
 
  private:

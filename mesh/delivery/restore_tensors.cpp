@@ -14,9 +14,10 @@
 namespace asterism::internal {
 namespace {
 
-// Most audits of a mesh of which only tensors change: those after the first cost little.
+// Largest number of audits of a mesh in which only tensors change: those after the first cost
+// little.
 constexpr int most_audits = 40;
-// Most repairs of the mesh between these audits.
+// Largest number of repairs of the mesh between these audits.
 constexpr int most_mended = 8;
 
 // True if the reach of the gap at corner i of the face is unknown: an audit would test the star
@@ -28,8 +29,8 @@ bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::siz
   return !std::isfinite(gap.reach());
 }
 
-// Undoes the changes of one node of such a gap after the other, the star's centre first, until the
-// reach is known or no change is left.
+// Undoes the changes of the nodes of a gap of unknown reach, one after the other, the star's centre
+// first, until the reach is known or no change is left.
 void take_back_at(adapting::working_mesh& m, adapting::tensor_restoration& giving, vertex_index t,
                   node_list& taken) {
   const adapting::face f = m.faces()[t];
@@ -63,10 +64,11 @@ void take_back_unbounded(adapting::working_mesh& m, adapting::tensor_restoration
   }
 }
 
-// Lists the nodes that have changed.
+// Lists the nodes whose tensors have changed.
 struct mesh_changes {
   node_list nodes;  // and those of faces that there were not
-  // Nodes at the boundary neither go nor move: what they hide from each other stays the same.
+  // True if only inside nodes were removed or moved: sight across the boundary is the same
+  // then.
   bool are_inside = true;
 };
 
@@ -118,7 +120,8 @@ class giver {
     const auto take_back = [&](const node_list& nodes) { giving_.take_back(nodes, taken); };
     const std::vector<node_list> found = audited_.nodes_found();
     for (const node_list& nodes : found) take_back(nodes);
-    // Open questions of one star: those that see far have nearly all, and are few.
+    // Number of open questions from which a star counts as seeing far: such stars have nearly all
+    // the questions, and are few.
     constexpr std::size_t many = 20;
     for (const node_list& star : audited_.stars_with_open(many)) {
       const std::size_t before = taken.size();
@@ -138,8 +141,8 @@ class giver {
     return true;
   }
 
-  // Returns a node of each question that is about none of the nodes in `but`: changing that node
-  // has the question asked again.
+  // Returns one node of each question that involves no node in `but`: after a change of that node
+  // the question is asked again.
   static node_list one_of_each(const std::vector<node_list>& questions, node_list but) {
     std::sort(but.begin(), but.end());
     const auto is_in = [&but](vertex_index v) {
@@ -188,7 +191,7 @@ class giver {
   std::size_t least_found_ = std::numeric_limits<std::size_t>::max();  // when mended
 };
 
-// Lists the nodes of faces, for each gap of theirs whose reach is unknown.
+// Lists the nodes of all faces at gaps of unknown reach, a list for each gap.
 std::vector<node_list> nodes_that_see_all(const adapting::working_mesh& m) {
   constexpr std::size_t chunk = 2048;
   const auto append = [&m](std::size_t begin, std::size_t end, std::vector<node_list>& found) {

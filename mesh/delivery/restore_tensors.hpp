@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Restores the tensors wanted at the nodes of a mesh whose stars agree, as far as the auditor
+// Restores the wanted tensors at the nodes of a mesh whose stars agree, as far as the auditor
 // accepts them. Internal to the pipeline.
 #pragma once
 
@@ -14,16 +14,16 @@
 namespace asterism::internal {
 
 // Reduces metric differences at gaps of unknown reach, in a mesh whose stars agree: an auditor
-// would test every site against them, and undoing restored tensors does not help. Leaves the mesh
-// as it is where there are more than a few. `agreeing` is of this mesh.
+// would test every site against these gaps, and undoing restored tensors does not help. Changes
+// nothing where there are more than a few. `agreeing` is of this mesh.
 void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreeing,
                 const cancellation& stop);
 
 // Restores tensors; `wanted` has one for each node. Findings of the audit are undone
 // (adapt/tensor_restoration.hpp), and where nothing is left to undo the mesh is repaired. Hard
-// questions are asked last: none about tensors undone for another reason, filters first, exact
-// numbers once nothing can be undone. Returns whether the mesh that comes out, in `audited`, is
-// certified.
+// questions are decided last: not at all if their tensors are undone for another reason, by filters
+// first, and by exact numbers once nothing can be undone. Returns whether the resulting mesh, in
+// `audited`, is certified.
 bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
                const mesh_options& options, const adapting::repair_options& mending,
                audited_mesh& audited);

@@ -9,8 +9,8 @@
 namespace asterism::internal {
 namespace {
 
-// Half of the length from which divide_curves halves a chord for the size across it: without a
-// tolerance of their own chords are hardly ever shorter.
+// Half of the length beyond which divide_curves halves a chord for the size across it: chords
+// without a tolerance of their own are hardly ever shorter.
 constexpr double least_of_wanted = 0.4;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the finest detail that a domain asks for, where that may be why a run did not end well.
+// Finds the finest detail of a domain, which may be why a run did not end well.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// Edge between two vertices that were given, and its length in the plane.
+// Edge between two given vertices, and its length in the plane.
 struct given_edge {
   vertex_index a = 0, b = 0;
   point at;                  // the place of a
@@ -20,8 +20,8 @@ struct given_edge {
 };
 
 // Returns the shortest edge of the triangles and the boundary that joins two given vertices; none
-// if none does. In one metric that is round, the two vertices nearest to each other have one, if
-// the stars agree.
+// if there is none. In one isotropic metric the two vertices nearest to each other have such an
+// edge, if the stars agree.
 std::optional<given_edge> shortest_given_edge(const mesh& m);
 
 // True if the edge is too short a part of the domain's width for triangles that meet an angle bound
@@ -29,8 +29,8 @@ std::optional<given_edge> shortest_given_edge(const mesh& m);
 // among the doubles. This is the least distance that a repair joins vertices within, too.
 constexpr bool is_rounding(const given_edge& e) { return e.part_of_width < 0x1p-40; }
 
-// Returns the two given vertices that are a rounding apart, where the run did not end well; none
-// where there are none.
+// Returns two given vertices that are a rounding apart, if the run did not end well and there are
+// such; otherwise none.
 std::optional<close_vertices> too_close_in(const mesh_outcome& outcome);
 
 }  // namespace asterism::internal

@@ -20,7 +20,7 @@ std::optional<intolerable_distance> excess_in(const delivered_report& report,
   if (tolerance) return beyond(*tolerance, report.greatest, measure::greatest);
   if (const auto excess = beyond(most_median_distance, report.median, measure::median))
     return excess;
-  // Areas of domains at the ends of the range of doubles have no ratio, and say nothing.
+  // Ignores the ratio of areas at the ends of the range of doubles, where it has no value.
   const double ratio = density_ratio(report);
   if (!(ratio > most_density_ratio)) return std::nullopt;
   return beyond(most_density_ratio, ratio, measure::density);

@@ -13,12 +13,13 @@
 namespace asterism::internal {
 
 // Returns the distance of the delivered metric from the one wanted if it exceeds the tolerance;
-// none where it does not, where there is no other metric, or where the run was stopped. Without a
-// tolerance the median over sites counts, and the density on the whole.
+// none where it does not, where no other metric is delivered, or where the run was stopped. Without
+// a tolerance, bounds on the median over sites and on the ratio of densities count.
 std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options);
 
-// Returns the same of distances measured, with a tolerance or without.
+// Returns the distance if it exceeds the tolerance, for distances that were measured before; with a
+// tolerance or without.
 std::optional<intolerable_distance> excess_in(const delivered_report& report,
                                               std::optional<double> tolerance);
 

@@ -31,7 +31,7 @@ std::optional<mesh> as_mesh_of(const mesh& m, const mesh_outline& outline) {
   return same;
 }
 
-// Decides whether the mesh given stays.
+// Decides whether the given mesh stays, in place of a new one.
 class keeping {
  public:
   keeping(const std::optional<mesh>& own, const mesh_adaptation_options& options)
@@ -42,11 +42,11 @@ class keeping {
     if (may_stay_) lengths_ = edge_lengths_of(*own_);
   }
 
-  // True if it stays whatever a new mesh would be.
+  // True if the given mesh stays without a new one being made.
   bool is_at_once() const {
     return may_stay_ && (rule_ == keep_rule::always || are_as_in_new_mesh(lengths_));
   }
-  // True if it stays because the new mesh made for comparison is no better.
+  // True if the given mesh stays because the new mesh made for comparison is no better.
   bool is_as_good_as(const certified_mesh& made) const {
     return may_stay_ && !is_at_once() && made.certified() &&
            are_no_worse(lengths_, edge_lengths_of(made.outcome.result));
@@ -60,7 +60,7 @@ class keeping {
   edge_lengths lengths_;
 };
 
-// Takes the given mesh as the outcome if the auditor certifies it.
+// Takes the given mesh as the outcome if the auditor certifies it in its metric.
 void stay(const keeping& kept, const mesh_adaptation_options& options, adapted_mesh& done) {
   auto same = outcome_of_keeping(kept.own(), done.shape, options.refinement);
   if (!same) return;
@@ -75,9 +75,9 @@ bool has_periodic_sides(const mesh& m, const std::vector<periodic_pair>& pairs) 
                      [&m](const periodic_pair& one) { return match_periodic(m, one).ok(); });
 }
 
-// Sets the number of vertices wanted, and room for it. A metric alone gets room for ten times the
-// vertices of the mesh, and for no more than any run: a metric that asks for more is mostly in the
-// wrong unit, and a mesh of millions takes hours.
+// Sets the number of vertices wanted and the limit on sites. A metric alone gets room for ten times
+// the vertices of the mesh, and for no more than any run: a metric that asks for more is mostly in
+// the wrong unit, and a mesh of millions takes hours.
 mesh_options options_for(const mesh& m, const mesh_adaptation_options& asked) {
   mesh_options options = asked.refinement;
   options.limit_size = true;
@@ -94,8 +94,8 @@ mesh_options options_for(const mesh& m, const mesh_adaptation_options& asked) {
   return options;
 }
 
-// Returns the domain with chords for the metric of the mesh. They are as many as leave room for
-// other vertices: curves go on between them.
+// Returns the domain with chords for the metric of the mesh. Their number leaves room for other
+// vertices: curves continue between them.
 result<domain> divided_for(const mesh& m, const domain& exact,
                            const mesh_adaptation_options& options) {
   constexpr std::size_t part = 4;
@@ -108,7 +108,7 @@ result<domain> divided_for(const mesh& m, const domain& exact,
 }
 
 // Proves how far the boundary is from the former one, where there is one, and puts it in the claim.
-// A mesh that is farther than was asked for is not what was asked for.
+// A mesh that is farther than the bound asked for is not complete.
 void compare_boundaries(adapted_mesh& done) {
   if (!done.former) return;
   certificate& claim = done.made.claim;
@@ -159,7 +159,7 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     done.boundary_kept = found.keeps_all ? found.boundary_vertices : found.kept;
     done.former = found.former;
     if (has_periodic_sides(background, options.periodic)) own = as_mesh_of(background, found);
-    // Chords of periodic sides would have to match.
+    // Adds no chords with periodic sides: the chords of both sides would have to match.
     if (!found.keeps_all && options.periodic.empty()) for_new = with_chords_for(background, found);
   }
   if (const auto failed = check_periodic(done.shape, options.periodic)) return *failed;

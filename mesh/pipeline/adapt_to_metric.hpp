@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the next mesh of an adaptation loop: the one that a metric at the vertices of this one asks
-// for.
+// Makes the next mesh of an adaptation loop, in the metric given at the vertices of the present
+// one.
 //
 //   const auto wanted = make_solution_metric(old.subject, fields, wishes);
 //   for (std::size_t v = 0; v < old.subject.sites.size(); ++v)
@@ -26,42 +26,42 @@
 
 namespace asterism {
 
-// When the mesh given stays as it is: where it is as good as a new one, never, or wherever it is
-// certified in the metric, however long its edges are.
+// Rule for the given mesh to stay as it is: where it is as good as a new one, never, or wherever it
+// is certified in the metric, whatever the lengths of its edges.
 enum class keep_rule { automatic, never, always };
 
-// Most sites that a run gets room for without a limit of its own.
+// Largest limit on sites that a run gets without a limit of its own.
 inline constexpr std::size_t most_sites_unasked = 10000000;
 
-// Wishes beyond the metric.
+// Demands of an adaptation other than its metric.
 struct mesh_adaptation_options {
   double corner_angle = 30;  // degrees: where the boundary turns by more it keeps its vertex
   // The domain itself, as check_domain accepts it, in place of the mesh's. Its curves are divided
   // anew, for the metric.
   std::optional<domain> exact = {};
-  // Greatest distance of the boundary from that of the mesh, both ways, where there is no `exact`;
-  // default: a hundredth of the size wanted across it where vertices go, and what cubics through
-  // the vertices make of it where they come.
+  // Greatest distance of the new boundary from that of the mesh, both ways, where there is no
+  // `exact`. Default: a hundredth of the size wanted across the boundary where vertices are
+  // removed, and the distance of cubics through the vertices where some are added.
   std::optional<double> largest_boundary_distance = {};
   // Greatest distance of a curve of `exact` from its chords; default: curve_division's.
   std::optional<double> chord_tolerance = {};
-  // limit_size is set. Without `vertices` the mesh has as many as unit edges take, the boundary's
-  // included.
+  // Options of the new mesh; limit_size is set by the run. Without `vertices` the mesh has as many
+  // vertices as unit edges take, the boundary's included.
   mesh_options refinement = {};
   keep_rule keep = keep_rule::automatic;
-  // Sides that are to have the same points, by their markers; a mesh in which they do not does not
-  // stay.
+  // Pairs of sides that must have the same points, by their markers; a mesh whose sides do not
+  // match does not stay.
   std::vector<periodic_pair> periodic = {};
   // True to have no inner edge that joins two vertices of the boundary, and so no triangle with all
   // three of its vertices there.
   bool no_split_across = false;
-  // Else max_sites is raised to three times the vertices wanted, most_sites_unasked at most, and
-  // where the metric alone wants
-  // them, to ten times those of the mesh at most.
+  // True to keep max_sites as given. Otherwise it is raised to three times the vertices wanted,
+  // most_sites_unasked at most, and where the metric alone sets their number, to ten times those of
+  // the mesh at most.
   bool keeps_site_limit = false;
 };
 
-// The next mesh.
+// The next mesh of an adaptation, and how it relates to the given one.
 struct adapted_mesh {
   domain shape;  // what it is a mesh of
   certified_mesh made;
@@ -69,8 +69,8 @@ struct adapted_mesh {
   std::size_t boundary_vertices = 0;  // of the mesh given
   std::size_t boundary_kept = 0;      // of those
   bool keeps_boundary = false;        // all of them, because parts touch
-  // The boundary of the mesh given along that of the domain, and how far the new one is proved to
-  // be from it, both ways; none with an exact domain. A part of the claim.
+  // The given mesh's boundary along the segments of the domain, and the proved bound of the new
+  // boundary's distance from it, both ways; none with an exact domain. Part of the claim.
   std::optional<former_boundary> former = {};
   double boundary_distance = 0;
   // Cracks of the mesh given. `made` has one vertex at each place, and their edges as segments

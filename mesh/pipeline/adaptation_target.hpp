@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Says how many vertices an adapted mesh is to have, and whether the outcome is what was asked for:
-// the same for the command and for Python.
+// Sets the number of vertices that an adapted mesh is to have, and judges whether the outcome is
+// what was asked for: the same for the command and for Python.
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,17 @@ struct adaptation_wish {
   bool of_solution = false;         // the metric is a solution's
 };
 
-// Sets the number of vertices where the wish names one, and room for it where it asks in other
-// words. A target that was not met leaves the number to the metric. Refuses what is beyond the
-// default limit on sites: it would take long to get there, and be another mesh. `limit` is the name
+// Sets the number of vertices if the wish names one, and the limit on sites if it asks for an error
+// or complexity. A target that was not met leaves the number to the metric. Refuses numbers beyond
+// the default limit on sites: the run would be long, and end with another mesh. `limit` is the name
 // of the option that raises it.
 ASTERISM_EXPORT std::optional<error> take_target(const adaptation_wish& wish,
                                                  const std::string& limit,
                                                  mesh_adaptation_options& options);
 
-// Says in a sentence what was not reached: the mesh, the metric's target, or the number of vertices
-// to a tenth, or, of few, to five or half of them. Nothing where all was.
+// Returns a sentence on what was not reached: the mesh, the metric's target, or the number of
+// vertices, which may be off by a tenth or, if small, by five or by half. Nothing where all was
+// reached.
 ASTERISM_EXPORT std::optional<std::string> what_is_missed(
     const adapted_mesh& next, const solution_metric_report& report,
     const std::optional<std::size_t>& vertices_wanted);

@@ -21,8 +21,8 @@ cancellation question_of(const cancellation& stop) {
   return [stop]() { return stop.told(); };
 }
 
-// Returns what the auditor is asked of an outcome. It finds the sharp corners by itself: the
-// mesher's own list is of rounded angles, and names corners at which no triangle needs an
+// Returns the options of the audit of an outcome. The auditor finds the sharp corners by itself:
+// the mesher's own list is of rounded angles, and names corners at which no triangle needs an
 // exemption.
 audit_options questions_for(const mesh_outcome& outcome, const domain& d,
                             const mesh_options& options) {
@@ -30,16 +30,16 @@ audit_options questions_for(const mesh_outcome& outcome, const domain& d,
   asked.angle_bound = options.angle_bound;
   asked.original = &d;
   asked.find_exempt_corners = true;
-  // Skips the stars of an unfinished mesh: who interrupts a run does not want to wait for them.
+  // Skips the stars of an interrupted mesh: their check could take long.
   asked.check_stars = !outcome.stopped;
   asked.check_voronoi = options.prove_voronoi && !outcome.stopped;
-  // Audits without asking whether to stop: the mesh of an interrupted run is audited, too.
+  // Audits an interrupted mesh without polling the stop, which would end the audit as well.
   if (outcome.ended.how != ending::stopped && !outcome.stopped)
     asked.stop = question_of(options.stop);
   return asked;
 }
 
-// Returns that a mesh could not be audited for want of memory.
+// Returns the report for a mesh whose audit ran out of memory.
 audit_report without_memory(const mesh& subject, const audit_options& asked) {
   audit_report nothing;
   nothing.sites = subject.sites.size();
@@ -52,8 +52,8 @@ audit_report without_memory(const mesh& subject, const audit_options& asked) {
   return nothing;
 }
 
-// Returns the auditor of a mesh after the audit. Where there is no memory for that, which takes
-// more than the mesh does, it says so: the mesh must not be lost for it.
+// Returns the auditor of a mesh after the audit. An audit takes more memory than the mesh; where
+// there is too little, the report says so, and the mesh is not lost.
 auditor audit_if_possible(const mesh& subject, const audit_options& asked) {
   try {
     auditor judge(subject, asked);

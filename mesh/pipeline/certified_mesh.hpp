@@ -24,7 +24,7 @@ namespace asterism {
 struct certified_mesh {
   mesh_outcome outcome;
   audit_report report;
-  // Holds what follows from the run and the audit; whoever asked adds `metric` and `options`.
+  // The certificate of the run and the audit; the caller adds `metric` and `options`.
   certificate claim;
 
   // True if the mesher reached its goal and the audit found nothing against the mesh. The mesher's
@@ -40,8 +40,8 @@ ASTERISM_EXPORT result<certified_mesh> make_certified_mesh(const domain& d,
                                                            const mesh_options& options,
                                                            const progress_listener& progress = {});
 
-// Audits a finished run, which must be of `d` with `options`: the second half of
-// make_certified_mesh, for those who make the mesh themselves.
+// Audits a finished run, whose outcome must be of `d` with `options`: the second half of
+// make_certified_mesh, for callers that make the mesh themselves.
 ASTERISM_EXPORT certified_mesh judge_outcome(mesh_outcome outcome, const domain& d,
                                              const mesh_options& options);
 

@@ -10,7 +10,7 @@
 namespace asterism::internal {
 namespace {
 
-// The edges at each vertex.
+// Walks along chains of boundary edges, listed by vertex.
 class chain_walk {
  public:
   chain_walk(const mesh& m, vertex_index given) : m_(m), given_(given), at_(m.sites.size()) {
@@ -20,8 +20,8 @@ class chain_walk {
     }
   }
 
-  // Returns the edges from a vertex of the domain, along edge `first`, to the next one there, and
-  // that; empty where the chain branches or ends before.
+  // Returns the edges from a vertex of the domain, beginning with edge `first`, to the next vertex
+  // of the domain, and that vertex; empty where the chain branches or ends before.
   std::vector<std::size_t> from(vertex_index begin, std::size_t first, vertex_index& end) const {
     std::vector<std::size_t> chain;
     vertex_index v = begin;

@@ -21,12 +21,12 @@ namespace {
 
 using ends = std::array<vertex_index, 2>;
 
-// Follows segments along the sides of the triangles.
+// Follows segments of the domain along the sides of the mesh's triangles.
 class segment_walk {
  public:
   segment_walk(const domain& d, const mesh& m) : d_(d), m_(m), sides_(m) {}
 
-  // Returns the vertices along a segment, both ends among them; none where no sides lead along it.
+  // Returns the vertices along a segment, its ends included; none where no sides lead along it.
   std::optional<std::vector<vertex_index>> along(const segment& s) const {
     std::vector<vertex_index> found{s.a};
     while (found.back() != s.b && found.size() <= m_.sites.size()) {
@@ -39,8 +39,9 @@ class segment_walk {
   }
 
  private:
-  // Returns the neighbour that is nearest to the direction of the segment's end, on the boundary
-  // where the segment is. Vertices of the domain are on no segment but as its ends.
+  // Returns the neighbour that is nearest to the direction of the segment's end, and on the
+  // boundary if the segment is. Leaves out vertices of the domain, which can only be the segment's
+  // end.
   std::optional<vertex_index> step(const segment& s, vertex_index at) const {
     std::optional<vertex_index> best;
     double most = 0;
@@ -82,7 +83,7 @@ result<std::vector<boundary_edge>> subsegments_of(const domain& d, const mesh& m
   return made;
 }
 
-// Says where the edges that the file lists are not those of the domain.
+// Returns a sentence where the edges that the file lists are not those of the domain.
 std::optional<error> contradiction_of(const std::vector<boundary_edge>& listed,
                                       const std::vector<boundary_edge>& made) {
   std::map<ends, int> marker_of;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Completes a mesh that was read from a format without a place for all that a mesh has, so that it
-// can be held against its certificate.
+// Completes a mesh that was read from a format without a place for all parts of a mesh, so that it
+// can be compared with its certificate.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@
 
 namespace asterism::internal {
 
-// Takes from the domain what the mesh was said to be made of: how many vertices are given, the
-// subsegments in the order of the segments, their markers, and regions where the mesh has none. A
-// proposal: the auditor judges it, and a certificate's fingerprint tells whether it is the mesh.
+// Takes from the domain the parts that the file has no place for: how many vertices are given, the
+// subsegments in the order of the segments, their markers, and regions where the mesh has none. The
+// result is a proposal: the auditor judges it, and a certificate's fingerprint identifies the mesh.
 //
 // Fails, in half a sentence, where the mesh contradicts the domain: its first vertices are others;
 // no edges lead along a segment; an edge that it lists is on no segment; or edges that it lists

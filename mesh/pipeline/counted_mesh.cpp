@@ -12,7 +12,7 @@
 namespace asterism {
 namespace {
 
-// Returns the number of vertices to ask for at a density.
+// Returns the number of vertices to ask for at this density, within the limit on sites.
 std::size_t count_aimed_at(std::size_t wanted, double density, std::size_t max_sites) {
   constexpr double fewest = 3;
   const double aim = std::round(density * static_cast<double>(wanted));
@@ -40,8 +40,8 @@ result<counted_mesh> make_counted_mesh(const mesh_source& source, const mesh_opt
   return meet_vertices(std::move(first).value(), source, options, make);
 }
 
-// A domain, its sharp corners and a metric that varies may each take more vertices than the area,
-// or its chords fewer: then it helps to aim at others.
+// Searches by making meshes: a domain, its sharp corners and a metric that varies may each take
+// more vertices than the area, or its chords fewer, so the number asked for is corrected.
 counted_mesh meet_vertices(counted_mesh nearest, const mesh_source& source,
                            const mesh_options& options, const mesh_maker& make) {
   if (!options.vertices || !nearest.made.certified()) return nearest;

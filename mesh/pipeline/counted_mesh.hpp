@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a mesh of a metric that is scaled until as many vertices come out as are wanted.
+// Makes a mesh of a metric that is scaled until the mesh has the number of vertices wanted.
 //
 //   const auto made = make_counted_mesh({disc, field, {}}, options, [](const auto& in, const auto&
 //   how) {
@@ -19,31 +19,32 @@
 
 namespace asterism {
 
-// Makes a mesh of a domain and a metric, as make_certified_mesh does. Called several times.
+// Function that makes a mesh of a domain and a metric, as make_certified_mesh does. Called several
+// times.
 using mesh_maker =
     std::function<result<certified_mesh>(const mesh_input& input, const mesh_options& options)>;
 
-// A mesh, and what it was made of.
+// A mesh, and the domain and metric that it was made of.
 struct counted_mesh {
   mesh_input input;
   certified_mesh made;
 };
 
-// Makes the mesh of what prepare_mesh_input returns. Fails as that or `make` does. With
-// options.vertices it is made again as meet_vertices does.
+// Makes the mesh of the input that prepare_mesh_input returns. Fails as that function or `make`
+// does. With options.vertices the mesh is made again as meet_vertices does.
 ASTERISM_EXPORT result<counted_mesh> make_counted_mesh(const mesh_source& source,
                                                        const mesh_options& options,
                                                        const mesh_maker& make);
 
-// Makes meshes of this source at other densities until one has a number of vertices near the one
-// wanted, as is_count_near() has it: ten at most, with a third of the work of a run. Returns the
-// nearest that is certified. A number may lie below what the domain takes, or between two that come
-// out: then none is near. Returns `first` as it is where it is not certified, where no number is
-// wanted, and where its own is near.
+// Makes up to ten meshes of this source at other densities, until the number of vertices is near
+// the one wanted by is_count_near(); with a third of the work of a run. Returns the nearest mesh
+// that is certified: the number may lie below what the domain takes, or between two that are
+// possible. Returns `first` unchanged where it is not certified, where no number is wanted, and
+// where its own is near.
 ASTERISM_EXPORT counted_mesh meet_vertices(counted_mesh first, const mesh_source& source,
                                            const mesh_options& options, const mesh_maker& make);
 
-// True if the number of vertices delivered is off the one wanted by at most 5 % of it.
+// True if the number of vertices delivered differs from the one wanted by at most 5 % of it.
 ASTERISM_EXPORT bool is_count_near(std::size_t wanted, std::size_t delivered);
 
 }  // namespace asterism

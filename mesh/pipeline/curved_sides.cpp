@@ -26,7 +26,7 @@ error folded(const mesh& m, const second_order_report& report) {
           error_code::invalid_mesh};
 }
 
-// Takes the nodes away that are of sides of the triangles named. Returns how many there were.
+// Removes the nodes of sides of the triangles named. Returns how many there were.
 std::size_t straighten(const mesh& m, const second_order_report& report,
                        std::vector<side_node>& nodes) {
   std::vector<ends> sides;
@@ -53,7 +53,8 @@ result<curved_sides> curve_sides(const mesh& m, const domain& shape) {
   curved_sides made;
   made.nodes = nodes_on_curves(m, shape);
   std::size_t straightened = 0;
-  // Ends: each round but the last removes a node, of which there are finitely many.
+  // Repeats until no triangle folds. Ends: each round but the last removes a node, of which there
+  // are finitely many.
   while (true) {
     made.report = prove_second_order(m, made.nodes, &shape);
     if (made.report.proved() || m.triangles.empty()) break;

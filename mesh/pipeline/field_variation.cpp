@@ -13,10 +13,11 @@
 namespace asterism::internal {
 namespace {
 
-// Points of the grid along each side of the domain's box.
+// Number of points of the grid along each side of the domain's box.
 constexpr std::size_t grid_points = 33;
-// Distortion from which two samples are looked between: below it (1 - 1 / tau) / d is about the
-// field's own rate already, and at this distortion still has ten digits that are not rounding.
+// Distortion from which the way between two samples is searched further: below it (1 - 1 / tau) / d
+// is about the field's own rate already, and at this distortion still has ten digits that are not
+// rounding.
 constexpr double little_distortion = 1.01;
 // Part of the box's longer side at which two samples that still differ by more than that make a
 // jump: 2^-40 of it is some thousand units in the last place of a coordinate.

@@ -12,7 +12,8 @@
 
 namespace asterism::internal {
 
-// Two points next to each other, as doubles of the domain's size go, at which the metrics differ.
+// Two points at which the metrics differ, adjacent at the resolution of doubles of the domain's
+// size.
 struct field_jump {
   point from, to;
   double factor = 1;  // the distortion between them
@@ -21,8 +22,8 @@ struct field_jump {
 // The variation and the first jump that samples of a field show. Between samples the field may vary
 // faster, and jump: no bound follows.
 struct field_samples {
-  // The greatest (1 - 1 / tau) / d of two points that were looked at, d the smaller of their
-  // distances: the field's sigma is at least that (docs/math/refinement.md, H1).
+  // The greatest (1 - 1 / tau) / d of two sampled points, d the smaller of their distances: the
+  // field's sigma is at least that (docs/math/refinement.md, H1).
   double variation = 0;
   std::optional<field_jump> jump;  // the first that was found
 };

@@ -42,7 +42,7 @@ void put_boundary_in_order(mesh& m, const triangle_sides& sides) {
   }
 }
 
-// Makes the edges between triangles of different regions segments, where none is listed there.
+// Makes edges between triangles of different regions segments, where the file lists none there.
 void separate_regions(mesh& m, const triangle_sides& sides) {
   if (m.regions.empty()) return;
   std::vector<std::array<vertex_index, 2>> listed;
@@ -82,7 +82,8 @@ domain domain_of(const mesh& m, const triangle_sides& sides) {
   return d;
 }
 
-// Kinds of findings that are of no site or triangle: no question can be asked about it.
+// Kinds of findings about numbers that are no site or triangle: such a mesh is refused before any
+// question.
 constexpr std::array unusable = {
     finding_kind::empty_mesh,        finding_kind::index_out_of_range,
     finding_kind::not_finite,        finding_kind::metric_not_positive_definite,
@@ -121,8 +122,9 @@ void compare_with_stars(const adopted_mesh& adopted, const cancellation& stop,
   }
 }
 
-// True if the stars are worth building. Where more edges than a tenth of the sites are not what
-// their own four vertices make them, the stars see far and cost much, and what they are is no news.
+// True if the stars are worth building. Where more edges than a tenth of the number of sites fail
+// the test of their own four vertices, the stars see far and cost much, and would only confirm the
+// refusal.
 bool is_worth_comparing(const audit_report& audit) {
   constexpr std::size_t part = 10;
   return audit.found[static_cast<std::size_t>(finding_kind::star_neighbour_rejected)] <=

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Judges a mesh and metric from elsewhere: is it the mesh of its stars, and good?
+// Judges a mesh and metric from elsewhere: is it the mesh of its stars, and does it meet the angle
+// bound?
 //
-// The domain is what the boundary edges enclose, every vertex is a site, and the metric of a vertex
-// is that site's. The stars of all sites are built, each from all sites it sees. A triangle counts
-// when it is in the stars of its three vertices (thesis, definition 9). The audit judges the same
-// mesh without building any star: two routes to one answer.
+// The domain is the area that the boundary edges enclose, every vertex is a site, and the metric of
+// a vertex is that site's. The stars of all sites are built, each from all sites it sees. A
+// triangle counts when it is in the stars of its three vertices (thesis, definition 9). The audit
+// judges the same mesh without building any star: two routes to one answer.
 #pragma once
 
 #include <array>
@@ -35,13 +36,13 @@ struct adopted_mesh {
   std::vector<vertex_index> number = {};  // of each vertex as it came; empty where none went
 };
 
-// Says whether two vertices at one place are joined to one or refused.
+// Treatment of two vertices at one place: they are joined to one, or refused.
 enum class slit_rule {
   refused,
   joined  // where they are of both sides of a slit: for whoever parts the mesh again
 };
 
-// Says what becomes of edges that lie between triangles of different regions and are not listed.
+// Treatment of edges that lie between triangles of different regions and are not listed.
 enum class region_edges {
   segments,   // of marker 0, with a note: of a mesh that is a domain
   as_listed,  // no segments, so that an audit finds the regions wrong: of a mesh that is judged
@@ -65,32 +66,32 @@ struct certify_report {
   std::array<std::size_t, 4> in_stars{};
   std::vector<vertex_index> not_in_all;  // triangles, ascending
   std::size_t unsettled = 0;             // stars that met the bound of their construction
-  // True if the stars were compared. False if it is no triangulation, or is refused for so much
-  // that its stars were not made, or they took too long.
+  // True if the stars were compared. False if the mesh is no triangulation, or has so many findings
+  // that its stars were not made, or making them exceeded the work limit.
   bool compared = false;
-  // Triangles below the bound as any of their vertices measures them, exempt and collateral ones
-  // among them; those that are inverted or flat have no angles.
+  // Triangles with an angle below the bound by the metric of any of their vertices, exempt and
+  // collateral ones included; inverted and flat triangles have no angles.
   std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
   std::vector<region_area> regions;  // empty where there is but region 1
   // Measurements for the theorem on nets; set for a certified mesh.
   std::optional<theorem_hypotheses> theorem;
 
-  // True if the auditor certifies the mesh: the answer `verify` gives. Stars built afresh may be
-  // others where arcs are not wedged; the report has both.
+  // True if the auditor certifies the mesh: the answer that `verify` gives. Stars built anew may
+  // differ from the mesh where arcs are not wedged; the report has both.
   bool certified() const { return audit.certified; }
   bool is_triangulation() const {
     return audit.stars_checked || audit.found[static_cast<std::size_t>(finding_kind::stopped)] != 0;
   }
 };
 
-// Returns what the auditor is asked of a mesh that brings its own domain, but for the bound; refers
-// to `adopted`.
+// Returns the options of the audit of a mesh that brings its own domain, without the angle bound;
+// refers to `adopted`.
 ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 
 // Builds the stars, compares and audits. An edge is a unit edge when its length, the mean of what
 // its two ends measure, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
-// `check_voronoi` the audit has a verdict on point 5, which certified() does not depend on.
+// `check_voronoi` the audit has a verdict on point 5 as well, on which certified() does not depend.
 // `stop` is polled during the judgement, which it ends.
 ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
                                        bool check_voronoi = false,

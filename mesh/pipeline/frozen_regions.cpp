@@ -22,7 +22,7 @@ bool is_among(const std::vector<int>& regions, int region) {
   return std::find(regions.begin(), regions.end(), region) != regions.end();
 }
 
-// Keeps the edges that triangles have on a side, turned so that one is on the left.
+// Keeps the boundary edges that are a side of some triangle, turned so that it is on their left.
 void keep_edges(mesh& m) {
   const triangle_sides sides(m);
   std::size_t kept = 0;
@@ -48,7 +48,7 @@ std::array<point, 3> sorted_corners(const mesh& m, const triangle& t) {
   return corners;
 }
 
-// A frozen triangle by its region and corners.
+// A frozen triangle by its region and corners, to be compared.
 struct placed_triangle {
   int region;
   std::array<double, 6> corners;
@@ -70,8 +70,8 @@ std::vector<placed_triangle> placed(const mesh& m, const std::vector<int>& froze
   return all;
 }
 
-// Numbers the vertices of triangles in the order of the mesh, and leaves out all others. Returns
-// the old number of each.
+// Renumbers the vertices of triangles in the order of the mesh, without those in no triangle.
+// Returns the old number of each.
 std::vector<vertex_index> drop_vertices(mesh& m) {
   m.disagreeing.clear();
   std::vector<vertex_index> number(m.sites.size(), no_number), old;

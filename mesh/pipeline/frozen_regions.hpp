@@ -3,12 +3,13 @@
 // Adapts a mesh but for the triangles of some of its regions, which stay as they are.
 //
 // The rest is adapted, certified and verified as a mesh of its own: the border with the frozen
-// regions is a part of its boundary, of which every vertex stays. The file has both
-// together: first the rest's vertices, triangles and edges, then the others.
+// regions is a part of its boundary, of which every vertex stays. The file has both parts together:
+// first the rest's vertices, triangles and edges, then the others.
 //
 // A mesher splits edges of a boundary where the metric wants that or stars need it. Those of the
-// border must not be split. So the tensors at its vertices are made coarser, alike in all
-// directions, until the mesh leaves them whole: as much as `border_lengths` says, in its order.
+// border must not be split. So the tensors at its vertices are made coarser, by equal factors in
+// all directions, until the mesh does not split them; `border_lengths` lists the lengths that are
+// tried, in order.
 #pragma once
 
 #include <array>
@@ -24,36 +25,39 @@
 
 namespace asterism {
 
-// Greatest lengths of the border's edges that are tried, as their ends measure them.
+// Greatest metric lengths of the border's edges that are tried in order, as their ends measure
+// them.
 inline constexpr std::array<double, 4> border_lengths = {0.9, 0.6, 0.4, 0.25};
 
-// A mesh without the triangles of some regions.
+// A mesh without the triangles of some regions, and what joins it to these.
 struct frozen_part {
   mesh rest;
-  // The vertex of the whole mesh that each of the rest's is.
+  // Number in the whole mesh of each vertex of the rest.
   std::vector<vertex_index> vertex_of;
-  // Edges between the two, with the rest on the left, in the rest's numbers.
+  // Border edges between the rest and the frozen triangles, with the rest on the left, by the
+  // rest's numbers.
   std::vector<std::array<vertex_index, 2>> border;
   std::vector<vertex_index> shared;  // vertices of both, in the rest's numbers
   std::vector<vertex_index> frozen;  // triangles of the whole mesh that stay, ascending
   std::size_t lone_vertices = 0;     // of the frozen regions alone
 };
 
-// Parts a triangulation in which edges between regions are in the boundary, as adopt_mesh leaves
-// it. Fails where a region has no triangle, or none is left.
+// Divides a triangulation into the frozen triangles and the rest. Requires that edges between
+// regions are boundary edges, as adopt_mesh leaves them. Fails where a region has no triangle, or
+// no triangle is left.
 ASTERISM_EXPORT result<frozen_part> without_regions(const mesh& whole,
                                                     const std::vector<int>& frozen);
 
-// Makes the tensors at the ends of the border's edges coarser where these measure one of them as
-// longer than that. Returns at how many vertices.
+// Makes the tensors at the ends of the border's edges coarser where they measure one of these edges
+// as longer than `length`. Returns the number of vertices changed.
 ASTERISM_EXPORT std::size_t coarsen_border(frozen_part& part, double longest);
 
-// Adds to the marks in the whole mesh's numbers, of which the rest's are kept, that the border's
-// vertices and edges are required.
+// Marks the border's vertices and edges as required, in marks by the whole mesh's numbers that are
+// kept for the rest.
 ASTERISM_EXPORT mesh_marks marks_of_rest(const frozen_part& part, const mesh_marks& marks);
 
-// Puts the frozen triangles beside those of a mesh of the rest. Nothing where an edge of the border
-// is split, or a vertex of it is gone; `split` counts such edges.
+// Joins the frozen triangles to a mesh of the rest. Returns nothing where an edge of the border is
+// split, or a vertex of it is missing; `split` counts such edges.
 ASTERISM_EXPORT std::optional<mesh> with_frozen(const mesh& made, const frozen_part& part,
                                                 const mesh& whole, std::size_t& split);
 
@@ -67,12 +71,12 @@ struct frozen_angles {
 ASTERISM_EXPORT frozen_angles angles_of_frozen(const frozen_part& part, const mesh& whole,
                                                double bound);
 
-// Takes the triangles of the regions out of a mesh that with_frozen made, and leaves the one that
-// it was made of, bit for bit. Fails where the rest's vertices are not the first ones.
+// Removes the triangles of the regions from a mesh that with_frozen made. Returns the mesh of the
+// rest that it was made of, bit for bit. Fails where the rest's vertices are not the first ones.
 ASTERISM_EXPORT result<mesh> rest_of(mesh together, const std::vector<int>& frozen);
 
-// Returns what is wrong with the triangles of the regions in a mesh, against those of another one:
-// each has to be there with the same corners, bit for bit, and no other. Empty: nothing.
+// Returns a sentence on how the triangles of the regions in one mesh differ from those in another:
+// each has to be there with the same corners, bit for bit, and no other. Empty if they are equal.
 ASTERISM_EXPORT std::string difference_of_frozen(const mesh& together, const mesh& before,
                                                  const std::vector<int>& frozen);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads second derivatives that somebody else has: symmetric tensors at the vertices of a mesh, of
-// either sign.
+// Reads second derivatives from a file: symmetric tensors at the vertices of a mesh, of either
+// sign.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@
 
 namespace asterism::internal {
 
-// Returns the tensors of a file in one of the forms that solutions have
-// (mesh/io/solution_file.hpp), or those with these names. `left_out` as read_solution has it. Fails
-// where there is none, and for names that are not there or of something else.
+// Returns the tensors of a file in one of the formats of solutions (mesh/io/solution_file.hpp), all
+// or those with these names. `left_out` is as for read_solution. Fails where there are none, and
+// for names that are missing or not of tensors.
 result<std::vector<nodal_hessian>> read_hessians(const std::string& file, const mesh& m,
                                                  const std::vector<vertex_index>& left_out,
                                                  const std::vector<std::string>& names);

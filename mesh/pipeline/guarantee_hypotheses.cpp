@@ -15,15 +15,15 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the direction of u in coordinates in which m is round: a turn of the plane aside, u times
-// the upper triangular root of m. In radians, from -pi to pi.
+// Returns the direction of u in coordinates in which m is round: up to a rotation, u times the
+// upper triangular root of m. In radians, from -pi to pi.
 double direction_in(const metric_tensor& m, const point& u) {
   const double root = std::sqrt(m.m11);
   const double across = std::sqrt(std::max(0.0, m.m11 * m.m22 - m.m12 * m.m12)) / root;
   return elementary::atan2(across * u.y, root * u.x + m.m12 / root * u.y);
 }
 
-// The least angle between two segments that are next to each other at a vertex.
+// The least angle, in degrees, between two adjacent segments at a vertex.
 struct narrow_corner {
   double degrees = 360;
   bool inside = true;  // is the domain between them?
@@ -61,7 +61,8 @@ result<std::vector<std::vector<segment_end>>> ends_of_segments(const domain& d,
     return std::optional<error>();
   };
   for (const segment& s : d.segments) {
-    // The domain is on the left of a segment, and on its right where it is internal.
+    // Decides by orientation: the domain is on the left of a segment, and on its right too where it
+    // is internal.
     if (auto failure = add(s.a, s.b, true, s.internal)) return *failure;
     if (auto failure = add(s.b, s.a, s.internal, true)) return *failure;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds beforehand what a guarantee cannot be given for (docs/math/guarantee.md): corners that
-// bring sites together whatever the size, and fields that jump.
+// Finds, before a mesh is made, the reasons why no guarantee can be given (docs/math/guarantee.md):
+// corners that bring sites together whatever the size, and fields that jump.
 #pragma once
 
 #include <optional>
@@ -26,8 +26,9 @@ struct field_steepness {
   std::optional<double> bound = {};
 };
 
-// Returns the hypothesis that fails, by name, with vertex and angle or with the place; the options
-// first. Sets `steepness` to what was found of the field. Fails where the field does.
+// Returns the first hypothesis that fails, by name, with vertex and angle or with the place; those
+// on options come first. Sets `steepness` to the rates found of the field. Fails where the field
+// does.
 std::optional<error> refused_guarantee(const domain& d, const metric_field& field,
                                        const mesh_options& options, field_steepness& steepness);
 

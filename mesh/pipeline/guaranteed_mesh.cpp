@@ -26,12 +26,13 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Least distance of a site that mends from all others, metric length: it leaves the covering radius
-// of 0.75 below 1.1 times the spacing, for which the table proves 26.75 degrees at small variation.
+// Least metric distance from all others of a site that mends a triangle: it leaves the covering
+// radius of 0.75 below 1.1 times the spacing, for which the table proves 26.75 degrees at small
+// variation.
 constexpr double guaranteed_spacing = 0.69;
 
-// Returns the greatest variation of the table for which the angle bound is proved of sites that are
-// as far apart as they cover.
+// Returns the greatest variation in the table for which the angle bound is proved of sites whose
+// spacing equals their covering radius.
 double greatest_variation(double angle_bound) {
   double greatest = 0;
   for (std::size_t i = 0; i < theorem::variations.size(); ++i)
@@ -40,8 +41,8 @@ double greatest_variation(double angle_bound) {
 }
 
 // Returns the last step of the ladder that is no finer than the samples of the field demand. One
-// step less may do, as sites see less of a field than its steepest place. The bound of the field
-// from above would skip it, and, where it is not tight, many that do.
+// step less may suffice, as sites see less of a field than its steepest place. An upper bound of
+// the field would skip that step, and, where it is not tight, many that suffice.
 int first_step(const field_steepness& field, double angle_bound) {
   return ladder_step_below(field.sampled * largest_circumradius / greatest_variation(angle_bound));
 }
@@ -73,7 +74,7 @@ mesh_options options_of_step(const mesh_options& asked) {
   return options;
 }
 
-// Makes a mesh with edges as many times shorter as the step says, in the metric of `field`.
+// Makes a mesh in the metric of `field` with edges shortened by the factor of the step.
 result<mesh_outcome> mesh_of_step(const domain& d, const metric_field& field,
                                   const mesh_options& asked, int step,
                                   const progress_listener& progress) {
@@ -96,7 +97,7 @@ result<mesh_outcome> mesh_of_step(const domain& d, const metric_field& field,
   return made;
 }
 
-// A mesh of one step, and why the theorem does not apply to it; empty if it does.
+// The mesh of one step, and why the theorem does not apply to it; empty if it does.
 struct step_taken {
   mesh_outcome outcome;
   int step = 0;
@@ -105,7 +106,7 @@ struct step_taken {
 
 bool is_beyond_limit(const mesh_outcome& made) { return made.how() == ending::site_limit; }
 
-// Says of a mesh that the guarantee is not kept, why, and how far the run came.
+// Makes the outcome state that the guarantee is not kept, why, and how far the run came.
 certified_mesh without_guarantee(certified_mesh judged, int step, const std::string& why) {
   judged.outcome.complete = false;
   judged.claim.complete = false;
@@ -150,7 +151,7 @@ class size_ladder {
     return "the domain is covered within " + format_number(h.covering_radius) + " alone";
   }
 
-  // Audits the mesh of a step, which says how long its edges are.
+  // Audits the mesh of a step and enters the factor by which its edges are shorter.
   certified_mesh judge(const step_taken& taken) const {
     mesh_outcome outcome = taken.outcome;
     outcome.ended.length_factor = 1 / ladder_factor(taken.step);
@@ -168,7 +169,7 @@ class size_ladder {
     return judged;
   }
 
-  // Returns the last complete mesh there is, else the one that ended the ladder.
+  // Returns the last complete mesh if there is one, else the one that ended the ladder.
   certified_mesh ended(step_taken now) {
     if (!last_ || !last_->outcome.complete || now.outcome.complete)
       return without_guarantee(judge(now), now.step, now.obstacle);

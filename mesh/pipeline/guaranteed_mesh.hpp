@@ -16,14 +16,14 @@ namespace asterism {
 // Makes a mesh as make_certified_mesh does, with edges of length 1/k in the metric of `field`,
 // where k is the first of 1, 1.3, 1.69, 2.197, ... for which the theorem on nets applies to a
 // certified mesh with options.angle_bound; `claim.guarantee` says so then. The ladder begins where
-// the field, as sampled, allows it. Where no mesh of at most options.max_sites sites is one, or the
-// run was stopped, the last mesh is returned; it is not complete, and `claim.reason` says how far
-// it came.
+// the field, as sampled, allows it. If the theorem applies to no mesh of at most options.max_sites
+// sites, or the run was stopped, the last mesh is returned; it is not complete, and `claim.reason`
+// says how far the run came.
 //
 // Fails as make_certified_mesh does. Fails, too, naming the hypothesis that does not hold, for an
 // angle bound above 20 degrees, for a vertex with an angle below 55 degrees between segments, as
 // its own metric measures it, and where the field was found to jump. Of `options` the strategy,
-// tolerance, size limit, improvement and metric tolerance are chosen here: sizes are kept, and no
+// tolerance, size limit, improvement and metric tolerance are replaced: sizes are limited, and no
 // tensor is changed.
 ASTERISM_EXPORT result<certified_mesh> make_guaranteed_mesh(const domain& d,
                                                             const metric_field& field,

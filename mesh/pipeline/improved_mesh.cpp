@@ -23,7 +23,7 @@ using adapting::node_kind;
 
 constexpr std::size_t most_tries = 10;  // of one pass
 
-// Measures of a mesh that may not get worse.
+// Numbers of a mesh that an improvement must not make worse.
 struct standing {
   std::size_t sites = 0, exempt = 0;
   double worst_angle = 180;  // away from exempt corners
@@ -50,10 +50,11 @@ bool is_better(const standing& before, const standing& after) {
          (after.sites < before.sites || after.mean_quality > before.mean_quality);
 }
 
-// Sites that local changes propose for those of a mesh.
+// Sites that local changes propose, and how they follow from those of the mesh.
 struct proposed_sites {
   filled_domain filling;
-  // For each site of the mesh: the place proposed, its own if it stays, and 1 if it is gone.
+  // Proposed place of each site of the mesh, its own if it stays, and a flag that is 1 if the site
+  // is removed.
   std::vector<point> places;
   std::vector<char> gone;
 };
@@ -67,7 +68,7 @@ class places_before {
     std::sort(sorted_.begin(), sorted_.end(), less);
   }
 
-  // Returns the site at the point; `none` where there is none.
+  // Returns the site whose proposed place is this point; `none` if there is none.
   vertex_index find(const point& q) const {
     const auto at =
         std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(q, vertex_index{0}), less);
@@ -84,8 +85,8 @@ class places_before {
   std::vector<entry> sorted_;
 };
 
-// Marks the sites of the mesh before the pass that have triangles spoilt by it: where an angle is
-// too small, stars disagree, or a site had to be inserted.
+// Marks the sites, by their numbers before the pass, at triangles that the pass made worse: where
+// an angle is too small, stars disagree, or a site had to be inserted.
 std::vector<char> spoilt_at(const places_before& places, std::size_t count_before,
                             const mesh& after, double worst_before) {
   std::vector<char> spoilt(count_before, 0);
@@ -122,7 +123,7 @@ class improver {
   }
 
  private:
-  // Makes one pass; true if something was accepted.
+  // Makes one pass; returns true if a mesh of it was accepted.
   bool one_pass(improvement_report& report) {
     std::vector<char> barred(now_.sites.size(), 0);
     for (std::size_t attempt = 0; attempt < most_tries; ++attempt) {
@@ -148,8 +149,8 @@ class improver {
     return false;
   }
 
-  // Proposes sites by local changes that leave the metric as it is, and barred sites where they
-  // are. Nothing where the mesh is no triangulation in doubles.
+  // Proposes sites by local changes that keep the metric field, and keep barred sites in place.
+  // Returns nothing where the mesh is no triangulation in doubles.
   std::optional<proposed_sites> propose(const std::vector<char>& barred) const {
     auto built = adapting::working_mesh::build(job_.shape, now_);
     if (!built) return std::nullopt;
@@ -164,15 +165,16 @@ class improver {
     return sites_of(m);
   }
 
-  // Returns the field's tensor; where it fails, one with which every face is refused.
+  // Returns the field's tensor; where the field fails, one by which every face is refused.
   metric_tensor tensor_at(const point& q) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto there = job_.field.at(q);
     return there ? there.value() : metric_tensor{nan, nan, nan};
   }
 
-  // True if the face has no angle below the mesh's worst, and is hardly too large. Faces are tested
-  // before flips and moves around them; what is too large in the end is divided by refinement.
+  // True if the face has no angle below the mesh's worst, and is at most a little too large. Faces
+  // are tested before flips and moves around them; refinement divides faces that are too large in
+  // the end.
   bool may_be(const node& a, const node& b, const node& c) const {
     constexpr double larger = 1.05;
     const triangle_sites t{site{a.position, a.metric}, site{b.position, b.metric},
@@ -208,8 +210,8 @@ class improver {
     return moved;
   }
 
-  // Refines the proposal, with no more sites than there are; work for one mesh is counted from
-  // zero.
+  // Refines the proposal, limited to the present number of sites. Counts the work from zero, as for
+  // one mesh.
   result<mesh_outcome> refined(const filled_domain& proposed) const {
     tier_counters own;
     const auto own_kernel = job_.kernel.fork(own);
@@ -220,8 +222,8 @@ class improver {
     return made;
   }
 
-  // Replaces the mesh if the one made is complete and better; true if it was. Leaves it in tried_
-  // otherwise.
+  // Replaces the mesh if the new one is complete and better; returns true if so. Otherwise leaves
+  // the new one in tried_.
   bool accept(mesh_outcome made) {
     tried_ = made.result;
     const standing after = standing_of(tried_, made.exempt_triangles);
@@ -232,8 +234,8 @@ class improver {
     return true;
   }
 
-  // Bars the sites in spoilt triangles and all that were their neighbours. Returns whether there
-  // are more than before.
+  // Bars the sites in spoilt triangles and all that were their neighbours. Returns whether that
+  // barred further sites.
   bool bar_neighbourhoods(const proposed_sites& p, std::vector<char>& barred) const {
     const std::vector<char> spoilt =
         spoilt_at(places_before(p), now_.sites.size(), tried_, standing_.worst_angle);

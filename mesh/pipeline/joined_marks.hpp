@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Brings the marks of a mesh's file to the numbers of the mesh with its slits joined.
+// Converts marks by the vertices of a mesh's file to marks by the vertices of the mesh with its
+// slits joined.
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace asterism::internal {
 
-// Returns the marks in these numbers, one for each vertex of the file; as they are where there are
-// none.
+// Returns the marks by the mesh's vertex numbers. `number` has one of these for each vertex of the
+// file; where it is empty the marks stay as they are.
 inline mesh_marks joined_marks(mesh_marks marks, const std::vector<vertex_index>& number) {
   if (number.empty()) return marks;
   for (auto* const list : {&marks.corners, &marks.required_vertices})

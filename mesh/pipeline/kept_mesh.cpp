@@ -30,8 +30,9 @@ double logarithmic_mean_length(const site& a, const site& b) {
 
 }  // namespace
 
-// Triangles of unit edges have an area of sqrt(3) / 4, and the vertices are half of the triangles,
-// half of the edges of the boundary and the Euler characteristic.
+// Computes the number of vertices from the area: triangles of unit edges have an area of sqrt(3) /
+// 4, and the number of vertices is half that of the triangles, plus half that of the boundary's
+// edges, plus the Euler characteristic.
 unit_counts vertices_of_unit_edges(const mesh& m) {
   const mesh_links links(m);
   std::vector<metric_tensor> tensors;
@@ -54,8 +55,8 @@ unit_counts vertices_of_unit_edges(const mesh& m) {
   return {inside, inside + boundary / 2 + euler};
 }
 
-// The number wanted sets the area of the metric in meshes made for a number of vertices, and unit
-// edges set it in others.
+// Compares with the number named, which sets the area of the metric, or else with the number that
+// unit edges take.
 bool has_enough_vertices(const mesh& m, const mesh_options& options) {
   constexpr double of_named = 0.02, tolerable = 0.1;
   const auto got = static_cast<double>(m.sites.size());
@@ -100,7 +101,7 @@ bool are_no_worse(const edge_lengths& lengths, const edge_lengths& of_new) {
          lengths.greatest <= std::max(greatest_length, of_new.greatest * times);
 }
 
-// Tests what costs little first.
+// Makes the cheap tests first.
 std::optional<mesh_outcome> outcome_of_keeping(const mesh& m, const domain& shape,
                                                const mesh_options& options) {
   audit_options asked;

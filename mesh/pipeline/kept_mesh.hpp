@@ -21,8 +21,8 @@ struct unit_counts {
 // Returns how many vertices the domain of the mesh takes with edges of length one in its metric.
 unit_counts vertices_of_unit_edges(const mesh& m);
 
-// True if the mesh has as many vertices as were named, to 2 %, or, where none were, as its metric
-// asks for, to a tenth.
+// True if the mesh has the named number of vertices, to 2 %, or, if none was named, the number that
+// its metric asks for, to a tenth.
 bool has_enough_vertices(const mesh& m, const mesh_options& options);
 
 // Lengths of the edges of a mesh, each the logarithmic mean of what its ends measure.
@@ -34,19 +34,19 @@ struct edge_lengths {
 // Measures the edges of the mesh.
 edge_lengths edge_lengths_of(const mesh& m);
 
-// True if 95 edges of a hundred are near one, and none is below a third or above 1.75, as nearly
-// all new meshes have them in the metric they are delivered in. Of those that functions with fronts
-// and layers ask for, 97 to 99 of a hundred are near one, the least from 0.39 and the greatest up
-// to 1.65 (docs/results/adaptation.md).
+// True if 95 edges of a hundred have lengths near one, and none is below a third or above 1.75, as
+// in nearly all new meshes by the metric they are delivered in. In meshes for functions with fronts
+// and layers, 97 to 99 of a hundred are near one, the least from 0.39 and the greatest up to 1.65
+// (docs/results/adaptation.md).
 bool are_as_in_new_mesh(const edge_lengths& lengths);
 
-// True if as many of them are near one as in this new mesh, to 2 %, and none is beyond both the
-// range above and that of the new mesh by a quarter: where the domain has vertices nearer to each
-// other than the metric wants, or the metric jumps, no mesh has better ones.
+// True if the share of lengths near one is that of the new mesh, to 2 %, and no length is both
+// outside the range above and a quarter beyond the new mesh's range: where the domain has vertices
+// nearer to each other than the metric wants, or the metric jumps, no mesh has better ones.
 bool are_no_worse(const edge_lengths& lengths, const edge_lengths& of_new);
 
-// Returns the outcome of leaving the mesh of this domain as it is, where the auditor has nothing
-// against it.
+// Returns the outcome that keeps the mesh of this domain as it is, where the auditor certifies
+// it.
 std::optional<mesh_outcome> outcome_of_keeping(const mesh& m, const domain& shape,
                                                const mesh_options& options);
 

@@ -27,7 +27,7 @@ std::vector<sized_place> segments_of(const domain& d) {
   return places;
 }
 
-// Vertices inside the domain, found by their place.
+// Vertices inside the domain, indexed by their place.
 class inner_vertices {
  public:
   explicit inner_vertices(const domain& d) : index_(d.box()) {
@@ -41,7 +41,7 @@ class inner_vertices {
     index_.insert(static_cast<std::uint32_t>(places_.size()), {q, q});
     places_.push_back(q);
   }
-  // True if one is nearer to s than the metric length `distance`, as s measures it.
+  // True if some vertex is nearer to s than the metric length `distance`, as s measures it.
   bool has_near(const site& s, double distance) const {
     return !index_.visit(box_around(s, distance), [&](std::uint32_t i) {
       return squared_distance(s, places_[i]) >= distance * distance;
@@ -53,7 +53,7 @@ class inner_vertices {
   std::vector<point> places_;
 };
 
-// Returns the point over the middle of p and q, on the left, at this height.
+// Returns the point at this height over the middle of p and q, on their left.
 point over_middle(const point& p, const point& q, double height) {
   const double x = q.x - p.x, y = q.y - p.y, length = std::sqrt(x * x + y * y);
   return {p.x + x / 2 - height * (y / length), p.y + y / 2 + height * (x / length)};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Puts the first row of vertices of boundary layers where it is wanted. A metric alone leaves the
-// height of the first cell to chance: edges of a mesh are between 0.7 and 1.4 long in it, and so
-// are heights. A vertex of the domain at the height asked for is one of the mesh.
+// Adds the first row of vertices of boundary layers as vertices of the domain.
+//
+// A metric alone leaves the height of the first cell to chance: edges of a mesh are between 0.7 and
+// 1.4 long in it, and so are heights. A vertex of the domain at the height asked for is one of the
+// mesh.
 #pragma once
 
 #include "asterism/core/export.h"
@@ -15,9 +17,9 @@ namespace asterism {
 
 // Returns the domain with a vertex at the height of the first layer over the middle of each piece
 // that a side with layers will be divided into, in this metric. `d` as check_domain leaves it,
-// `field` with the layers in it. Left out are vertices that would be outside, nearer than nine
-// tenths of the height to another segment, or nearer than 0.7 in the metric to one that is there:
-// in corners and in gaps two layers have no room. At most `most` are added. Fails where the field
+// `field` with the layers in it. Leaves out vertices that would be outside, nearer than nine
+// tenths of the height to another segment, or nearer than 0.7 in the metric to another vertex: in
+// corners and in gaps two layers have no room. At most `most` are added. Fails where the field
 // does.
 ASTERISM_EXPORT result<domain> with_layer_rows(domain d, const size_wishes& wishes,
                                                const metric_field& field, std::size_t most);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a mesh of a domain in a metric field, without judging it: pipeline/certified_mesh.hpp does
-// both.
+// Makes a mesh of a domain in a metric field, without an audit; pipeline/certified_mesh.hpp makes
+// and audits one.
 #pragma once
 
 #include "asterism/core/result.hpp"

@@ -54,14 +54,15 @@ bool wants_delivery(const mesh_outcome& made, const mesh_options& options) {
          !has_one_metric(made.result);
 }
 
-// Returns the options with a part of the work that is left.
+// Returns the options with a stop that limits the work to this share of what is left.
 mesh_options with_part_of_work(const mesh_options& options, double share) {
   mesh_options limited = options;
   limited.stop = options.stop.part(share);
   return limited;
 }
 
-// Shares of the work; what is left in the end is for one metric for all sites.
+// Shares of the work for two kinds of attempts; the work left after them is for one metric for all
+// sites.
 constexpr double for_delivery = attempt_rules[0].share_of_work,
                  for_metric_wanted = attempt_rules[2].share_of_work;
 
@@ -118,10 +119,12 @@ class attempts_at_mesh {
 
   bool is_overworked() const { return as_wanted_ && as_wanted_->ended.how == ending::overworked; }
 
-  // Preconditions, in the order of the list; asked once each.
+  // True if the attempts begin with a delivered metric. The preconditions follow in the order of
+  // the list; each is asked once.
   bool begins_with_delivery() { return is_first_ && may_deliver_; }
 
-  // Notes why the metric wanted gets a small share of the work.
+  // True if a mesh in the wanted metric is unlikely, or wants few sites; remembers why, since that
+  // attempt then gets a small share of the work.
   bool is_mesh_unlikely() {
     const bool may_give_up = may_adapt(options_) && options_.metric_tolerance != 0.0 && !is_first_;
     wants_few_ = may_give_up && delivery_.wants_few_sites();
@@ -145,8 +148,8 @@ class attempts_at_mesh {
     return wants_other_metric(*as_wanted_, options_) && !options_.metric_tolerance;
   }
 
-  // Makes a mesh in a delivered metric, and shows it if it passes. Without a size it aims at about
-  // as many sites as the mesh in the metric wanted has.
+  // Makes a mesh in a delivered metric, and chooses it if it is within the tolerance. Without a
+  // size it aims at about the number of sites of the mesh in the wanted metric.
   failure deliver(const attempt_rule& by) {
     constexpr std::size_t fewest = 400, most = 2000;
     const std::size_t few =
@@ -161,7 +164,7 @@ class attempts_at_mesh {
     return std::nullopt;
   }
 
-  // Makes one in the metric wanted: in the frame, and brings it back.
+  // Makes a mesh in the wanted metric, in the unit frame, and scales it back.
   failure keep_to_metric(const attempt_rule& by, const mesh_options& options, double share) {
     const meshing_context job{stars_on_, image_.shape(), image_.field(), options,
                               progress_, share,          confirmed_};
@@ -187,7 +190,7 @@ class attempts_at_mesh {
 
   failure go_on(const attempt_rule& by) { return keep_to_metric(by, going_on_, by.share_of_stars); }
 
-  // Leaves curves out: without demands, chords stay straight.
+  // Makes a mesh in one metric. Leaves curves out: without demands, chords stay straight.
   failure take_one_metric(const attempt_rule& by) {
     domain straight = domain_;
     straight.curves.clear();
@@ -201,7 +204,7 @@ class attempts_at_mesh {
     return std::nullopt;
   }
 
-  // Chooses what to show where no metric within the tolerance led to a mesh. With a tolerance of 0
+  // Chooses the mesh to show where no metric within the tolerance led to one. With a tolerance of 0
   // that is the mesh of the metric wanted, whose stars do not all agree; else the mesh of a metric
   // that is too far away, whose stars do.
   void choose() {
@@ -256,8 +259,8 @@ const std::array<attempts_at_mesh::step, attempt_count> attempts_at_mesh::steps 
     {&attempt_rules[5], &attempts_at_mesh::wants_one_metric, &attempts_at_mesh::take_one_metric},
 }};
 
-// Marks a mesh whose improvement was cut short by a limit or an interrupt: it would pass for the
-// mesh of the whole run otherwise, which is another one.
+// Marks a mesh whose improvement was cut short by a limit or an interrupt: unmarked, it could be
+// taken for the mesh of the whole run, which is another one.
 void note_stop(const cancellation& stop, mesh_outcome& made) {
   if (!made.complete) return;
   const auto why = stop.told();
@@ -277,7 +280,8 @@ result<mesh_outcome> make_by_attempts(const domain& d, const metric_field& field
   mesh_options bounded = options;
   bounded.stop = with_run_work(options.stop, work_for_ways(options));
   bounded.stop.expect(d.vertices.size());
-  // Has the mesher confirm the mesh that an improvement starts from: passes are compared with it.
+  // Makes the mesher confirm all stars of the mesh that an improvement starts from: passes are
+  // compared with it.
   if (options.improve_passes > 0) confirmed = star_confirmation::by_mesher;
   const vertex_renumbering order(d);
   auto outcome =

@@ -13,10 +13,10 @@
 
 namespace asterism::internal {
 
-// Makes the mesh of make_mesh(). By_auditor, the last look at every star is left out: a complete
-// outcome is then one that the audit may refuse for a star, if rarely, and the call is to be
-// repeated by_mesher. Without `may_deliver` no metric is delivered, as where none led to a mesh
-// before.
+// Makes the mesh of make_mesh(). By_auditor, the last test of every star is left to the
+// audit, which may, rarely, refuse a complete outcome for a star; the call is then to be
+// repeated by_mesher. Without `may_deliver` no metric is delivered, as where none led to a
+// mesh before.
 result<mesh_outcome> make_by_attempts(const domain& d, const metric_field& field,
                                       const mesh_options& options,
                                       const progress_listener& progress,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes what a mesh is made of: the domain, with chords for its curves, and the metric, scaled as
-// it is asked for. Each depends on the other: chords are as long as the metric wants edges, and a
+// Makes the input of a mesh: the domain, with chords for its curves, and the metric, scaled as it
+// is asked for. Each depends on the other: chords are as long as the metric wants edges, and a
 // metric may be placed in the box of the domain that is meshed.
 #pragma once
 
@@ -20,7 +20,8 @@
 
 namespace asterism {
 
-// Makes the metric for edges of this length, for a domain with this box. Called several times.
+// Function that makes the metric for edges of this length, for a domain with this box. Called
+// several times.
 using field_in_box =
     std::function<result<std::unique_ptr<metric_field>>(double size, const bounding_box& box)>;
 
@@ -33,7 +34,7 @@ struct mesh_source {
   std::size_t random_points = 0;               // added to the domain's vertices
 };
 
-// A domain and a metric of one density.
+// The domain and the metric for one density.
 struct mesh_input {
   domain shape;
   scaled_metric metric;

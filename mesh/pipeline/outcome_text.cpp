@@ -22,7 +22,7 @@ std::string place_text(const point& at) {
   return fmt::format("({}, {})", format_number(at.x), format_number(at.y));
 }
 
-// Returns what is known of the places of bad triangles; empty if nothing is.
+// Returns a clause on the places of bad triangles; empty if none are known.
 std::string places_text(const refinement_ending& e) {
   std::string text;
   if (e.steep)
@@ -53,7 +53,7 @@ std::string crowded_text(const crowded_site& crowded) {
       crowded.sites, place_text(crowded.where), crowded.neighbours);
 }
 
-// Returns the ending alone, whatever size was delivered.
+// Returns the text of the ending alone, whatever size was delivered.
 std::string plain_text(const refinement_ending& e) {
   switch (e.how) {
     case ending::site_limit:
@@ -82,7 +82,7 @@ std::string plain_text(const refinement_ending& e) {
   }
 }
 
-// Returns that the limit on sites made edges longer than wanted; nothing where it did not.
+// Returns a clause that the limit on sites made edges longer than wanted; nothing where it did not.
 std::string size_text(const refinement_ending& e) {
   if (!(e.length_factor > 1)) return "";
   const std::string wanted =
@@ -103,7 +103,7 @@ std::pair<double, point> shortest_edge(const mesh& m) {
   return least;
 }
 
-// Returns how far the metric is from the one wanted, and what that one measures.
+// Returns a clause on the distance of the metric from the one wanted, with the measures of both.
 std::string distances_text(const mesh_outcome& outcome) {
   const delivered_report& report = *outcome.delivered;
   return fmt::format(
@@ -123,7 +123,7 @@ std::string low_text(const mesh_outcome& outcome) {
                      report.low_wanted.size(), outcome.one_metric->angle_bound, worst);
 }
 
-// Returns that two vertices are a rounding apart; nothing where none are.
+// Returns a clause that two given vertices are a rounding apart; nothing where none are.
 std::string rounding_text(const std::optional<close_vertices>& close) {
   if (!close) return "";
   return fmt::format("; vertices {} and {} at {} are {} apart, which leaves no room for triangles",
@@ -131,14 +131,14 @@ std::string rounding_text(const std::optional<close_vertices>& close) {
                      format_number(close->length));
 }
 
-// Returns how the run ended in the metric as given.
+// Returns the text of how the run ended in the metric as given.
 std::string text_as_given(const last_resort_report& report) {
   return ending_text(report.as_given) + rounding_text(report.too_close);
 }
 
-// Explains an outcome without demands in a metric that is the same everywhere as it is given.
-// Another one cannot help; the obstacle is a limit, which is named, or details of the domain far
-// smaller than the rest, near which the shortest edge is.
+// Explains an outcome without demands where the given metric is the same everywhere. Another metric
+// cannot help; the obstacle is a limit, which is named, or details of the domain far smaller than
+// the rest, near which the shortest edge is.
 std::string text_without_demands(const mesh_outcome& outcome) {
   const auto [length, at] = shortest_edge(outcome.result);
   return fmt::format(
@@ -158,7 +158,8 @@ std::string one_metric_text(const mesh_outcome& outcome) {
       distances_text(outcome), ending_text(outcome.ended), low_text(outcome));
 }
 
-// Gives a distance that is suggested as a tolerance to its last digit: rounded, it might be less.
+// Returns the distance in all its digits, since it is suggested as a tolerance: rounded, it might
+// be less.
 std::string intolerable_text(const mesh_outcome& outcome) {
   using measure = intolerable_distance::measure;
   const intolerable_distance& distance = *outcome.intolerable;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Words how a run ended. Outcomes are data; no other place makes sentences of them.
+// Returns texts of how a run ended. Outcomes are data; sentences about them are written only here.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ namespace asterism {
 // "stuck: 3 bad triangles are left, and no candidates on Voronoi arcs farther than ...".
 ASTERISM_EXPORT std::string ending_text(const refinement_ending& ended);
 
-// Returns the same for a whole run: for a mesh of one metric for all sites also why there is no
-// other, how far that is from the one given, and what that one measures. Certificates hold this
-// text as their reason. For programs there is mesh_outcome::how().
+// Returns the text for a whole run. For a mesh in one metric for all sites it adds why there is no
+// other, the distance of that metric from the one given, and what that one measures. Certificates
+// hold this text as their reason. For programs there is mesh_outcome::how().
 ASTERISM_EXPORT std::string ending_text(const mesh_outcome& outcome);
 
 }  // namespace asterism

@@ -12,8 +12,8 @@
 namespace asterism::internal {
 namespace {
 
-// True if the segments of a domain are the first ones of another, in their order and directions,
-// whole or by the first chord of the curve that each is on.
+// True if the segments of one domain begin the list of another, in order and direction, each whole
+// or as the first chord of its curve.
 bool begins_with(const domain& divided, const domain& whole) {
   if (divided.segments.size() < whole.segments.size() ||
       divided.curves.size() != whole.curves.size())
@@ -21,7 +21,7 @@ bool begins_with(const domain& divided, const domain& whole) {
   std::size_t others = 0;
   for (std::size_t s = 0; s < whole.segments.size(); ++s) {
     const segment &now = divided.segments[s], &before = whole.segments[s];
-    // Vertices of the whole keep their numbers, as new ones come after them.
+    // Compares vertices by number: those of the whole keep theirs, as new ones come after them.
     const bool starts = now.a == before.a, ends = now.b == before.b;
     if (now.internal != before.internal || !(starts || ends)) return false;
     others += starts && ends ? 0 : 1;
@@ -44,7 +44,7 @@ chorded_outline with_chords_for(const mesh& m, const mesh_outline& found) {
       static_cast<std::size_t>(part * std::min(vertices_of_unit_edges(m).inside, most));
   auto divided = divide_curves_anew(found.shape, chords);
   if (!divided || !begins_with(divided.value(), found.shape)) return made;
-  // Leaves a ragged boundary as it is: divided, it took 15,852 triangles where 7,000 were wanted.
+  // Keeps a ragged boundary undivided: divided, it took 15,852 triangles where 7,000 were wanted.
   const std::size_t more = divided.value().segments.size() - found.shape.segments.size();
   if (more > chords.most_chords) return made;
   made.shape = std::move(divided).value();

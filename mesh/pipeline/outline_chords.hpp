@@ -11,17 +11,18 @@
 
 namespace asterism::internal {
 
-// A domain found, with chords for its cubics, and the boundary before along its segments.
+// A domain found of a mesh, with chords for its cubics, and the former boundary along its segments.
 struct chorded_outline {
   domain shape;
   former_boundary former;
 };
 
 // Halves the cubics of the outline while their chords are farther from them than a part of the size
-// that the metric of the mesh wants across (mesh/domain/divide_curves.hpp); without, a chord that
-// is as long as an edge wanted stays however far it is. Returns the outline as it is where it has
-// no cubics, where they cannot be divided, or where that takes more than a quarter as many chords
-// as unit edges take vertices inside, as on a coast, where cubics are a guess.
+// that the metric of the mesh wants across (mesh/domain/divide_curves.hpp); Without such a bound a
+// chord as long as a wanted edge would stay at any distance from its cubic. Returns the outline as
+// it is where it has no cubics, where they cannot be divided, or where the chords would be more
+// than a quarter of the number of inside vertices that unit edges take, as on a coast, where cubics
+// are a guess.
 chorded_outline with_chords_for(const mesh& m, const mesh_outline& found);
 
 }  // namespace asterism::internal

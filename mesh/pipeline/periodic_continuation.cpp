@@ -16,8 +16,8 @@ namespace {
 
 using partner_list = std::vector<std::array<vertex_index, 2>>;
 
-// Number of rings of triangles that are copied: the metric at a seam is a mean of what its
-// neighbours have, which a fit takes from four rings around each at most.
+// Number of rings of triangles that are copied: the metric at a seam is a mean over its neighbours,
+// each of which is fitted to four rings at most.
 constexpr int rings = 5;
 
 class continuation {
@@ -29,7 +29,7 @@ class continuation {
     std::iota(made_.origin.begin(), made_.origin.end(), vertex_index{0});
   }
 
-  // Continues the mesh across both sides of a pair, of which the second is the first shifted.
+  // Copies the mesh across both sides of a pair whose second side is the first one shifted.
   void across(const partner_list& partners, const point& shift) {
     std::map<vertex_index, vertex_index> to_second, to_first;
     for (const auto& [a, b] : partners) {
@@ -49,7 +49,8 @@ class continuation {
   glued_mesh take() && { return std::move(made_); }
 
  private:
-  // Returns the triangles within some rings of the vertices that are, or are copies of, a side's.
+  // Returns the triangles within some rings of the vertices of a side, copies of such vertices
+  // included.
   std::vector<triangle> near(const std::map<vertex_index, vertex_index>& side) const {
     std::vector<char> reached(which_.size(), 0);
     for (std::size_t v = 0; v < reached.size(); ++v)
@@ -73,7 +74,7 @@ class continuation {
                                            image(t[2], partner, by, digit)});
   }
 
-  // Returns the vertex that the copy of one is: its partner, where that is there, or a new one.
+  // Returns the vertex that is the copy of another: its partner where that exists, or a new one.
   vertex_index image(vertex_index v, const std::map<vertex_index, vertex_index>& partner,
                      const point& by, std::uint64_t digit) {
     const vertex_index own = made_.origin[v];
@@ -92,8 +93,8 @@ class continuation {
   }
 
   glued_mesh made_;
-  // Numbers, for each vertex, that tell the copies of one origin apart: a digit to the base of
-  // three for each pair that was passed, 1 and 2 for copies beyond its second and its first side.
+  // Keys, by vertex, that distinguish the copies of one original: one digit to the base of three
+  // for each pair, 1 for a copy beyond its second side and 2 for one beyond its first.
   std::vector<std::uint64_t> which_;
   std::map<std::pair<vertex_index, std::uint64_t>, vertex_index> places_;
 };

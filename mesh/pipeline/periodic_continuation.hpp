@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Continues a mesh across periodic sides, so that second derivatives of a periodic solution are
-// recovered there as inside.
+// recovered at these sides as in the interior.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,7 @@
 namespace asterism::internal {
 namespace {
 
-// The metric along the first side, at least as fine in every direction as those on both sides.
+// Metric field along the first side, at least as fine in every direction as that on either side.
 class finer_of_sides final : public metric_field {
  public:
   finer_of_sides(const metric_field& field, const side_map& map) : field_(field), map_(map) {}
@@ -34,7 +34,7 @@ class finer_of_sides final : public metric_field {
   const side_map& map_;
 };
 
-// The points that a mesh has on a segment, from its start to its end.
+// Points of a mesh on each segment, from the segment's start to its end.
 using points_on_segment = std::vector<std::vector<point>>;
 
 points_on_segment points_between(const domain& d, const mesh& m) {

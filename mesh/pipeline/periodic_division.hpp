@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A domain whose periodic sides are divided at their stations, and what a mesh of it adds to them.
+// Divides the periodic sides of a domain at stations, and adds the points that a mesh of it has
+// there.
 #pragma once
 
 #include <array>
@@ -22,17 +23,18 @@ namespace asterism::internal {
 std::optional<error> divide_by_length(const metric_field& field, std::size_t most,
                                       periodic_sides& sides);
 
-// A domain with the stations as vertices, so that a mesh has them whatever way it is made.
+// The domain with the stations as vertices, so that a mesh has them whatever way it is made.
 class periodic_division {
  public:
   periodic_division(const domain& d, const std::vector<periodic_sides>& all);
 
   const domain& shape() const { return shape_; }
-  // Adds to the stations where the mesh splits a segment of either side: at the places of the
-  // first, and where that has none between two stations, at those of the second. Returns how many
-  // it adds.
+  // Adds stations where the mesh splits a segment of either side: at the split points of the
+  // first, or, where it has none between two stations, at those of the second. Returns the number
+  // added.
   std::size_t take_splits(const mesh& m, std::vector<periodic_sides>& all) const;
-  // Makes the outcome of the divided domain one of the domain itself. Stations are split points.
+  // Converts the outcome of the divided domain to one of the domain itself, in which stations are
+  // split points.
   void restore(mesh_outcome& made) const;
 
  private:

@@ -15,8 +15,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Rounds in which a mesh may ask for more on its sides. Those of a fill end by themselves; of local
-// changes that is not proved (docs/math/periodic.md).
+// Largest number of rounds in which meshes add stations on the sides. That the rounds end is proved
+// for fills, not for local changes (docs/math/periodic.md).
 constexpr int most_rounds = 100;
 
 using all_sides = std::vector<periodic_sides>;
@@ -89,8 +89,8 @@ result<certified_mesh> make_periodic_mesh(const domain& d, const metric_field& f
                                           const std::vector<periodic_pair>& pairs,
                                           const progress_listener& progress) {
   if (pairs.empty()) return make_certified_mesh(d, field, options, progress);
-  // Darts start from the distance of the nearest vertices, and the stations are near: of a square
-  // with 224 sites there were 6,700 after a minute, and no end.
+  // Refuses darts: they start from the distance of the nearest vertices, and stations are near: of
+  // a square with 224 sites there were 6,700 after a minute, and no end.
   if (options.strategy == refinement_strategy::poisson_darts)
     return error{"periodic sides are made by the strategies fill and voronoi, not by darts",
                  error_code::bad_option};

@@ -7,8 +7,8 @@
 //   for (const periodic_match& match : made.value().claim.periodic) say(text_of(match));
 //
 // Sides are divided once by metric length, in the finer of the metrics on both. Where a mesh needs
-// more on either, both get that, and it is made again, until both sides of all pairs agree
-// (docs/math/periodic.md).
+// more points on one side, both sides get them, and it is made again, until both sides of all pairs
+// agree (docs/math/periodic.md).
 #pragma once
 
 #include <optional>
@@ -24,11 +24,11 @@
 
 namespace asterism {
 
-// Makes the mesh; without pairs, that of make_certified_mesh. Requirements and failures are its
-// own; fails, too, with a sentence that names both markers, where two sides cannot match: one is no
-// line with two ends, is of a curve, or is not the other shifted or turned; and for darts. The
-// certificate has the pairs, and how they match as match_periodic found; a mesh in which they do
-// not is not complete.
+// Makes the mesh; without pairs, that of make_certified_mesh. Requirements and failures are those
+// of make_certified_mesh. Fails, too, with a sentence that names both markers, where two sides
+// cannot match: if one is no line with two ends, is part of a curve, or is not the other one
+// shifted or turned; and for darts. The certificate has the pairs, and how they match as
+// match_periodic found; a mesh in which they do not is not complete.
 ASTERISM_EXPORT result<certified_mesh> make_periodic_mesh(const domain& d,
                                                           const metric_field& field,
                                                           const mesh_options& options,

@@ -17,13 +17,14 @@
 
 namespace asterism::internal {
 
-// A side with its vertices in the order in which they go together.
+// A side as a line, its vertices in the order in which they match those of the other side.
 struct side_line {
   std::vector<vertex_index> vertices, segments;
   std::vector<double> at;  // the length up to each vertex
 };
 
-// A corner of either side or both, by its place among the vertices of the line.
+// A corner of the first side, of the second or of both, as its index among the vertices of the
+// line.
 struct corner_pair {
   std::optional<std::size_t> first, second;
 };
@@ -46,7 +47,7 @@ bool is_exact_sum(double a, double b, double sum) {
   return sum - from_b == a && from_b == b && std::isfinite(sum);
 }
 
-// True if the map takes the one exactly to the other. A turn by quarters is exact.
+// True if the map takes the one point exactly to the other. A turn by quarters is exact.
 bool maps_exactly(const side_map& map, const point& from, const point& to) {
   const point t = map.turned(from);
   return is_exact_sum(t.x, map.shift.x, to.x) && is_exact_sum(t.y, map.shift.y, to.y);
@@ -56,14 +57,14 @@ point at_part(const point& a, const point& b, double part) {
   return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
 }
 
-// Returns at which part of the way from a to b a place is.
+// Returns the parameter, from 0 at a to 1 at b, of the foot of a point on the line.
 double part_of(const point& a, const point& b, const point& q) {
   const double x = b.x - a.x, y = b.y - a.y;
   return ((q.x - a.x) * x + (q.y - a.y) * y) / (x * x + y * y);
 }
 
-// True if a place may stand for one on the line from a to b: it is no farther from it, or farther
-// along an axis on which the line is, than rounding explains.
+// True if a place may represent a point of the line from a to b: it is no farther from the line, or
+// farther along an axis on which the line is, than rounding explains.
 bool is_near_enough(const point& a, const point& b, const point& on_line, const point& q) {
   constexpr double units = 2, along_axis = 0x1p-30;
   const double unit =
@@ -75,7 +76,7 @@ bool is_near_enough(const point& a, const point& b, const point& on_line, const 
 }
 
 // Finds doubles near `from` and its image with to = sign * from + shift exactly. Tries fewer and
-// fewer bits: a sum of doubles is a double if neither has bits below its last one.
+// fewer bits: a sum of doubles is exact if neither has bits below the last bit of the sum.
 std::optional<std::array<double, 2>> exact_relation(double from, double sign, double shift) {
   constexpr int most_bits = 23;
   const double to = sign * from + shift;
@@ -91,7 +92,7 @@ std::optional<std::array<double, 2>> exact_relation(double from, double sign, do
   return std::nullopt;
 }
 
-// Returns a place near `from` and its exact image.
+// Returns a place near `from` whose image is a double, and that image.
 std::optional<std::array<point, 2>> exact_images(const side_map& map, const point& from) {
   if (map.sine == 0) {
     const auto x = exact_relation(from.x, map.cosine, map.shift.x);
@@ -164,7 +165,7 @@ void measure(const domain& d, side_line& line) {
                                                         d.vertices[line.vertices[i + 1]]));
 }
 
-// Makes corners of the two sides a pair where they are at about the same length.
+// Pairs the corners of the two sides that are at about the same length along their lines.
 std::vector<corner_pair> paired(const side_line& first, const side_line& second, double allowed) {
   std::vector<corner_pair> pairs{{0, 0}};
   const std::size_t n = first.vertices.size() - 1, m = second.vertices.size() - 1;
@@ -181,7 +182,7 @@ std::vector<corner_pair> paired(const side_line& first, const side_line& second,
 
 }  // namespace
 
-// Finds the sides of one pair of markers.
+// Matches the sides of one pair of markers.
 class side_finder {
  public:
   side_finder(const domain& d, const periodic_pair& markers) : d_(d), markers_(markers) {}
@@ -233,8 +234,8 @@ class side_finder {
     });
   }
 
-  // Returns the turn that takes the way from the first end to the last of one side to that of the
-  // other.
+  // Returns the turn that takes the direction from the first end to the last of one side to that of
+  // the other.
   side_map chord_turn() const {
     const point a{first(first_.segments.size()).x - first(0).x,
                   first(first_.segments.size()).y - first(0).y};
@@ -253,8 +254,8 @@ class side_finder {
     return error{"the one is not the other shifted or turned: " + lost_};
   }
 
-  // Places the stations at the corners. False, with the reason in `lost_`, where one has no partner
-  // on the other side.
+  // Places the stations at the corners. Returns false, with the reason in `lost_`, where a corner
+  // has no partner on the other side.
   bool place_corners(const side_map& map) {
     made_ = {};
     made_.map_ = map;
@@ -311,7 +312,7 @@ class side_finder {
                      lose(first(i), image, "the other side is not");
   }
 
-  // Places what a corner of the second side is the image of.
+  // Places the point of the first side whose image is this corner of the second side.
   bool place_origin(std::size_t k, std::size_t i, side_station& station) {
     const side_map& map = made_.map_;
     const point back{second(k).x - map.shift.x, second(k).y - map.shift.y}, &a = first(i),

@@ -20,8 +20,8 @@
 
 namespace asterism::internal {
 
-// A turn, of which cosine and sine are these, and a shift. Exact: for the corners of the sides, and
-// a turn by quarters.
+// A rigid map of one side to the other: a turn, given by its cosine and sine, then a shift. Exact
+// for the corners of the sides if the turn is by quarters.
 struct side_map {
   bool is_exact = false;
   double cosine = 1, sine = 0;
@@ -37,14 +37,15 @@ struct side_map {
   }
 };
 
-// A place on both sides. It is a vertex of the domain on one, on both, or on neither.
+// A station: a place on both sides. It is a vertex of the domain on one side, on both, or on
+// neither.
 struct side_station {
   point first, second;
   std::optional<vertex_index> first_vertex, second_vertex;
 };
 
-// The straight parts of both sides from one station to the next one, or what is left of them after
-// stations between: `first_from` to `first_to` goes with `second_from` to `second_to`.
+// A pair of straight parts of both sides between two consecutive stations: `first_from` to
+// `first_to` matches `second_from` to `second_to`.
 struct side_interval {
   vertex_index first_segment = 0, second_segment = 0;
   point first_from, first_to, second_from, second_to;
@@ -52,19 +53,19 @@ struct side_interval {
 
 class periodic_sides {
  public:
-  // Fails, with a sentence that names both markers, where the sides cannot match.
+  // Matches the two sides. Fails, with a sentence that names both markers, where they cannot match.
   static result<periodic_sides> find(const domain& d, const periodic_pair& markers);
 
   const std::vector<side_station>& stations() const { return stations_; }
-  // Returns what is between each station and the next one.
+  // Returns the parts of both sides between consecutive stations.
   const std::vector<side_interval>& intervals() const { return intervals_; }
   const side_map& map() const { return map_; }
 
   // Puts stations near these places of the first side between two stations, in their order. Returns
-  // how many: those that rounding leaves no room for are left out. The map is no longer exact where
-  // no place near enough has an image among the doubles.
+  // the number of new ones: places without room among the doubles are left out. The map is no
+  // longer exact where no place near enough has an image among the doubles.
   std::size_t insert(std::size_t interval, const std::vector<point>& places);
-  // Returns about which place of the first side goes with one of the second.
+  // Returns the approximate place on the first side that matches one of the second.
   point first_of(std::size_t interval, const point& on_second) const;
 
  private:

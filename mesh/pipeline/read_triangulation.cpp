@@ -49,7 +49,8 @@ result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wan
 
 namespace {
 
-// Returns the mesh's file that numbers at vertices are of; empty where there is none.
+// Returns the file of the mesh to whose vertices a file of numbers belongs; empty where there is
+// none.
 std::string mesh_of_numbers(const std::string& name, const std::string& mesh) {
   if (is_mesh_file(mesh)) return mesh;
   std::error_code ignored;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a mesh that is a triangulation, whoever made it.
+// Reads a mesh, from any program, that is a triangulation.
 #pragma once
 
 #include <string>
@@ -13,26 +13,26 @@
 
 namespace asterism::internal {
 
-// Reads a Medit mesh with the metric beside it, or with the identity if it is not wanted or not
-// there. Refuses what the auditor finds is no triangulation.
+// Reads a Medit mesh with the metric beside it, or with the identity if the metric is not wanted or
+// not there. Refuses a mesh that the auditor finds to be no triangulation.
 result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted);
 
-// Reads a mesh without its metric, sites and triangles as they are in the file. Its notes are those
-// of the mesh taken over, too. Refuses what is no triangulation.
+// Reads a mesh without its metric, sites and triangles as they are in the file. Its notes include
+// those of the file's reader. Refuses what is no triangulation.
 result<mesh> read_plain_triangulation(const std::string& path);
-// Does the same and returns marks, names and fields of the file, too.
+// Reads the mesh as above, with the marks, names and fields of its file.
 result<mesh_file> read_plain_mesh_file(const std::string& path);
 
-// True if a metric of this name is given at the vertices of a mesh.
+// True if this name is that of a file with a metric at the vertices of a mesh.
 bool is_metric_on_mesh(std::string_view name);
 
-// Reads the mesh that a metric is given on, with it. A mesh's file has its own. A file of numbers
-// alone (.sol, .solb, .mtr) is of the mesh that a command is about, `mesh`, where that is one; else
-// of the mesh beside it with its name, .mesh, .meshb, .msh or .vtu in this order.
+// Reads a metric with the mesh that it is given on. A mesh's file has both. A file of numbers alone
+// (.sol, .solb, .mtr) belongs to `mesh`, the mesh of the command, if there is one; else to the mesh
+// beside it with its name, .mesh, .meshb, .msh or .vtu in this order.
 result<adopted_mesh> read_metric_on_mesh(const std::string& name, const std::string& mesh);
 
-// Returns the metric of a file at the vertices of a mesh file, in their order: numbers for these,
-// or another mesh with its metric, which is interpolated.
+// Returns the metric of a file at the vertices of a mesh file, in their order: the file has numbers
+// for these vertices, or is another mesh whose metric is interpolated.
 result<std::vector<metric_tensor>> read_metric_at_vertices(const std::string& mesh_file,
                                                            const std::string& metric);
 

@@ -15,7 +15,7 @@
 namespace asterism {
 namespace {
 
-// Makes the metric of a size, graded if that is asked for.
+// Makes the metric for edges of one size, graded if that is asked for.
 result<scaled_metric> of_size(const domain& d, const field_of_size& make,
                               const scale_demand& wanted, double size) {
   auto given = make(size);

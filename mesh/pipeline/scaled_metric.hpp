@@ -36,7 +36,7 @@ struct scale_demand {
   size_wishes sizes = {};            // at places, in units of the domain: not scaled
 };
 
-// The metric, and by what it came about.
+// The scaled metric, and the size, gradation and complexity that it has.
 struct scaled_metric {
   std::unique_ptr<metric_field> field;
   double size = 1;  // the one asked for, or found
@@ -50,10 +50,10 @@ struct scaled_metric {
 // Returns the complexity for this many vertices.
 ASTERISM_EXPORT double complexity_of_vertices(std::size_t vertices);
 
-// Makes the metric, finer where sizes are wished (metric/local_sizes.hpp), then graded. Gradation
-// changes the complexity, and a size the gradation: they are done by turns until the complexity is
-// within half a percent of the one wanted. Fails where the field does, for demands out of range,
-// when it was stopped, and where twenty turns do not come that near.
+// Makes the metric, refines it where local sizes are given (metric/local_sizes.hpp), then grades
+// it. Gradation changes the complexity, and the size changes the gradation: both are repeated in
+// turn until the complexity is within half a percent of the one wanted. Fails where the field does,
+// for demands out of range, when stopped, and where twenty rounds do not reach that.
 ASTERISM_EXPORT result<scaled_metric> make_scaled_metric(const domain& d, const field_of_size& make,
                                                          const scale_demand& wanted);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Asks for edges that are shorter than those of a metric, by any factor.
+// Scales a metric field so that edges of unit length in it are shorter by any factor.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ class shorter_field : public metric_field {
     field_->expect(places);
   }
 
-  // Gives the sites of an outcome made in this field the tensors of the field itself, to the bit,
+  // Gives the sites of an outcome made in this field the tensors of the original field, to the bit,
   // and converts its lengths.
   std::optional<error> restore(mesh_outcome& outcome) const;
 

@@ -25,7 +25,7 @@ using namespace adapting;
 
 class across_splitter {
  public:
-  // References must outlive it.
+  // Works on one mesh; references must outlive the object.
   across_splitter(const domain& d, const metric_field& field, const mesh_options& options,
                   double unit)
       : domain_(d), field_(field), options_(options), made_(domain_, options_) {
@@ -36,7 +36,7 @@ class across_splitter {
     agree_.wanted = [this](const point& q) { return wanted_at(q); };
   }
 
-  // Returns a certified mesh without such edges, or none.
+  // Returns a certified mesh without edges that join boundary vertices across the domain, or none.
   std::optional<mesh> run(const mesh& start) {
     constexpr int most_attempts = 8;
     mesh now = start;
@@ -61,7 +61,7 @@ class across_splitter {
     return there ? std::optional(there.value()) : std::nullopt;
   }
 
-  // Returns which nodes are ends of edges with a face on one side alone.
+  // Returns a flag for each node: whether it is an end of an edge with a face on one side alone.
   static std::vector<char> outer_nodes(const working_mesh& m) {
     std::vector<char> is_outer(m.nodes().size(), 0);
     for (const face& f : m.faces())
@@ -70,7 +70,7 @@ class across_splitter {
     return is_outer;
   }
 
-  // Returns the place to split an edge at: its middle, or the nearest of its curve.
+  // Returns the place at which an edge is split: its middle, or the nearest point of its curve.
   static std::optional<point> middle_of(const working_mesh& m, vertex_index t, std::size_t i) {
     const face& f = m.faces()[t];
     const point &a = m.at(f.v[after(i)]).position, &b = m.at(f.v[before(i)]).position;
@@ -78,8 +78,8 @@ class across_splitter {
     return f.segment[i] == none ? std::optional(middle) : m.place_on_edge(t, i, middle);
   }
 
-  // Splits all such edges that there are now. Returns the new nodes, or none where an edge cannot
-  // be split, or the metric fails.
+  // Splits all inner edges that join two boundary nodes. Returns the new nodes, or none where an
+  // edge cannot be split, or the metric fails.
   std::optional<node_list> split_all(working_mesh& m) const {
     const std::vector<char> is_outer = outer_nodes(m);
     const auto is_across = [&](const face& f, std::size_t i) {
@@ -102,7 +102,8 @@ class across_splitter {
     return added;
   }
 
-  // Splits and makes stars agree by turns, as flips may make new ones, until there are none.
+  // Alternates splits and repairs of stars, whose flips may make new edges of this kind, until
+  // there are none.
   bool split_and_agree(working_mesh& m) const {
     constexpr int most_rounds = 40;
     consistency_repair agreeing(m, agree_);
@@ -117,8 +118,8 @@ class across_splitter {
     return false;
   }
 
-  // Restores the tensors wanted as far as the auditor accepts, or has the mesh repaired with those
-  // it has. Returns whether it is certified.
+  // Restores the wanted tensors as far as the auditor accepts, or else repairs the mesh with its
+  // present ones. Returns whether it is certified.
   bool certify(working_mesh& m) {
     constexpr int most_repairs = 12;
     std::vector<metric_tensor> wanted;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Splits the inner edges of a certified mesh that join two vertices of the boundary
-// (mesh/audit/split_edges.hpp), and certifies what comes of it.
+// (mesh/audit/split_edges.hpp), and certifies the mesh that results.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,12 @@
 
 namespace asterism::internal {
 
-// Gives each such edge a vertex in its middle, makes stars agree about the new triangles, and does
-// so again until there are no more. The mesh is delivered in a metric that may differ from `field`
-// there, as any mesh made by local changes is. Where that does not end, or not in a certified mesh,
-// the mesh stays as it was, is not complete, and says so; one that is not certified stays as it is.
-// The sides of `pairs` keep their points, which is claimed anew.
+// Gives each such edge a vertex in its middle, makes stars agree about the new triangles, and
+// repeats that until there are no such edges. The mesh is delivered in a metric that may differ
+// from `field` there, as any mesh made by local changes is. Where that does not end, or not in a
+// certified mesh, the mesh stays as it was, and the outcome is not complete and says so. A mesh
+// that is not certified stays as it is. The sides of `pairs` keep their points, and the claim of
+// their match is renewed.
 certified_mesh split_across(certified_mesh made, const domain& d, const metric_field& field,
                             const mesh_options& options, const std::vector<periodic_pair>& pairs);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whether an audit refuses a mesh for a star that its mesher had left to the audit.
+// Decides whether an audit refuses a mesh for a star that its mesher had left to the audit.
 #pragma once
 
 #include "asterism/mesh/audit/audit_report.hpp"
@@ -10,15 +10,15 @@
 
 namespace asterism::internal {
 
-// True if the mesher took the mesh, in the metric wanted, to be complete, and the audit refuses one
-// of its stars: a mesher that confirms its stars may find that before.
+// True if the mesher reported a complete mesh in the wanted metric, and the audit refuses one of
+// its stars: with stars confirmed by the mesher, that star would have been found before.
 bool is_refused_for_a_star(const mesh_outcome& outcome, const audit_report& report,
                            const mesh_options& options);
 
-// Makes and judges a mesh whose stars the audit alone has confirmed, and, where it refuses one of
-// them, another whose mesher confirmed them. judged(confirmed, may_deliver) returns a
-// result<certified_mesh>. Ways to a metric delivered that did not lead to a mesh are not gone
-// again, but with a tolerance: the mesh that was delivered beyond it may be what there is to show.
+// Makes and audits a mesh whose stars only the audit confirms, and, if it refuses one of them,
+// another mesh whose mesher confirms them. judged(confirmed, may_deliver) returns a
+// result<certified_mesh>. Attempts at a delivered metric that led to no mesh are not repeated,
+// except with a tolerance: the mesh delivered beyond it may be the only one to show.
 template <class Judged>
 auto judged_until_confirmed(const mesh_options& options, const Judged& judged) {
   auto made = judged(star_confirmation::by_auditor, true);

@@ -23,7 +23,7 @@ std::vector<vertex_index> isolated_of(const domain& d) {
 }
 
 // True if the vertices are nearly sorted along the space-filling curve: at most one step in eight
-// goes back, where a random order goes back at every other.
+// goes back; in a random order every other step does.
 bool are_along_curve(const domain& d, const std::vector<vertex_index>& which,
                      const bounding_box& box) {
   constexpr std::size_t one_in = 8;
@@ -58,7 +58,7 @@ void vertex_renumbering::renumber(const bounding_box& box) {
     along_curve_.vertices[isolated_[i]] = given_.vertices[sorted_[i]];
 }
 
-// Keeps the order of the triangles, which is along the curve.
+// Renumbers the corners of triangles. Keeps the order of the triangles, which is along the curve.
 void vertex_renumbering::restore(mesh_outcome& outcome) const {
   if (isolated_.empty()) return;
   mesh& m = outcome.result;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers the isolated vertices of a domain along a curve while it is meshed, and as they were
-// given in the mesh that comes out. Many vertices in the order of a file are met all over memory:
-// 100,000 at random took a fifth longer.
+// Renumbers the isolated vertices of a domain along a curve while it is meshed, and restores their
+// numbers in the resulting mesh. Many vertices in the order of a file are read from all over
+// memory: 100,000 at random took a fifth longer.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@
 namespace asterism::internal {
 
 // Holds the domain as it is meshed. Vertices of segments keep their numbers, and so do all where
-// few are isolated or they are along a curve already. Both orders make the same kind of mesh, but
-// not the same mesh: what the mesher does first among equals depends on the numbers.
+// few are isolated or they are along a curve already. The two orders lead to different meshes of
+// the same quality: the mesher breaks ties by the numbers.
 class vertex_renumbering {
  public:
   // The domain must outlive it.
@@ -23,7 +23,7 @@ class vertex_renumbering {
   vertex_renumbering& operator=(const vertex_renumbering&) = delete;
 
   const domain& shape() const { return isolated_.empty() ? given_ : along_curve_; }
-  // Numbers an outcome made of shape() as the vertices were given.
+  // Gives the vertices of an outcome made of shape() their original numbers.
   void restore(mesh_outcome& outcome) const;
 
  private:
