@@ -18,11 +18,12 @@ namespace asterism::internal::adapting {
 namespace {
 
 constexpr std::size_t faces_checked_at_once = 2048;  // for a thread
-// Degrees above the bound that mending an angle aims at.
+// Degrees above the angle bound at which mending an angle aims.
 constexpr double degrees_above = 4;
-// Longest edge that a merge may make, in units: twice the shortest that stay.
+// Greatest length, in units, of an edge that a merge may make: twice the shortest length that is
+// not merged.
 constexpr double longest_edge = std::numbers::sqrt2;
-// Directions in which a node is moved, an equal part of a turn apart.
+// Number of directions, evenly spread over a full turn, in which a node is tried elsewhere.
 constexpr std::size_t direction_count = 8;
 
 std::array<point, direction_count> find_directions() {
@@ -59,7 +60,7 @@ bool consistency_repair::is_active(vertex_index t) const {
   return active_[f.v[0]] + active_[f.v[1]] + active_[f.v[2]] > 0;
 }
 
-// Checks and mends once all that is active; true if there was anything to mend.
+// Tests all active nodes once and mends what fails; returns true if anything had to be mended.
 bool consistency_repair::round() {
   next_.assign(m_.nodes().size(), 0);
   report_.disagreeing = report_.low = 0;
@@ -77,8 +78,8 @@ bool consistency_repair::round() {
   return report_.disagreeing + report_.low > 0;
 }
 
-// Finds the edges that agree: nearly all, and what takes time in a round. Several threads do it, as
-// nothing changes meanwhile.
+// Marks the edges that agree: nearly all of them, and most of a round's time. Several threads do
+// it, as nothing changes meanwhile.
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
   const auto is_clear = [this](vertex_index t, std::size_t i) {
@@ -97,7 +98,7 @@ void consistency_repair::find_clear_edges() {
                   });
 }
 
-// Finds the faces whose angles are in order, in the same way.
+// Marks the faces whose angles meet the bound, with several threads.
 void consistency_repair::find_fine_faces() {
   is_fine_.assign(m_.faces().size(), 0);
   if (options_.angle_bound <= 0) return;
@@ -173,11 +174,12 @@ double consistency_repair::excess(const node& a, const node& b, const node& c) c
 }
 
 // Merges a node of a low triangle into the neighbour that leaves the least defect, if that is much
-// less than now; true if it did.
+// less than the present one; returns true if it did.
 bool consistency_repair::merge_away(vertex_index t) {
   constexpr double enough = 0.5;
   const double longest = longest_edge * options_.unit;
-  // A node with more neighbours stays, since trying it costs their square.
+  // Largest number of neighbours of a node that is merged: trying one costs the square of that
+  // number.
   constexpr std::size_t most_neighbours = 64;
   double best = 0;
   vertex_index from = none, into = none;
@@ -222,7 +224,7 @@ void consistency_repair::follow_shape(vertex_index t) {
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
   const double vx = wx - ux, vy = wy - uy;
-  // The inverse of the sum of e e^T over the edges is that tensor but for a factor.
+  // Uses that the inverse of the sum of e e^T over the edges is that tensor up to a factor.
   const metric_tensor shape{uy * uy + wy * wy + vy * vy, -(ux * uy + wx * wy + vx * vy),
                             ux * ux + wx * wx + vx * vx};
   const double root = plain_root_of_determinant(shape);
@@ -233,7 +235,8 @@ void consistency_repair::follow_shape(vertex_index t) {
         own = m_.at(v).metric;
     const double apart = log_distortion(own, goal);
     if (!(apart > enough)) continue;
-    // Takes half of the excess from each side. Only this side counts, so the excess is doubled.
+    // Clips by twice the excess, half of which the clip takes from each side: only this side's
+    // change is kept.
     if (!clip_distortion(own, goal, std::max(0.0, 2 * enough - apart))) continue;
     m_.set_metric(v, own);
     next_[v] = 1;
@@ -242,7 +245,7 @@ void consistency_repair::follow_shape(vertex_index t) {
 }
 
 // Returns the defect of these faces: how far their angles are below a few degrees above the bound.
-// Stops adding at `most` and returns some number that is no less.
+// Stops once the sum reaches `most`, and returns a number no less than that.
 double consistency_repair::defect_at(const face_list& at, double most) const {
   double sum = 0;
   for (const vertex_index t : at) {
@@ -261,7 +264,7 @@ double consistency_repair::longest_around(vertex_index v) const {
   return longest;
 }
 
-// Moves v to the place, of several around it, with the least defect.
+// Moves v to the place with the least defect, of several tried around it.
 void consistency_repair::move_away(vertex_index v) {
   const node here = m_.at(v);
   if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;
@@ -299,7 +302,8 @@ void consistency_repair::move_away(vertex_index v) {
   for (const vertex_index u : ring) next_[u] = 1;
 }
 
-// Makes all pairs of these alike, to a part of the greatest distortion they have now.
+// Makes the tensors of all pairs of these nodes alike, to a part of the greatest distortion between
+// any two.
 void consistency_repair::clip_distortion_at(const std::vector<vertex_index>& nodes, double part) {
   adapting::clip_distortion_at(m_, nodes, part,
                                [this](vertex_index, vertex_index) { ++report_.alike; });

@@ -5,10 +5,10 @@
 //
 // Checks at a triangle's Voronoi vertex, from which its three sites are equally far, that the site
 // across each edge is farther, and that no angle is below the bound as any of the three measures
-// it. Failing that, edges are flipped, tensors of the nodes around it made more alike
+// it. Where that fails, edges are flipped, tensors of the nodes around it made more alike
 // (nodal_gradation.hpp), nodes moved, and all is checked again. Equal tensors give the edges of one
-// Delaunay triangulation, so making alike cannot go on for ever: docs/math/delivered-metric.md. The
-// rounds are bounded besides. Internal to mesh/adapt.
+// Delaunay triangulation, so making tensors alike ends: docs/math/delivered-metric.md. The number
+// of rounds is bounded as well. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct repair_options {
   double angle_bound = 20;
   double unit = 1;  // length wanted of an edge
   std::size_t most_rounds = 60;
-  // Metric wanted at a place, for a node that has moved.
+  // Function that returns the metric wanted at a place, for a node that has moved.
   std::function<std::optional<metric_tensor>(const point&)> wanted;
   cancellation stop;
 };
@@ -39,23 +39,24 @@ struct repair_report {
 
 class consistency_repair {
  public:
-  // Starts from the tensors of the nodes as the ones wanted; they become the ones delivered. Both
-  // references must outlive the object.
+  // Starts from the tensors of the nodes as the ones wanted; they are changed to the ones
+  // delivered. Both references must outlive the object.
   consistency_repair(working_mesh& m, const repair_options& options);
 
-  // Mends until nothing is left to mend where something has changed, or the rounds are over.
+  // Mends until nothing that changed has a defect, or the limit on rounds is reached.
   void run();
-  // Makes the tensors of these nodes more alike, where stars disagree that run() did not see to.
+  // Makes the tensors of these nodes more alike, for disagreements of stars that run() does not
+  // detect.
   void disagreed_at(const std::vector<vertex_index>& nodes);
-  // Adds the triangles of these nodes, which are new, to those that run() examines.
+  // Adds the triangles of these new nodes to those that run() examines.
   void changed_at(const std::vector<vertex_index>& nodes);
-  // Returns the report so far.
+  // Returns the report of all rounds so far.
   const repair_report& report() const { return report_; }
 
  private:
   bool round();
   bool is_active(vertex_index t) const;
-  // True if a node was changed in this round, or is beside a change.
+  // True if the node, or a neighbour of it, was changed in this round.
   bool is_touched(vertex_index v) const { return next_[v] != 0; }
   void find_clear_edges();
   void find_fine_faces();
@@ -74,8 +75,8 @@ class consistency_repair {
   local_tests tests_;
   double aim_;  // cotangent of the angle aimed at
   std::vector<char> active_, next_;
-  // Findings for each face, made before the round changes it: a bit for each edge that agrees, and
-  // 1 if its angles meet the bound.
+  // Test results of each face before the round changes it: one bit for each edge that agrees, and a
+  // flag for angles that all meet the bound.
   std::vector<unsigned char> clear_edges_, is_fine_;
   repair_report report_;
 };

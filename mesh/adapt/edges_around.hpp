@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Measures by how much the edges around a node agree, while its tensor or its place is tried in
-// several ways: what these do not change is found once. Internal to mesh/adapt.
+// several ways: unchanged values are computed once. Internal to mesh/adapt.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class edges_around {
   // Refers to the mesh and the tests, which must outlive it.
   edges_around(const working_mesh& m, const local_tests& tests) : m_(m), tests_(tests) {}
 
-  // Selects this node. Until the next call no other node may change.
+  // Selects the node to be tried. Until the next call no other node may change.
   void turn_to(vertex_index v) {
     v_ = v;
     m_.around(v, at_);
@@ -28,12 +28,12 @@ class edges_around {
   // Returns the faces around the node.
   const face_list& faces() const { return at_; }
 
-  // Calls answer(clearance) for each edge with the node at an end or across, infinite at segments,
-  // while it returns true; returns the last answer. Of the edges at the node each face passes one,
-  // which it shares with the next face.
+  // Calls answer(clearance) for each edge that has the node as an end or across from it, until it
+  // returns false; clearances are infinite at segments; returns the last answer. Of the edges at
+  // the node each face passes one, which it shares with the next face.
   template <class Tell>
   bool tell_clearances(const Tell& tell);
-  // Computes the centre of each face across from the node that is not across a segment.
+  // Computes the centre of each face across from the node, except across segments.
   template <class Tell>
   void tell_centres_across(const Tell& tell) {
     for (std::size_t k = 0; k < at_.size(); ++k) {
@@ -42,7 +42,7 @@ class edges_around {
       if (f.next[i] != none && f.segment[i] == none) tell(centre_at(beyond_, k, f.next[i]));
     }
   }
-  // Remembers the present clearances.
+  // Stores the present clearances, to be compared with later ones.
   void remember() {
     clearances_.clear();
     tell_clearances([this](double clear) {
@@ -50,7 +50,7 @@ class edges_around {
       return true;
     });
   }
-  // True if `is_enough(now, then)` for the clearance of each edge, now and when it was remembered.
+  // True if is_enough(now, then) for each edge: its present clearance, and the stored one.
   template <class Enough>
   bool all_of(const Enough& is_enough) {
     std::size_t edge = 0;
@@ -63,7 +63,7 @@ class edges_around {
     bool is_known = false;
   };
 
-  // Returns the centre of a face, found once.
+  // Returns the centre of a face, computed once.
   const face_centre& centre_at(std::vector<known_centre>& known, std::size_t nth, vertex_index t) {
     known_centre& c = known[nth];
     if (!c.is_known) {
@@ -77,7 +77,7 @@ class edges_around {
   const local_tests& tests_;
   vertex_index v_ = none;
   face_list at_;
-  // Cached values of the faces around the node, and of those across from it.
+  // Centres of the faces around the node, and of those across from it, once computed.
   std::vector<known_centre> own_, beyond_;
   std::vector<double> clearances_;
 };

@@ -12,8 +12,8 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Margin above the angle bound, in degrees: far above what roundings change of an angle, unless the
-// triangle is nearly flat. Steers only, as the auditor decides.
+// Margin above the angle bound, in degrees: far above the rounding errors of an angle, unless the
+// triangle is nearly flat. It affects no result of the audit.
 constexpr double degrees_to_spare = 0.05;
 
 face_centre find_centre(const node& a, const node& b, const node& c) {
@@ -23,7 +23,7 @@ face_centre find_centre(const node& a, const node& b, const node& c) {
   return {{a.position.x + near->x, a.position.y + near->y}, squared(a.metric, near->x, near->y)};
 }
 
-// Returns the cotangent of the angle at a.
+// Returns the cotangent of the angle at a between b and c.
 double cotangent_at(const metric_tensor& m, const node& a, const node& b, const node& c) {
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
@@ -76,7 +76,8 @@ bool local_tests::is_low(vertex_index t) const {
   return false;
 }
 
-// True if an angle of t but the one at v is below the bound as one of the three measures it.
+// True if an angle of t, other than the one at v, is below the bound in the metric of one of its
+// three nodes.
 bool local_tests::has_low_angle_beside(vertex_index t, vertex_index v) const {
   const face& f = m_.faces()[t];
   const std::size_t i = f.corner_of(v);
@@ -90,7 +91,7 @@ bool local_tests::has_low_angle_beside(vertex_index t, vertex_index v) const {
 
 // True if the face is at a corner of the domain that is below the bound in its own metric. False
 // where the corner is not below it in the plane and the face has other low angles, which nothing
-// exempts: the tensor at the corner is to change then.
+// exempts: the tensor at the corner must then change.
 bool local_tests::is_exempt(vertex_index t) const {
   for (const vertex_index v : m_.faces()[t].v) {
     if (m_.at(v).kind != node_kind::given) continue;

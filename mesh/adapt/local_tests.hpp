@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Asks, in doubles, whether stars agree as far as neighbours see, and whether angles meet the
+// Tests, in doubles, whether stars agree as far as neighbours show, and whether angles meet the
 // bound.
 //
 // An edge agrees if from the Voronoi vertex of either face beside it, to which the face's three
-// sites are equally far, the site across the edge is farther. Sites farther away are not asked, so
-// this is less than agreement of stars; the auditor decides. Internal to mesh/adapt.
+// sites are equally far, the site across the edge is farther. Farther sites are not tested, so this
+// is less than agreement of stars; the auditor decides. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@
 
 namespace asterism::internal::adapting {
 
-// Least clearance with which an edge agrees, as a part of the squared radius: far above what
-// roundings change, unless a face is nearly flat. Steers only: it says what is mended before the
-// auditor, which is exact, decides.
+// Least clearance with which an edge agrees, as a part of the squared radius: far above rounding
+// errors, unless a face is nearly flat. It selects what is mended before the auditor, which is
+// exact, decides.
 inline constexpr double least_clearance = 1e-3;
 
-// Clearance that an edge is to keep where tensors are restored or nodes moved. With little of it
-// farther sites violate stars, which only the auditor sees; with much of it little can be restored
-// (docs/design/adaptation.md).
+// Clearance that an edge is to keep where tensors are restored or nodes moved. With a small one
+// farther sites violate stars, which only the auditor detects; with a large one few tensors can be
+// restored (docs/design/adaptation.md).
 inline constexpr double clearance_kept = 0.15;
 
 // Edge from a to b with c on its left, d on its right.
@@ -37,8 +37,9 @@ struct face_centre {
   double squared_radius = -1;
 };
 
-// Returns how much farther a site is from it than the face's own: a part of the squared radius,
-// minus infinity where there is no Voronoi vertex.
+// Returns the clearance of a site from a face's Voronoi vertex: how much farther it is than the
+// face's own sites, as a part of the squared radius; minus infinity where there is no Voronoi
+// vertex.
 inline double clearance(const face_centre& c, const node& d) {
   if (!(c.squared_radius > 0)) return -std::numeric_limits<double>::infinity();
   return squared(d.metric, c.at.x - d.position.x, c.at.y - d.position.y) / c.squared_radius - 1;
@@ -48,8 +49,8 @@ inline double clearance(const face_centre& c, const node& d) {
 // its determinant.
 double greatest_cotangent(const metric_tensor& m, double root, const node& a, const node& b,
                           const node& c);
-// Returns the cotangent of an angle; that of a thousandth of a degree for less, so that it is
-// finite where no angle is demanded.
+// Returns the cotangent of an angle in degrees; for angles below a thousandth of a degree that of a
+// thousandth, which is finite.
 double cotangent_of(double degrees);
 
 // Refers to the mesh, which must outlive it, and tests its present state.
@@ -57,17 +58,17 @@ class local_tests {
  public:
   local_tests(const working_mesh& m, double angle_bound);
 
-  // Edge i of face t must have a face beyond it.
+  // Returns edge i of face t with its four nodes. Requires a face beyond the edge.
   edge_quad quad_at(vertex_index t, std::size_t i) const;
   face_centre centre_of(vertex_index t) const;
-  // Returns how much farther the sites across are than the faces' own, for the worse of the two
-  // faces: a part of the squared radius, minus infinity where a face has no Voronoi vertex.
+  // Returns the lesser of the clearances that both faces of an edge have from the site across: a
+  // part of the squared radius, minus infinity where a face has no Voronoi vertex.
   double worst_clearance(const edge_quad& q) const;
   // True if an angle of the face is below the bound as one of its nodes measures it.
   bool is_low(vertex_index t) const;
   // True if the face is at a corner of the domain that is below the bound in its own metric. False
   // where the corner is not below it in the plane and the face has other low angles, which nothing
-  // exempts: the tensor at the corner is to change then.
+  // exempts: the tensor at the corner must then change.
   bool is_exempt(vertex_index t) const;
 
  private:

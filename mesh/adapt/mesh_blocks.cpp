@@ -16,10 +16,10 @@ namespace {
 constexpr std::size_t faces_in_block = 2048;
 constexpr std::size_t faces_at_once = 4096;  // for a thread
 
-// Returns the box through which the curve of a cut goes: that of the domain, grown on the lower
-// left, so that the lines at which a curve is far from itself are elsewhere in each.
+// Returns the box through which the curve of a cut runs: that of the domain, grown on the lower
+// left, so that the lines across which the curve jumps are at other places in each cut.
 bounding_box box_of_cut(const bounding_box& box, unsigned cut) {
-  // Multiples of these, modulo one, are evenly spread in the square (Roberts' sequence).
+  // Steps of Roberts' sequence: their multiples, modulo one, are evenly spread in the square.
   constexpr double across = 0.7548776662466927, up = 0.5698402909980532;
   constexpr unsigned period = 64;
   const auto part = [n = static_cast<double>(cut % period)](double step) {
@@ -32,13 +32,14 @@ bounding_box box_of_cut(const bounding_box& box, unsigned cut) {
   return grown;
 }
 
-// Numbers of nodes in a block, by those they have in the whole: a table with open addresses.
+// Numbers of nodes in a block, by their numbers in the whole: a hash table with open addressing.
 class local_numbers {
  public:
   explicit local_numbers(std::size_t faces)
       : slots_(std::bit_ceil(std::max<std::size_t>(16, 4 * faces)), {none, none}) {}
 
-  // Returns the place for the number that a node has or gets; `none` in it if it has none yet.
+  // Returns the slot of a node's number in the block; it holds `none` if the node has no number
+  // there yet.
   vertex_index& at(vertex_index v) {
     constexpr std::uint64_t spread = 0x9e3779b97f4a7c15U;
     std::size_t i = static_cast<std::size_t>((v * spread) >> 20U) & (slots_.size() - 1);
@@ -66,7 +67,8 @@ mesh_blocks::mesh_blocks(working_mesh& whole, unsigned cut)
   blocks_.resize(count());
 }
 
-// Cuts the curve at quantiles of a sample of the faces' places on it: each block has about as many.
+// Cuts the curve at quantiles of a sample of the faces' places on it: all blocks have about equally
+// many faces.
 void mesh_blocks::assign_blocks() {
   const std::vector<face>& faces = given_.faces;
   std::vector<std::uint64_t> places(faces.size());
@@ -122,7 +124,7 @@ void mesh_blocks::list_blocks() {
   }
 }
 
-// Gives the edges between blocks numbers in place of their segments, which are kept.
+// Replaces the segments of edges between blocks by numbers of the frame; keeps the segments.
 void mesh_blocks::mark_frame() {
   std::vector<face>& faces = given_.faces;
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<frame_edge>& found) {
@@ -180,8 +182,8 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
   return made;
 }
 
-// Counts what a block adds to the whole but for the frame's nodes; the domain's own vertices are
-// there before.
+// Counts the nodes and faces that a block adds to the whole, without the frame's nodes and the
+// domain's vertices.
 mesh_blocks::range mesh_blocks::count_block(std::size_t b) {
   const block& now = *blocks_[b];
   const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
@@ -195,8 +197,8 @@ mesh_blocks::range mesh_blocks::count_block(std::size_t b) {
   return has;
 }
 
-// Numbers the nodes of the frame: those of each block, unless another one has them before, ahead of
-// what is inside of it. Returns where the rest of each block begins, and what there is in all.
+// Numbers the nodes of the frame, block by block, each once and before those inside its block.
+// Returns where the numbers of each block's other nodes and faces begin, and the totals.
 std::vector<mesh_blocks::range> mesh_blocks::number_frame() {
   std::vector<range> has(count()), from(count() + 1);
   parallel_for(count(), [&](std::size_t b) { has[b] = count_block(b); });

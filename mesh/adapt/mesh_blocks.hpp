@@ -5,9 +5,9 @@
 //
 // The faces of a block follow each other on the curve; about as many are in each, whatever threads
 // there are. The edges between blocks, and their ends, are the frame: in a block they cannot
-// change. As no block sees another one, and all are numbered in the order of the curve when they
-// are put together, what comes out does not depend on the threads. Cuts with other numbers have
-// their frames elsewhere: what two cuts leave out is the few nodes where the frames of both cross.
+// change. As blocks are independent, and are numbered in the order of the curve when they are
+// joined, the result does not depend on the number of threads. Cuts with different numbers have
+// their frames elsewhere: only the few nodes where the frames of both cross are left out of both.
 // Internal to mesh/adapt.
 #pragma once
 
@@ -22,8 +22,8 @@ namespace asterism::internal::adapting {
 
 class mesh_blocks {
  public:
-  // One block, with the numbers that its nodes and faces had in the whole. New ones come after
-  // these.
+  // One block, with the numbers that its nodes and faces had in the whole. Nodes and faces made
+  // later follow these.
   struct block {
     working_mesh part;
     std::vector<vertex_index> nodes, faces;
@@ -31,27 +31,28 @@ class mesh_blocks {
     std::vector<vertex_index> frame;  // the nodes that are
   };
 
-  // True if the mesh has so many faces that blocks are worth their frames.
+  // True if the mesh has enough faces for blocks to pay.
   static bool are_worth_it(const working_mesh& m);
 
-  // Cuts the mesh, which is empty until join(). It must outlive the object.
+  // Cuts the mesh into blocks. The mesh is empty until join(), and must outlive the object.
   mesh_blocks(working_mesh& whole, unsigned cut);
 
   std::size_t count() const { return first_.size() - 1; }
-  // Returns the block that a point's place on the curve is in. Near the frame the face at the point
-  // may be in another one.
+  // Returns the block that contains the point's place on the curve. Near the frame the face at the
+  // point may be in another block.
   std::size_t block_near(const point& q) const;
-  // Takes a block out, once, to be changed, and puts it back. Several threads may do so with
-  // different blocks.
+  // Removes one block, to be changed, and puts it back. Several threads may do that with different
+  // blocks.
   block take_out(std::size_t b);
   void put_back(std::size_t b, block changed) { blocks_[b].emplace(std::move(changed)); }
-  // Puts the whole together when all blocks are back. Nodes and faces that are gone get no number.
+  // Joins all blocks, which must have been put back. Removed nodes and faces get no number.
   void join();
 
-  // After join(): returns the number in the whole of a block's node or face; none if it is gone.
+  // Returns, after join(), the number in the whole of a block's node or face; none if it was
+  // removed.
   vertex_index node_now(std::size_t b, vertex_index v) const { return node_now_[b][v]; }
   vertex_index face_now(std::size_t b, vertex_index t) const { return face_now_[b][t]; }
-  // Returns which nodes of a block, by their numbers in it, are on the frame.
+  // Returns a flag for each node of a block: whether it is on the frame.
   const std::vector<vertex_index>& nodes_at_frame(std::size_t b) const { return blocks_[b]->frame; }
   bool is_at_frame(std::size_t b, vertex_index v) const {
     return v < blocks_[b]->is_frame.size() && blocks_[b]->is_frame[v] != 0;
@@ -60,8 +61,8 @@ class mesh_blocks {
   std::vector<vertex_index> faces_at_frame() const;
 
  private:
-  // Edge between two blocks. For each: the face beside the edge and the edge's number in it, in the
-  // whole as it was until join(), then as it is.
+  // An edge between two blocks: for each of them, the face beside the edge and the edge's number in
+  // that face; in the numbers of the cut mesh, and after join() in those of the new one.
   struct frame_edge {
     struct side {
       vertex_index face = none;

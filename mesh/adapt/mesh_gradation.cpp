@@ -36,7 +36,7 @@ void grade_mesh(working_mesh& m, double distortion, double unit, const cancellat
 background_metric field_of(working_mesh& m) {
   std::vector<vertex_index> renumbered;
   background_metric made(m.triangulation(renumbered));
-  // Cells are the faces there are, in their order: every face turns left.
+  // Numbers the cells: they are the existing faces, in order, as every face turns left.
   vertex_index cell = 0;
   for (const face& f : m.faces()) {
     if (!f.exists()) continue;
@@ -48,8 +48,8 @@ background_metric field_of(working_mesh& m) {
 
 namespace {
 
-// Looks the nodes of a stretch up, going from node to neighbour, so that each search begins an edge
-// away.
+// Locates the nodes of a range, from each node to its neighbours, so that each search begins an
+// edge away.
 void look_up_stretch(working_mesh& m, const background_metric& field, vertex_index begin,
                      vertex_index end) {
   std::vector<char> is_reached(end - begin, 0);
@@ -90,9 +90,9 @@ void clip_distortion_at(working_mesh& m, const std::vector<vertex_index>& nodes,
   for (const vertex_index v : nodes)
     for (const vertex_index w : nodes)
       if (v < w) most = std::max(most, log_distortion(m.at(v).metric, m.at(w).metric));
-  // Least log distortion that is worth a change. Lengths that differ by this part change a
-  // clearance by a few times as much, some millionths of the least one (local_tests.hpp). Steers
-  // only.
+  // Least log distortion that is worth a change. A relative change of lengths changes a
+  // clearance by a few times as much: here by some millionths of the least one
+  // (local_tests.hpp).
   constexpr double least = 1e-9;
   if (!(most > least)) return;
   for (const vertex_index v : nodes)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Grades the tensors of a triangulation that is being fitted, on its own graph, and makes a field
-// of them. Internal to mesh/adapt.
+// Grades the tensors of a triangulation that is being fitted, on its own graph, and makes a metric
+// field of them. Internal to mesh/adapt.
 #pragma once
 
 #include <functional>
@@ -18,12 +18,12 @@ void grade_mesh(working_mesh& m, double distortion, double unit, const cancellat
 // Returns the field of the nodes' tensors, and sets each node's hint to a triangle of it.
 background_metric field_of(working_mesh& m);
 
-// Sets each node's hint to a triangle of the field that it is in. Hints of another field lead a
-// search across the whole background.
+// Sets each node's hint to the field's triangle that contains it. Hints of another field would make
+// searches cross the whole background.
 void look_up_anew(working_mesh& m, const background_metric& field);
 
-// Makes all pairs of these nodes' tensors alike, to a part of the greatest distortion they have.
-// Calls changed(v, w) for each pair to which other tensors were given.
+// Makes the tensors of all pairs of these nodes alike, to a part of the greatest distortion between
+// any two. Calls changed(v, w) for each pair whose tensors were changed.
 void clip_distortion_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
                         const std::function<void(vertex_index, vertex_index)>& changed);
 

@@ -19,12 +19,12 @@ bool is_metric(const metric_tensor& m) {
          std::fma(m.m11, m.m22, -m.m12 * m.m12) > 0;
 }
 
-// True if the reduced pair is within this limit, as clip_distortion_by() measures it. Needs no
-// logarithm for most pairs, since |ln x| <= |x - 1| / root x. False says nothing.
+// True only if the reduced pair is within this limit, as clip_distortion_by() measures it. Needs no
+// logarithm for most pairs, since |ln x| <= |x - 1| / root x.
 bool are_surely_alike(const simultaneous_reduction& r, double most) {
   // Part of the limit that is used. The rest of 2 most, 2e-9 of it, exceeds the error of quick_log,
-  // 1e-13, and roundings of some 1e-16 for limits of 1e-4 and more; those of meshes are above 0.05.
-  // With a smaller one a pair may stay that is beyond it by 1e-13. Steers only.
+  // 1e-13, and roundings of some 1e-16 for limits of 1e-4 and more; limits of meshes are above
+  // 0.05. With a smaller limit a pair may stay that exceeds it by 1e-13.
   constexpr double roundings = 1 - 1e-9;
   const auto is_within = [most](double ratio) {
     const double s = std::sqrt(ratio);
@@ -37,11 +37,12 @@ bool clip_distortion_by(const simultaneous_reduction& r, double most, double coa
                         metric_tensor& a, metric_tensor& b) {
   const double high = quick_log(r.high), low = quick_log(r.low);
   if (!(std::max(std::abs(high), std::abs(low)) > 2 * most)) return false;
-  // Part of the limit that a clipped pair is brought to, so that rounds do not creep up to the
-  // limit. With halves the pair moves to the nearest pair within that part of the limit.
+  // Part of the limit that a clipped pair is brought to, so that later rounds do not approach the
+  // limit in ever smaller steps. With halves the pair moves to the nearest pair within that part of
+  // the limit.
   constexpr double aim = 0.98;
-  // Returns the signed excess over the aim. `part` is the share of it by which the tensor of a
-  // changes: a is the coarser of the two where b measures more.
+  // Returns the signed excess of a logarithm over the aim. `part` is the share by which the tensor
+  // of a changes: a is the coarser of the two where b measures more.
   const auto excess = [&](double logarithm) {
     const double size = std::abs(logarithm);
     return size > aim * 2 * most ? (1 - aim * 2 * most / size) * logarithm : 0;
@@ -49,7 +50,7 @@ bool clip_distortion_by(const simultaneous_reduction& r, double most, double coa
   const auto part = [&](double whole) {
     return whole * (whole > 0 ? coarser_part : 1 - coarser_part);
   };
-  // Leaves what has no excess as it is.
+  // Multiplies by an exponential; returns a value unchanged where the excess is 0.
   const auto times_exp = [](double value, double power) {
     return power == 0 ? value : value * quick_exp(power);
   };
@@ -82,7 +83,8 @@ bool clip_distortion(metric_tensor& a, metric_tensor& b, double most, double coa
 
 namespace {
 
-// Walks the edges of a graph, round after round, and has their ends within a limit of each other.
+// Clips the tensors along the edges of a graph, in rounds, until the ends of each edge are within
+// its limit.
 class graph_grading {
  public:
   graph_grading(const std::vector<point>& places, const std::vector<graph_edge>& edges,
@@ -95,8 +97,8 @@ class graph_grading {
         changed_in_(places.size(), 1),
         is_alike_(edges.size(), 0) {}
 
-  // Makes the tensors of each edge alike where they are not; true if any were changed. Adds the
-  // number of edges looked at to `pairs`.
+  // Makes the tensors of each edge alike that exceed its limit; returns true if any were changed.
+  // Adds the number of edges visited to `pairs`.
   bool round(std::size_t number, std::size_t& pairs) {
     find_alike(number);
     const double coarser_part = number <= limit_.uneven_rounds ? limit_.coarser_part : 0.5;
@@ -105,7 +107,7 @@ class graph_grading {
       const graph_edge& e = edges_[i];
       if (!is_due(e, number)) continue;
       ++pairs;
-      // Passes over an edge found alike before the round, unless an end has changed since.
+      // Skips an edge that was within its limit before the round, unless an end has changed since.
       if (is_alike_[i] != 0 && !is_due(e, number + 1)) continue;
       if (!make_ends_alike(e, coarser_part)) continue;
       changed_in_[e.a] = changed_in_[e.b] = number + 1;
@@ -123,8 +125,8 @@ class graph_grading {
     return at_unit_ * std::clamp(mean / limit_.unit, limit_.shortest, limit_.longest);
   }
 
-  // Marks the edges that are due and surely within the limit: nearly all, and that is the work of a
-  // round.
+  // Marks the edges that are due and certainly within the limit: nearly all of them, and most of a
+  // round's work.
   void find_alike(std::size_t number) {
     constexpr std::size_t chunk = 4096;
     parallel_chunks(edges_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -135,7 +137,7 @@ class graph_grading {
 
   bool is_surely_alike(const graph_edge& e) const {
     const point d{places_[e.b].x - places_[e.a].x, places_[e.b].y - places_[e.a].y};
-    // The geometric mean is less than the logarithmic one.
+    // Uses the geometric mean of both lengths, which is less than the logarithmic one.
     const double mean = std::sqrt(plain_length(tensors_[e.a], d) * plain_length(tensors_[e.b], d));
     return are_surely_alike(reduce(tensors_[e.a], tensors_[e.b]), most_at(mean));
   }
@@ -154,7 +156,7 @@ class graph_grading {
   const gradation_limit& limit_;
   double at_unit_;
   std::vector<metric_tensor>& tensors_;
-  // Round from which an edge with this end has to be looked at again.
+  // Round, by node, from which edges with this end must be tested again.
   std::vector<std::size_t> changed_in_;
   std::vector<char> is_alike_;  // edges, at the beginning of the round
 };

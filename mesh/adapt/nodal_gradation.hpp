@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes tensors at the nodes of a graph as little as makes neighbours alike enough.
+// Changes tensors at the nodes of a graph as little as makes neighbours alike.
 //
 // Reduces the two tensors of an edge simultaneously (A = W W^T, B = W diag(l) W^T) when its ends
 // measure lengths too differently. Each |ln l_i| is clipped, a part of the excess taken from the
-// coarser end, the rest from the finer one; with halves that is the projection onto the pairs that
-// are alike enough, which leaves the product of the determinants. This is done edge after edge in
+// coarser end, the rest from the finer one; with halves that is the projection onto the pairs
+// within the limit, which keeps the product of the determinants. This is done edge after edge in
 // their order, until none is left. With halves it ends since all sets of such pairs have the equal
-// pairs in common (docs/math/delivered-metric.md), and it is bounded besides.
+// pairs in common (docs/math/delivered-metric.md), and the number of rounds is bounded as well.
 //
 // Doubles throughout: the outcome is a metric, not a claim.
 #pragma once
@@ -31,7 +31,7 @@ struct gradation_limit {
   double unit = 1;  // length that counts as 1
   double shortest = 0.25, longest = 2;
   // Part of an edge's excess by which its coarser end is refined; its finer end is coarsened by the
-  // rest. Fine layers stay what they are with more than one half, and nodes are added beside them
+  // rest. With more than one half fine layers keep their tensors, and nodes are added beside them
   // (docs/design/adaptation.md). After `uneven_rounds` rounds it is one half, with which rounds are
   // known to end.
   double coarser_part = 0.7;
@@ -51,7 +51,7 @@ double log_variation(const site& a, const site& b);
 bool clip_distortion(metric_tensor& a, metric_tensor& b, double most, double coarser_part = 0.5);
 
 // Grades the tensors to the limit. Returns the rounds it took; most_rounds + 1 if some edge is
-// still above its limit, as the rounds were over or `stop` ended it, whose account is charged.
+// still above its limit, at the end of the rounds or at a stop. Charges the account of `stop`.
 std::size_t grade(const std::vector<point>& places, const std::vector<graph_edge>& edges,
                   const gradation_limit& limit, std::vector<metric_tensor>& tensors,
                   const cancellation& stop = {});

@@ -23,7 +23,7 @@ double length(const metric_tensor& m, const point& p, const point& q) {
 }
 
 // Number of faces announced to the field at once. Edges created before the next announcement are
-// asked about one by one: of 13,855 questions on a front 2,000 with 32 at once, in 432
+// evaluated one by one: of 13,855 evaluations on a front 2,000 with 32 at once, in 432
 // announcements; 2,440 in 218 with 64; 2,870 in 147 with 96; 2,956 in 91 with 160. The sum of both
 // is the cost of a field that is called from another language.
 constexpr std::size_t announced_together = 32;
@@ -80,8 +80,8 @@ class sampling {
     return places;
   }
 
-  // Returns the middles of those edges of the first faces that were not measured yet; edges that
-  // two of them share come twice.
+  // Returns the middles of those edges of the first faces that were not measured yet; the middle of
+  // a shared edge is listed twice.
   std::vector<point> middles_of(const std::deque<vertex_index>& faces, std::size_t count) const {
     std::vector<point> places;
     for (std::size_t k = 0; k < count; ++k) {
@@ -94,7 +94,7 @@ class sampling {
     return places;
   }
 
-  // Returns the point half way, the same from both ends.
+  // Returns the point half way between the ends, the same in both directions.
   point middle(vertex_index a, vertex_index b) const {
     const point &p = m_.at(std::min(a, b)).position, &q = m_.at(std::max(a, b)).position;
     return {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};
@@ -104,14 +104,14 @@ class sampling {
     return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
   }
 
-  // Edge of a face, as the metric at its ends and half way measures it.
+  // Edge of a face, with its lengths in the metrics at its ends and half way.
   struct measured_edge {
     metric_tensor between;
     double length = 0;
     bool is_to_be_halved = false;
   };
 
-  // Measures an edge the first time that it is asked for. Returns nothing where the metric fails.
+  // Measures an edge once, when it is first needed. Returns nothing where the metric fails.
   const measured_edge* measured(vertex_index a, vertex_index b) {
     const auto [at, is_new] = edges_.try_emplace(name_of(a, b));
     measured_edge& e = at->second;
@@ -131,7 +131,7 @@ class sampling {
     return &e;
   }
 
-  // True if the metric half way is too far from the one interpolated there.
+  // True if the metric half way differs too much from the one interpolated there.
   bool is_off(vertex_index a, vertex_index b, const measured_edge& e) const {
     const tensor_logarithm &from = logarithms_[a], &to = logarithms_[b];
     const metric_tensor interpolated =
@@ -148,7 +148,7 @@ class sampling {
     return exponential(mean);
   }
 
-  // Returns the longest edge, all three measured by the mean of the corners' metrics.
+  // Returns the longest edge of a face, in the mean of the corners' metrics.
   std::size_t longest_edge(const face& f) const {
     const metric_tensor mean = mean_of(f);
     std::array<double, 3> lengths{};
@@ -158,8 +158,8 @@ class sampling {
                                     lengths.begin());
   }
 
-  // Halves the longest edge of the face if one of the three is to be halved. The longest, since
-  // triangles would get flat otherwise. Returns false where the metric fails.
+  // Halves the longest edge of the face if any of its edges is to be halved: halving another one
+  // would make triangles flat. Returns false where the metric fails.
   bool refine(vertex_index t, std::deque<vertex_index>& waiting) {
     const face f = m_.faces()[t];
     if (!f.exists()) return true;
@@ -188,7 +188,7 @@ class sampling {
   double longest_, shortest_;                 // in the plane
   double longest_left_ = 0;                   // as the metric measures
   std::vector<tensor_logarithm> logarithms_;  // by node
-  // Edges that were measured once; their ends never change.
+  // Edges that were measured, by their ends, which never change.
   std::unordered_map<std::uint64_t, measured_edge> edges_;
 };
 

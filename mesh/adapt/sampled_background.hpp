@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Samples a metric at the nodes of a triangulation that is so fine that interpolating between them
-// comes near to it.
+// Samples a metric at the nodes of a triangulation fine enough for interpolation between them.
 //
-// The metric of a formula is only known where it is asked for. Edges are halved while the metric
-// half way along them is another than the one interpolated from their ends, or they are long as it
-// measures them. Edges along which nothing changes stay long, so that a front is sampled finely
-// across and coarsely along. Where the metric jumps no sampling is fine enough; there the least
-// length ends it. Narrow details between all samples are missed: what is bounded is the difference
-// at the middle of every edge that was looked at. Internal to mesh/adapt.
+// The metric of a formula is only known where it is evaluated. Edges are halved while the metric
+// half way along them differs from the one interpolated between their ends, or while they are long
+// in it. Edges along which nothing changes stay long, so that a front is sampled finely across and
+// coarsely along. Where the metric jumps no sampling is fine enough; there the least length ends
+// it. Narrow details between all samples are missed: the bound is on the difference at the middle
+// of every edge that was tested. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +23,8 @@ struct sampling_limits {
   double difference = 0.2;  // log distortion allowed between the metric sampled and interpolated
   double longest = 1;       // an edge may be, as the metric measures it
   double shortest = 0.35;   // edges below this stay, whatever the metric does on them
-  // Part of the domain's extent that an edge may be long, so that what is narrow is noticed.
+  // Greatest length of an edge as a part of the domain's extent, so that narrow features are
+  // sampled.
   double part_of_domain = 1.0 / 24;
   std::size_t most_nodes = 60000;  // sampling ends at this many
   cancellation stop;
@@ -32,12 +32,12 @@ struct sampling_limits {
 
 struct sampled_background {
   mesh nodes;  // those of the triangulation, and those added, with the metric there
-  // Length of the longest edge that was left as it is, as its ends and its middle measure it. With
-  // a limit of no less the background would have been the same.
+  // Length of the longest edge that was not halved, by its ends and its middle. A limit on lengths
+  // at or above this would have given the same background.
   double longest = 0;
 };
 
-// Returns nothing where the metric fails.
+// Samples the metric. Returns nothing where the metric fails.
 std::optional<sampled_background> sample_background(working_mesh m, const metric_field& field,
                                                     const sampling_limits& limits);
 

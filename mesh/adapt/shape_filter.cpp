@@ -13,7 +13,7 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// A tensor's logarithm: (trace + x, y; y, trace - x).
+// The logarithm of a tensor in three numbers: (trace + x, y; y, trace - x).
 struct shape {
   double trace = 0, x = 0, y = 0;
 };
@@ -33,7 +33,7 @@ std::vector<shape> shapes_of(const std::vector<metric_tensor>& tensors) {
   return made;
 }
 
-// Lists the neighbours of all nodes, those of node v from first[v] on.
+// Lists the neighbours of all nodes; those of node v begin at first[v].
 struct neighbour_lists {
   neighbour_lists(std::size_t nodes, const std::vector<graph_edge>& edges) : first(nodes + 1, 0) {
     for (const graph_edge& e : edges) {
@@ -54,13 +54,13 @@ struct neighbour_lists {
   std::vector<vertex_index> all;
 };
 
-// Compares shapes with those around.
+// Compares the shapes of nodes with their neighbours' shapes.
 class noise_finder {
  public:
   noise_finder(const std::vector<shape>& shapes, const neighbour_lists& lists)
       : shapes_(shapes), lists_(lists) {}
 
-  // True if half of the neighbours are as dense as the node.
+  // True if at least half of the neighbours are as dense as the node.
   bool is_no_peak(vertex_index v) const {
     const auto* const first = lists_.all.data() + lists_.first[v];
     const auto denser =
@@ -71,7 +71,7 @@ class noise_finder {
   }
 
   // Returns the neighbour whose shape is nearest to the other neighbours' shapes, if the node's
-  // shape is farther from it than most of theirs are; else the node.
+  // shape is farther from it than most of theirs are; otherwise the node itself.
   vertex_index better_shape(vertex_index v) {
     const auto* const first = lists_.all.data() + lists_.first[v];
     const std::size_t count = lists_.count(v);
@@ -105,7 +105,7 @@ class noise_finder {
 }  // namespace
 
 std::vector<metric_tensor> without_noise(const background_metric& field, const cancellation& stop) {
-  // Range of degrees: fewer neighbours tell nothing about noise, and more cost their square.
+  // Range of the number of neighbours: fewer do not show noise, and more cost their square.
   constexpr std::size_t least_neighbours = 3, most_neighbours = 64;
   std::vector<metric_tensor> tensors = field.tensors();
   stop.charge(work_weights::node_without_noise * static_cast<double>(tensors.size()));

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds shapes at the nodes of a background that are noise, and replaces them by those around.
+// Finds shapes at the nodes of a background that are noise, and replaces them by neighbours'
+// shapes.
 //
 // A Hessian recovered from values with noise turns and stretches at random where it is small. The
-// shape of a tensor is the part of its logarithm without a trace: which way it is long, and how
-// much. A node's shape is replaced by that neighbour's which is nearest to those of the others, if
-// it is farther from that one than they are, and if the metric is nowhere much less dense than
-// around: a feature that the background barely resolves is denser than what is beside it, and keeps
-// its shape. Densities stay, so that as many sites are wanted as before.
+// shape of a tensor is the trace-free part of its logarithm: the direction and the ratio of its
+// stretching. A node's shape is replaced by that neighbour's which is nearest to those of the
+// others, if it is farther from that one than they are, and if the metric is nowhere much less
+// dense than around: a feature that the background barely resolves is denser than what is beside
+// it, and keeps its shape. Densities stay, so that the number of sites wanted does not change.
 //
-// In doubles: a mesh is made in the outcome, and the metric wanted is what it was.
+// Works in doubles: a mesh is made in the filtered metric, and the metric wanted stays unchanged.
 #pragma once
 
 #include <vector>
@@ -20,8 +21,8 @@
 
 namespace asterism::internal::adapting {
 
-// Returns the field's tensors, with shapes that are noise replaced by those around, and all others
-// the same to the last bit. Charges the account of `stop`.
+// Returns the field's tensors, with shapes that are noise replaced by neighbours' shapes, and all
+// others unchanged to the last bit. Charges the account of `stop`.
 std::vector<metric_tensor> without_noise(const background_metric& field,
                                          const cancellation& stop = {});
 

@@ -14,12 +14,12 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// True if an edge has the room wanted, or at least half of what it had.
+// True if the clearance of an edge is the one to keep, or at least half of its former one.
 bool has_room(double now, double before) {
   return now >= std::min(clearance_kept, before > 0 ? before / 2 : before);
 }
 
-// Returns the tensor that is `share` of the way from a to b, by logarithms.
+// Returns the tensor at `share` of the way from a to b, interpolated by logarithms.
 metric_tensor between(const metric_tensor& a, const metric_tensor& b, double share) {
   const tensor_logarithm from = logarithm(a), to = logarithm(b);
   const double rest = 1 - share;
@@ -48,8 +48,8 @@ tensor_restoration::tensor_restoration(working_mesh& m, double angle_bound,
 void tensor_restoration::run(const cancellation& stop) {
   constexpr int most_sweeps = 8;
   // Least part of nodes, one in this many, that can have the tensor wanted. Below it the metric
-  // turns nearly everywhere, and steps towards the tensors wanted would mostly be taken back, audit
-  // after audit.
+  // turns nearly everywhere, and most steps towards the wanted tensors would be undone, audit after
+  // audit.
   constexpr std::size_t few = 10;
   bool any = true;
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
@@ -63,7 +63,7 @@ void tensor_restoration::run(const cancellation& stop) {
   }
 }
 
-// Tries each node that may still change; true if any changed.
+// Tries each node that may still change; returns true if any changed.
 bool tensor_restoration::give_once(bool whole_alone) {
   bool any = false;
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
@@ -76,7 +76,7 @@ bool tensor_restoration::give_once(bool whole_alone) {
   return any;
 }
 
-// Returns how many nodes have the tensor wanted.
+// Returns the number of nodes that have the wanted tensor.
 std::size_t tensor_restoration::wanted_count() const {
   std::size_t count = 0;
   for (vertex_index v = 0; v < m_.nodes().size(); ++v)
@@ -91,10 +91,10 @@ void tensor_restoration::wake_around(vertex_index v) {
   awake_[v] = 1;
 }
 
-// Moves the tensor towards the one wanted; false if no part of the way is possible.
+// Moves the tensor towards the wanted one; returns false if no step is possible.
 bool tensor_restoration::give(vertex_index v, bool whole_alone) {
   const metric_tensor now = m_.at(v).metric;
-  // With less than a hundredth of the way left only the whole of it is tried.
+  // Tries only the whole step where less than a hundredth of the way is left.
   constexpr double short_way = 0.01;
   const bool is_short = whole_alone || !(log_distortion(now, wanted_[v]) > short_way);
   bool is_measured = false;
@@ -104,7 +104,7 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
     if (!is_usable(tried)) continue;
     m_.set_metric(v, tried);
     if (has_low_around(v)) continue;
-    // Tests angles first: they refuse most nodes where few can change, and clearances cost
+    // Tests angles first: they exclude most nodes where few can change, and clearances cost
     // more.
     if (!is_measured) {
       m_.set_metric(v, now);
@@ -119,7 +119,7 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
   return false;
 }
 
-// True if a face around v has an angle that must not be low and is.
+// True if a face around v has an angle below the bound that is not exempt.
 bool tensor_restoration::has_low_around(vertex_index v) const {
   if (!has_angles_) return false;
   face_list at;
@@ -147,7 +147,7 @@ void tensor_restoration::list_disagreeing(vertex_index v, std::vector<vertex_ind
   }
 }
 
-// Each node is taken back once, so this ends.
+// Undoes each node once, so this ends.
 void tensor_restoration::take_back(const std::vector<vertex_index>& nodes,
                                    std::vector<vertex_index>& taken) {
   std::vector<vertex_index> waiting = nodes;

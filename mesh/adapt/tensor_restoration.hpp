@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Gives nodes back the tensors wanted, where stars go on agreeing, as far as doubles can tell.
+// Restores the wanted tensors at nodes where stars go on agreeing, as far as doubles can tell.
 //
-// A mesh is made and mended in a metric that is graded all over, and its stars agree in that. Most
-// tensors need not have been changed for it. So each is tried as it was wanted, and else moved
-// part of the way, one node after the other, as long as the edges and angles around it are in order
-// (local_tests.hpp). Positions and edges stay. Internal to mesh/adapt.
+// A mesh is made and mended in a metric that is graded everywhere, and its stars agree in that.
+// Most tensors need not have been changed for it. So the wanted tensor of each node is tried, and
+// otherwise a step towards it, one node after the other, as long as the edges and angles around it
+// pass their tests (local_tests.hpp). Positions and edges stay. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +20,20 @@ namespace asterism::internal::adapting {
 
 class tensor_restoration {
  public:
-  // `wanted` has a tensor for each node. Those the nodes have are the ones to return to. The mesh
-  // must outlive the object.
+  // Takes one wanted tensor for each node. The present tensors are those to which an undone node
+  // returns. The mesh must outlive the object.
   tensor_restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted);
 
-  // Restores tensors until no node can change, or sweeps are over: whole tensors first, then parts
-  // of the way, unless hardly any node can have the whole.
+  // Restores tensors until no node can change, or the limit on sweeps is reached: whole steps
+  // first, then parts, unless hardly any node can make the whole step.
   void run(const cancellation& stop);
-  // Undoes the changes of these nodes, and of those around whose edges do not agree then; these
-  // nodes are not tried again. Adds the nodes that had been changed to `taken`.
+  // Undoes the changes of these nodes, and of nodes around them whose edges then disagree; none of
+  // these is tried again. Adds the nodes that had been changed to `taken`.
   void take_back(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& taken);
-  // True if the node has been changed, so that it can be undone.
+  // True if the node has been changed, and can be undone.
   bool has_given(vertex_index v) const { return !identical(m_.at(v).metric, before_[v]); }
-  // Has undoing return to the present tensors of these nodes, and does not try them again.
+  // Makes the present tensors of these nodes those to which they return, and does not try these
+  // nodes again.
   void keep(const std::vector<vertex_index>& nodes);
 
  private:

@@ -15,7 +15,8 @@ namespace asterism::internal::adapting {
 namespace {
 
 constexpr double weight_of_size = 0.3, weight_of_low = 0.5;
-// Energy of shape from which a triangle is poor: every triangle with an angle of 25 degrees has it.
+// Energy of shape from which a triangle counts as poor: every triangle with an angle of 25 degrees
+// has at least that.
 constexpr double poor = 1.5;
 
 }  // namespace
@@ -26,7 +27,7 @@ double shape_energy(const node& a, const node& b, const node& c, double unit) {
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
   const double vx = wx - ux, vy = wy - uy;
   const double twice = ux * wy - uy * wx;
-  // Sum of the squares of the three sides.
+  // Returns the sum of the squared lengths of the three sides in a metric.
   const double xx = ux * ux + wx * wx + vx * vx, xy = ux * uy + wx * wy + vx * vy,
                yy = uy * uy + wy * wy + vy * vy;
   double shape = 0;
@@ -84,8 +85,8 @@ vertex_index unit_mesher::locate(const point& q, vertex_index from) const {
 }
 
 // True if a corner of t is nearer to the place than nodes may be, as either measures it, unless the
-// edge between them would be split twice anyway: across a jump of the metric the coarser side
-// measures everything as near.
+// edge between them would be split twice in any case: across a jump of the metric every node is
+// near in the coarser side's metric.
 bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
   constexpr double room = 0.8, far = 4;  // units
   const double least = room * room * unit_ * unit_;
@@ -98,8 +99,8 @@ bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
   });
 }
 
-// Returns the area that the metric at the nodes measures, and how many faces it has. It is added up
-// by chunks of a fixed size, so that threads do not change it.
+// Returns the area in the metric of the nodes, and the number of faces. Adds up chunks of a fixed
+// size, so that the number of threads does not change the sum.
 std::pair<double, std::size_t> unit_mesher::measured_area() const {
   std::vector<double> logarithms(m_.nodes().size(), 0);  // of the nodes' densities
   m_.each_node([&](vertex_index v) { logarithms[v] = quick_log(m_.at(v).root); });
@@ -130,12 +131,13 @@ std::pair<double, std::size_t> unit_mesher::measured_area() const {
   return whole;
 }
 
-// Chooses the unit that gives the number of nodes wanted if all faces were equilateral, from the
-// area that the metric at the nodes measures.
+// Sets the unit to the length for which equilateral faces would give the wanted number of nodes,
+// from the area in the metric of the nodes.
 void unit_mesher::measure_unit() {
   if (options_.count == 0) return;
   const auto [area, faces] = measured_area();
-  // Twice the nodes less the faces depends on the boundary alone (Euler).
+  // Uses that twice the number of nodes less the number of faces depends on the boundary alone
+  // (Euler).
   const double boundary = 2 * static_cast<double>(m_.count()) - static_cast<double>(faces);
   const double wanted = std::max(1.0, 2 * static_cast<double>(options_.count) - boundary);
   const double unit = crowding_ * std::sqrt(area / (wanted * std::numbers::sqrt3 / 4));
@@ -143,7 +145,7 @@ void unit_mesher::measure_unit() {
   if (std::isfinite(unit) && unit > 0) unit_ = std::clamp(unit, unit_ / most, unit_ * most);
 }
 
-// Splits the longest or merges the shortest edges, as many as there are nodes too few or too many.
+// Splits the longest or merges the shortest edges until the number of nodes is as wanted.
 void unit_mesher::meet_count() {
   constexpr int most = 4;
   constexpr std::size_t parts = 200;  // of the count: half a percent more or less is as wanted
@@ -159,7 +161,7 @@ void unit_mesher::meet_count() {
   }
 }
 
-// Splits, merges, flips and moves by turns, with the unit that gives as many nodes as are wanted.
+// Splits, merges, flips and moves in turn, with the unit that gives the wanted number of nodes.
 // Adds rounds while the count is off by more than this part of it.
 void unit_mesher::fit(double tolerable) {
   constexpr int rounds = 2, sweeps = 2, most_rounds = 10;
@@ -172,8 +174,8 @@ void unit_mesher::fit(double tolerable) {
     merge_and_move(unit_ / std::numbers::sqrt2, sweeps);
     if (options_.count == 0) continue;
     ratio = static_cast<double>(m_.count()) / static_cast<double>(options_.count);
-    // Corrects by half as much again: the count would follow the square of the unit if all edges
-    // had length one, but those a little shorter are not merged.
+    // Corrects by the power 3/4 of the ratio of counts: the number of nodes would follow the square
+    // of the unit if all edges had length one, but edges a little shorter are not merged.
     constexpr double least = 0.8, most = 1.6, power = 0.75;
     crowding_ = std::clamp(crowding_ * quick_exp(power * quick_log(ratio)), least, most);
   }
@@ -185,7 +187,7 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
   forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) measure(v);
   seed(seeds);
-  // The count need only be right to a few percent here, as the mesh is fitted again.
+  // Accepts a count that is off by a few percent here, as the mesh is fitted again.
   constexpr double tolerable = 0.05;
   fit(tolerable);
 }
@@ -196,7 +198,8 @@ void unit_mesher::refit(metric_at field) {
   m_.each_node([this](vertex_index v) { measure(v); });
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists()) note_change(t);
-  // A mesh that was fitted is less crowded when it is fitted again, by about the root.
+  // Takes the square root of the correction: a fitted mesh needs about that when it is fitted
+  // again.
   crowding_ = std::sqrt(crowding_);
   constexpr double tolerable = 0.015;
   fit(tolerable);

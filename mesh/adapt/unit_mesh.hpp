@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a triangulation whose edges have length one and whose triangles are as alike as their
-// sites' metrics let them be: nodes from the background, splits, merges, flips and moves, by turns.
+// Makes a triangulation with edges of length one and triangles as equilateral as their sites'
+// metrics allow: from nodes of the background, by splits, merges, flips and moves in turn.
 //
 // Flips and moves lower an energy, and so does each of them alone; splits and merges are bounded in
-// number: it always ends. In doubles; a proposal. Internal to mesh/adapt.
+// number: it always ends. Works in doubles; the result is a proposal. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -20,53 +20,54 @@
 
 namespace asterism::internal::adapting {
 
-// Returns the metric at a point; `hint` helps the next look-up near it (background_metric.hpp).
+// Function that returns the metric at a point; `hint` speeds up the next look-up near it
+// (background_metric.hpp).
 using metric_at = std::function<metric_tensor(const point& q, vertex_index& hint)>;
 
 struct unit_mesh_options {
-  // Number of nodes wanted; by default 0: as many as edges of length one need.
+  // Number of nodes wanted; 0, the default, means the number that edges of length one need.
   std::size_t count = 0;
   std::size_t most_nodes = 1000000;
   cancellation stop;
 };
 
 // Returns the energy of a triangle, 1 for an equilateral one of the area of a unit one. `unit` is
-// the length wanted of an edge, or 0 where size is not to count. Infinite unless it surely turns
-// left.
+// the length wanted of an edge, or 0 where size is not to count. Infinite unless the triangle
+// certainly turns left.
 double shape_energy(const node& a, const node& b, const node& c, double unit);
 
-// Returns the part of it that the area makes, for a triangle that turns left.
+// Returns the part of the energy that depends on the area, for a triangle that turns left.
 double size_energy(const node& a, const node& b, const node& c, double unit);
 
 using face_energies = boost::container::small_vector<double, 16>;
 
-// True if a mesh may have a face with these corners.
+// Function that returns whether a mesh may have a face with these corners.
 using face_test = std::function<bool(const node& a, const node& b, const node& c)>;
 
 class unit_mesher {
  public:
   unit_mesher(working_mesh& m, unit_mesh_options options) : m_(m), options_(std::move(options)) {}
 
-  // Makes a new mesh in this metric, to be refitted later. `seeds` are places to begin with, in an
-  // order in which neighbours follow each other.
+  // Makes a new mesh in this metric, to be refitted later. `seeds` are the places of the first
+  // nodes, ordered so that near ones follow each other.
   void run(metric_at field, const std::vector<point>& seeds);
   // Changes the present mesh to fit another metric.
   void refit(metric_at field);
   // Changes the present mesh, whose nodes have the tensors of this field, for better shapes and
-  // fewer nodes, whatever lengths its edges have: merges what leaves the mean energy of shape
-  // nearly as low, flips edges and moves free nodes. Nothing is split, no node on a segment
+  // fewer nodes, whatever the lengths of its edges: merges nodes where the mean energy of shape
+  // stays nearly as low, flips edges and moves free nodes. Nothing is split, no node on a segment
   // changes, and no face is made that is not allowed.
   void improve(metric_at field, face_test allowed);
-  // Splits the longest edges, or merges the shortest, until there are as many nodes as are wanted.
+  // Splits the longest edges, or merges the shortest, until the number of nodes is as wanted.
   void meet_count(metric_at field);
-  // Splits the edges that are much too long in this metric and not short in the mesh's own, longest
-  // first, up to a number of nodes. Returns how many it split.
+  // Splits edges that are much too long in this metric and not short in the mesh's own, longest
+  // first, until the mesh has `most` nodes. Returns the number of splits.
   std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);
   // Splits a few edges of length 1.5 and more in the metric, longest first. Where the metric turns
   // fast more nodes than wanted would be needed to bring all edges near length one. Returns the
   // nodes made.
   std::vector<vertex_index> split_outliers(metric_at wanted);
-  // Returns the length in the metric that edges were fitted to.
+  // Returns the length, in the metric, to which edges were fitted.
   double unit() const { return unit_; }
 
  private:
@@ -85,17 +86,17 @@ class unit_mesher {
   std::pair<double, std::size_t> measured_area() const;
   void measure_unit();
   void meet_count();
-  // Called between passes; charges their work.
+  // True if the run is to stop; called between passes, and charges their work.
   bool is_stopped() {
     m_.charge_work(options_.stop);
     return options_.stop.is_requested();
   }
   void measure(vertex_index v) { m_.set_metric(v, field_(m_.at(v).position, m_.at(v).hint)); }
-  // Returns the energy of a face without its size; computed once for an unchanged face.
+  // Returns the energy of a face's shape, without its size; computed once for an unchanged face.
   double shape_of(vertex_index t);
   // Returns the energy of a face, size included.
   double energy(vertex_index t);
-  // Forgets the energies found; to be called when the mesh was changed from outside.
+  // Forgets all computed energies. Must be called after a change of the mesh from outside.
   void forget_shapes() { shapes_.clear(); }
 
   // Defined in unit_mesh_blocks.cpp.
@@ -109,7 +110,7 @@ class unit_mesher {
   void split_all_long(double longest);
   void merge_and_move(double shortest, int sweeps);
   void move_all(int sweeps);
-  // True if the node was inside a block of a cut so far: changes at the frames pass it over.
+  // True if the node was inside a block of some cut so far: changes on the frames skip it.
   bool was_inside(vertex_index v) const { return v < is_inside_.size() && is_inside_[v] != 0; }
 
   // Defined in unit_mesh_seeds.cpp.
@@ -144,14 +145,15 @@ class unit_mesher {
   metric_at field_;
   unit_mesh_options options_;
   face_test allowed_;  // empty: all faces are
-  // Least part of the energy around a node that a move must gain, to be worth the moves which it
-  // queues for the neighbours. Chosen; steers only.
+  // Least part of the energy around a node that a move must gain to be made: each move queues the
+  // neighbours for moves as well. Chosen by experiment.
   double least_gain_ = 1e-3;
   double unit_ = 1;  // 0 where size does not count
-  // By how much the unit has to be longer than equilateral triangles would have it, for as many
-  // nodes as are wanted: learnt from round to round.
+  // Factor by which the unit exceeds that of equilateral triangles for the same number of nodes;
+  // adjusted from round to round.
   double crowding_ = 1.05;
-  // Faces whose edges are to be checked for flips, in that order, and nodes that may want to move.
+  // Faces whose edges are to be tested for flips, in order, and flags of nodes to be tested for
+  // moves.
   std::vector<vertex_index> due_;
   std::vector<char> is_due_, is_restless_;
   static constexpr double shape_not_known = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the changes of a unit mesh in blocks, by several threads, where the mesh is large.
+// Changes a large unit mesh in blocks, by several threads.
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -17,7 +17,7 @@ struct unit_mesher::block_state {
   std::vector<double> shapes;
 };
 
-// Makes this the mesher of one block of a whole.
+// Makes this the mesher of one block of a larger mesh.
 void unit_mesher::begin_block(const unit_mesher& whole, const mesh_blocks::block& part) {
   field_ = whole.field_;
   unit_ = whole.unit_;
@@ -56,8 +56,8 @@ unit_mesher::block_state unit_mesher::end_block(const unit_mesher& whole,
   return left;
 }
 
-// Queues again what the blocks have left to do, and the edges of the frame for flips. Returns the
-// sum of what the blocks have done.
+// Queues again the changes that the blocks have left undone, and flips of the edges of the frame.
+// Returns the sum of the blocks' counts.
 std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
                                  const std::vector<block_state>& states) {
   std::size_t done = 0;
@@ -65,7 +65,7 @@ std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
   is_inside_.assign(m_.nodes().size(), 0);
   is_due_.assign(m_.faces().size(), 0);
   shapes_.assign(m_.faces().size(), shape_not_known);
-  // Several blocks have the same nodes at the frame; these are taken up one block after the other.
+  // Queues nodes of the frame, which several blocks share, one block after the other.
   const auto take_node = [&](std::size_t b, vertex_index v) {
     const vertex_index now = blocks.node_now(b, v);
     if (now == none) return;
@@ -94,8 +94,8 @@ std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
   return done;
 }
 
-// Does the work in each block of the next cut, after `prepare` has seen the cut. Returns the sum of
-// what the work returns.
+// Applies `work` to each block of the next cut, after `prepare` was called with the cut. Returns
+// the sum of the results.
 std::size_t unit_mesher::in_blocks(const block_work& work,
                                    const std::function<void(const mesh_blocks&)>& prepare) {
   const std::size_t count = m_.count();
@@ -118,8 +118,8 @@ std::size_t unit_mesher::in_blocks(const block_work& work,
 }
 
 // Splits the edges longer than this until none is left, or none can be split. Blocks split each
-// edge once and leave the rest to the next cut: beside a frame that is not yet split, splits that
-// go on make twice as many nodes as are wanted.
+// edge once and leave further splits to the next cut: beside a frame that is not yet split,
+// repeated splits would make twice as many nodes as are wanted.
 void unit_mesher::split_all_long(double longest) {
   constexpr int most_splits = 40;
   constexpr std::size_t few = 100;  // one node in so many
@@ -136,7 +136,7 @@ void unit_mesher::split_all_long(double longest) {
 }
 
 // Merges edges shorter than this, flips and moves: in the blocks of two cuts where the mesh is
-// large, and then the nodes that are on the frames of both.
+// large, then at the nodes that are on the frames of both.
 void unit_mesher::merge_and_move(double shortest, int sweeps) {
   if (!mesh_blocks::are_worth_it(m_)) {
     merge_short(shortest);
@@ -154,7 +154,7 @@ void unit_mesher::merge_and_move(double shortest, int sweeps) {
   is_inside_.clear();
 }
 
-// Flips and moves until nothing gets better, or sweeps are over.
+// Flips and moves until neither lowers the energy, or the limit on sweeps is reached.
 void unit_mesher::move_all(int sweeps) {
   flip_all();
   for (int i = 0; i < sweeps; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The changes that make a unit mesh: splits, merges, flips, moves.
+// Makes the changes of a unit mesh: splits, merges, flips, moves.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,9 +14,9 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Lower bound of a triangle's energy, with which sums are given up early. It is 1 for an
-// equilateral triangle and more for others; the tenth below is far more than roundings take. Steers
-// only.
+// Lower bound of a triangle's energy, with which sums are cut short. The energy is 1 for an
+// equilateral triangle and more for others; the tenth below 1 is far more than rounding
+// errors.
 constexpr double least_energy = 0.9;
 
 struct long_edge {
@@ -49,7 +49,7 @@ std::vector<long_edge> edges_where(const working_mesh& m, Wanted&& wanted) {
   return found;
 }
 
-// Returns the face with the edge from a to b on its border, and which of its edges that is.
+// Returns the face with the edge from a to b, and the number of the edge in it.
 std::pair<vertex_index, std::size_t> find_edge(const working_mesh& m, vertex_index a,
                                                vertex_index b) {
   face_list at;
@@ -68,15 +68,17 @@ point middle(const node& a, const node& b) {
   const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
   const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
   double t = 0.5;
-  // Differs from 1 by so much where the place is worth two logarithms: with x = ratio - 1 it is at
-  // 1/2 + x / 8, to first order, so that 1/2 is off by less than 2e-4 below. Steers only.
+  // Least difference of a ratio from 1 for which the place is computed from two logarithms: with x
+  // = ratio - 1 it is at 1/2 + x / 8, to first order, so that 1/2 has an error below 2e-4 for
+  // smaller differences.
   constexpr double least_difference = 1e-3;
   if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > least_difference)
     t = std::clamp(quick_log((1 + ratio) / 2) / quick_log(ratio), 0.25, 0.75);
   return {a.position.x + t * x, a.position.y + t * y};
 }
 
-// Returns the length of an edge as a field measures it: the mean of what there is at its ends.
+// Returns the length of an edge in a field: the mean of the lengths by the field's tensors at its
+// ends.
 double length_in_field(const metric_at& field, const node& a, const node& b, vertex_index& hint_a,
                        vertex_index& hint_b) {
   const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
@@ -85,8 +87,8 @@ double length_in_field(const metric_at& field, const node& a, const node& b, ver
   return (at_a + at_b) / 2;
 }
 
-// Returns the edges that are longer than this in the field, in their order. Of many that are long
-// as the mesh measures them few are, and looking that up is shared by threads.
+// Returns the edges that are longer than this in the field, in order. Few of the edges that are
+// long in the mesh's metric are; several threads test them.
 std::vector<long_edge> those_longer(const working_mesh& m, const metric_at& field,
                                     const std::vector<long_edge>& edges, double length) {
   constexpr std::size_t edges_at_once = 1024;
@@ -102,8 +104,8 @@ std::vector<long_edge> those_longer(const working_mesh& m, const metric_at& fiel
 
 }  // namespace
 
-// Splits the edges that are too long in the metric wanted and not short in the mesh's own. The
-// latter is the one that stars can agree about: what it has coarsened stays so.
+// Splits the edges that are too long in the wanted metric and not short in the mesh's own, in which
+// stars can agree: where that one is coarser edges stay long.
 std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const length_limits& limits,
                                                     std::size_t most_nodes) {
   std::vector<vertex_index> made_nodes;
@@ -162,19 +164,20 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
   const double now = shape_of(t) + shape_of(s);
-  // Energy of two triangles from which a flip is tried. The least is 2, of two equilateral ones, so
-  // that less than this can hardly get better. Steers only.
+  // Energy of two triangles from which a flip is tried. The least possible is 2, of two equilateral
+  // ones, so that a flip can hardly lower a smaller one.
   constexpr double good = 2.1;
   if (now < good) return false;
   const face& g = m_.faces()[s];
   const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
   const node& d = m_.at(g.v[after(g.corner_of(f.v[after(edge)]))]);
-  // Least part of the energy that a flip must gain. Far above the roundings of an energy, unless a
-  // triangle is nearly flat, so that flips do not undo each other. Steers only: the callers' loops
-  // are bounded besides.
+  // Least part of the energy that a flip must gain. Far above rounding errors of an energy, unless
+  // a triangle is nearly flat, so that flips do not undo each other; the callers' loops are bounded
+  // as well.
   constexpr double margin = 1e-6;
   const double most = now * (1 - margin);
-  // Infinite where the flip would turn a triangle over.
+  // Returns false where the flip would turn a triangle over, whose energy is infinite, or gain too
+  // little.
   const double one = shape_energy(c, a, d, 0);
   if (!(one + least_energy < most) || !(one + shape_energy(d, b, c, 0) < most)) return false;
   if (!is_allowed(c, a, d) || !is_allowed(d, b, c)) return false;
@@ -184,7 +187,7 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   return true;
 }
 
-// Flips from v outwards until nothing gets better.
+// Flips edges from v outwards until no flip lowers the energy.
 void unit_mesher::settle_around(vertex_index v) {
   note_changes_around(v);
   face_list at;
@@ -218,7 +221,7 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
     there.position = q;
     there.hint = m_.at(e.a).hint;
     there.metric = field_(q, there.hint);
-    // Leaves out a place so near to the nodes across that it would be merged again.
+    // Rejects a place so near to the nodes across that it would be merged again.
     bool crowded = false;
     for (const vertex_index s : {t, f.next[edge]}) {
       if (s == none) continue;
@@ -251,7 +254,7 @@ bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) 
     const face& f = m_.faces()[t];
     if (is_far(f.v[after(f.corner_of(v))])) return false;
   }
-  // At the boundary the last face adds one more neighbour.
+  // Adds one more neighbour for the last face at the boundary.
   const face& last = m_.faces()[at.back()];
   if (is_far(last.v[before(last.corner_of(v))])) return false;
   if (!m_.can_merge(v, w)) return false;
@@ -309,8 +312,8 @@ double unit_mesher::energies_of(const face_list& at, face_energies& each) {
   return sum;
 }
 
-// Returns the weighted mean of the places that the triangles around v want for it: above the edge
-// across from it, as high as an equilateral one is. Poor triangles have more weight.
+// Returns the weighted mean of the places that are best for the triangles around v: for each, the
+// apex of an equilateral triangle on the edge across from v. Poor triangles have more weight.
 point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energies& each) const {
   double x = 0, y = 0, weights = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -323,8 +326,8 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
     const double ex = b.position.x - a.position.x, ey = b.position.y - a.position.y;
     const double length = std::sqrt(squared(m, ex, ey) / 2);
     if (!(root > 0 && length > 0)) continue;
-    // The quarter turn in the metric, sqrt(det m) m^-1 J, scaled to the mean of two heights: of a
-    // unit triangle and of the equilateral one on this edge.
+    // Rotates by a quarter turn in the metric, sqrt(det m) m^-1 J, scaled to the mean of two
+    // heights: of a unit triangle and of the equilateral one on this edge.
     const double height = std::numbers::sqrt3 / 4 * (unit_ > 0 ? 1 + unit_ / length : 2);
     const double tx = (-m.m22 * ey - m.m12 * ex) / root, ty = (m.m12 * ey + m.m11 * ex) / root;
     const double w = each[k];
@@ -358,7 +361,7 @@ bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at,
   return false;
 }
 
-// Moves each queued node to the place wanted by its triangles, if that lowers their energy.
+// Moves each queued node to the place that is best for its triangles, if that lowers their energy.
 void unit_mesher::smooth() {
   face_list at;
   face_energies each;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Improves a mesh in the metric that its nodes have: fewer nodes, better shapes.
+// Improves a mesh in the metric of its nodes: fewer nodes, better shapes.
 #include <algorithm>
 #include <utility>
 
@@ -10,25 +10,25 @@ namespace asterism::internal::adapting {
 
 namespace {
 
-// Energy that a merge may cost beside what leaves the mean as it is: flips and moves around it win
-// that back. Of 0, 0.3, 0.8 and 2, the one with which most nodes go while the mean quality of the
-// meshes in docs/results/improvement.md is as high as with 0, or higher.
+// Energy by which a merge may raise the sum above that of an unchanged mean: flips and moves around
+// it gain that back. Of 0, 0.3, 0.8 and 2, the one with which most nodes go while the mean quality
+// of the meshes in docs/results/improvement.md is as high as with 0, or higher.
 constexpr double cost_of_merge = 0.8;
 // Least part of the energy that a move must gain here. Of six meshes in
 // docs/results/improvement.md, with 1e-3, as in fitting, none has fewer nodes, five have up to 9
-// more, and the mean quality of five is lower by 0.001 to 0.006. Steers only.
+// more, and the mean quality of five is lower by 0.001 to 0.006.
 constexpr double least_gain = 1e-4;
 
 }  // namespace
 
-// A node that may be merged into another, and what that gains: the energies of its faces and the
+// A node that may be merged into another, and the gain of that: the energies of its faces and the
 // cost allowed, less those of the faces that stay and of two faces as the mean is.
 struct unit_mesher::worthwhile_merge {
   double gain = 0;
   vertex_index v = none, into = none;
 };
 
-// Returns the best merge of a free node, if there is one that is worthwhile and allowed.
+// Returns the best merge of a free node, if one is allowed and gains energy.
 std::optional<unit_mesher::worthwhile_merge> unit_mesher::best_merge(vertex_index v, double mean) {
   if (m_.at(v).kind != node_kind::free) return std::nullopt;
   face_list at, neighbours;
@@ -64,7 +64,8 @@ double unit_mesher::mean_energy() {
   return sum / static_cast<double>(faces);
 }
 
-// Merges the nodes for which that is worthwhile, the greatest gain first. Returns their number.
+// Merges nodes for which that gains energy, in order of the gain, the greatest first. Returns the
+// number of merges.
 std::size_t unit_mesher::merge_where_better() {
   const double mean = mean_energy();
   std::vector<worthwhile_merge> found;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Puts the first nodes of a unit mesh in, in blocks where there are many of them.
+// Inserts the first nodes of a unit mesh, in blocks where there are many of them.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace {
 
 using seed_list = std::vector<point>;
 
-// Returns the seeds that are to be put in by each block.
+// Returns the seeds that each block inserts.
 std::vector<seed_list> by_blocks(const mesh_blocks& blocks, const seed_list& seeds) {
   constexpr std::size_t seeds_at_once = 4096;
   std::vector<std::uint32_t> block_of(seeds.size());
@@ -37,7 +37,7 @@ seed_list joined(const std::vector<seed_list>& lists) {
   return all;
 }
 
-// Returns each step-th of the seeds that is not a multiple of `coarser`, which may be 0.
+// Returns every step-th seed whose number is not a multiple of `coarser`, which may be 0.
 seed_list level_of(const seed_list& seeds, std::size_t step, std::size_t coarser) {
   seed_list some;
   for (std::size_t i = 0; i < seeds.size(); i += step)
@@ -47,7 +47,8 @@ seed_list level_of(const seed_list& seeds, std::size_t step, std::size_t coarser
 
 }  // namespace
 
-// Puts nodes at the seeds that have room. Returns those that no walk from the ones before led to.
+// Inserts nodes at the seeds that have room. Returns the seeds that no walk from the nodes before
+// reached.
 std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
   std::vector<point> left;
   vertex_index from = 0, hint = 0;
@@ -73,8 +74,8 @@ std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
   return left;
 }
 
-// Puts the seeds in, in blocks of one cut. Returns those left over, near the frame: their faces are
-// in other blocks than their places on the curve.
+// Inserts the seeds, in the blocks of one cut. Returns those left over near the frame: their faces
+// are in other blocks than their places on the curve.
 std::vector<point> unit_mesher::insert_in_blocks(const std::vector<point>& seeds) {
   std::vector<seed_list> lists, left;
   const auto insert = [&](unit_mesher& part, std::size_t b) {
@@ -89,10 +90,10 @@ std::vector<point> unit_mesher::insert_in_blocks(const std::vector<point>& seeds
   return joined(left);
 }
 
-// Puts the seeds in. Of many each 16th before the rest, and so on: the few of the beginning make
-// the mesh that is cut into blocks for the next ones. They are in an order in which neighbours
-// follow each other, and so is each part of them. Where few nodes are wanted most seeds find no
-// room, and all go in at once.
+// Inserts the seeds. Of many seeds every 16th is inserted before the rest, and so on: the few at
+// the beginning make the mesh that is cut into blocks for the next ones. All parts are ordered so
+// that near seeds follow each other. Where few nodes are wanted most seeds find no room, and all
+// are inserted at once.
 void unit_mesher::seed(const std::vector<point>& seeds) {
   constexpr std::size_t few = 16384, finer = 16;
   const std::size_t expected =

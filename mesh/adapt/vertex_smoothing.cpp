@@ -16,9 +16,10 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Degrees above the bound from which an angle is no defect.
+// Degrees above the angle bound from which an angle counts as no defect.
 constexpr double settled_degrees_above = 1;
-// Clearance aimed at: more than an edge is to keep, since the tensors around change after this.
+// Clearance at which moves aim: more than edges are to keep, since tensors around change
+// afterwards.
 constexpr double room_looked_for = 0.3;
 
 constexpr double slant = 1 / std::numbers::sqrt2;
@@ -31,8 +32,8 @@ constexpr std::array<point, 8> directions = {{{1, 0},
                                               {0, -1},
                                               {slant, -slant}}};
 
-// Returns the defect of a quantity that exceeds its limit by this much. It saturates: what is far
-// beyond its limit will stay so.
+// Returns the defect of a quantity that exceeds its limit by this much. It saturates: a quantity
+// far beyond its limit will stay so.
 double defect(double beyond) {
   constexpr double most = 1, of_any = 0.1;
   return beyond > 0 ? std::min(most, beyond) + of_any : 0;
@@ -60,9 +61,9 @@ vertex_smoothing::wanted_tensor vertex_smoothing::look_up(const point& q,
   return {there, plain_root_of_determinant(there)};
 }
 
-// With angles of less than half of the bound around many nodes the metric is not resolved: in two
-// fronts that cross there are such around 22 to 51 of a hundred, in other functions around at most
-// 14 (docs/design/adaptation.md).
+// True if angles of less than half of the bound are around many nodes: then the metric is not
+// resolved. In two fronts that cross 22 to 51 % of the nodes have such angles, in other functions
+// at most 14 % (docs/design/adaptation.md).
 bool vertex_smoothing::is_in_vain() const {
   constexpr std::size_t part = 6;
   const double least = cotangent_of(angle_bound_ / 2) - cotangent_;
@@ -99,8 +100,8 @@ void vertex_smoothing::run(const cancellation& stop) {
   }
 }
 
-// Finds the nodes without a defect. Most are, and to see that takes most of the time: several
-// threads do it, as nothing moves meanwhile.
+// Marks the nodes without a defect. They are most nodes, and take most of the time: several threads
+// do it, as nothing moves meanwhile.
 void vertex_smoothing::find_calm() {
   constexpr std::size_t nodes_at_once = 1024;
   const std::size_t count = m_.nodes().size();
@@ -118,8 +119,8 @@ void vertex_smoothing::find_calm() {
   });
 }
 
-// Marks the nodes whose defect depends on v as no longer calm: its neighbours, and those that have
-// it across.
+// Unmarks the nodes whose defect depends on v: its neighbours, and those across from
+// it.
 void vertex_smoothing::disturb_around(vertex_index v) {
   calm_[v] = 0;
   for (const vertex_index t : edges_.faces()) {
@@ -133,8 +134,8 @@ void vertex_smoothing::disturb_around(vertex_index v) {
   }
 }
 
-// Returns by how much the greatest cotangent of the face's angles exceeds the one without defect,
-// in the tensor wanted of a node.
+// Returns the excess of the greatest cotangent of the face's angles over the one without defect, in
+// the wanted tensor of a node.
 double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
   const face& f = m_.faces()[t];
   const point &a = m_.at(f.v[0]).position, &b = m_.at(f.v[1]).position, &c = m_.at(f.v[2]).position;
@@ -150,8 +151,9 @@ double vertex_smoothing::defect_of(vertex_index t, vertex_index by) const {
   return defect(excess_of(t, by));
 }
 
-// Returns the defect of the faces around the node in the tensors wanted of their other nodes.
-// Returns some number no less than `most` once it reaches that, or where a face does not turn left.
+// Returns the defect of the faces around the node in the wanted tensors of their other nodes.
+// Returns a number no less than `most` once the sum reaches that, or where a face does not turn
+// left.
 double vertex_smoothing::defect_of_others(const edges_around& at, vertex_index v,
                                           double most) const {
   double sum = 0;
@@ -180,7 +182,7 @@ double vertex_smoothing::defect_of_own(edges_around& at, vertex_index v) const {
   return sum;
 }
 
-// Returns the energy of the faces around the node, by which the mesh was fitted.
+// Returns the energy of the faces around the node: the one to which the mesh was fitted.
 double vertex_smoothing::energy() const {
   double sum = 0;
   for (const vertex_index t : edges_.faces()) {
@@ -190,8 +192,8 @@ double vertex_smoothing::energy() const {
   return sum;
 }
 
-// Lists the places around v, of several tried, with a smaller defect, the best first. What they add
-// to the energy of the fitted mesh counts as well: without it errors grow by 5 %.
+// Lists the places around v, of several tried, with a smaller defect, the best first. The energy of
+// the fitted mesh that they add counts as well: without it errors grow by 5 %.
 void vertex_smoothing::find_better_places(vertex_index v) {
   constexpr double weight_of_energy = 4;
   better_.clear();
@@ -225,8 +227,8 @@ void vertex_smoothing::find_better_places(vertex_index v) {
                    [](const place& p, const place& q) { return p.defect < q.defect; });
 }
 
-// True if an edge at v would be longer than edges may be, and longer than it is, by the mean of
-// what the tensors wanted of its ends measure.
+// True if an edge at v would be longer than its limit, and longer than it is now, by the mean of
+// both ends' wanted tensors.
 bool vertex_smoothing::stretches_edge(vertex_index v, const point& here, const place& there) const {
   constexpr double most = 1.4;  // units; beyond 1.5 edges were split before
   const auto length = [&](const point& from, const metric_tensor& wanted, vertex_index u) {
@@ -246,7 +248,7 @@ bool vertex_smoothing::stretches_edge(vertex_index v, const point& here, const p
   return false;
 }
 
-// Moves v there, and returns whether its edges and angles pass their tests.
+// Moves v to the place, and returns whether its edges and angles pass their tests.
 bool vertex_smoothing::may_be_at(vertex_index v, const place& there) {
   m_.move(v, there.at);
   const face_list& at = edges_.faces();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Moves nodes to where the metric wanted finds better angles, in a mesh that agrees in another one.
+// Moves nodes to places with better angles in the wanted metric, in a mesh whose stars agree in
+// another one.
 //
-// A mesh is made and mended in a metric that is graded all over. What is in the way of giving a
-// node back the tensor wanted (tensor_restoration.hpp) is, more often than not, an angle that this
-// tensor finds a few degrees below the bound, or a face across from the node whose star it would be
-// in. So nodes are moved a little while there is less of that, as far as edges and angles stay in
-// order in the tensors that the nodes have. These stay, and so do the edges. In doubles; a
-// proposal. Internal to mesh/adapt.
+// A mesh is made and mended in a metric that is graded everywhere. The obstacle to restoring a
+// node's wanted tensor (tensor_restoration.hpp) is mostly an angle that is a few degrees below the
+// bound in it, or a face across from the node whose star it would be in. So nodes are moved a
+// little as long as these defects decrease, and as edges and angles pass their tests in the present
+// tensors. Tensors and edges stay. Works in doubles; the result is a proposal. Internal to
+// mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -23,24 +24,25 @@ namespace asterism::internal::adapting {
 
 class vertex_smoothing {
  public:
-  // Metric wanted at a place; `hint` helps the next look-up near it (background_metric.hpp).
+  // Function that returns the metric wanted at a place; `hint` speeds up the next look-up near it
+  // (background_metric.hpp).
   using wanted_at = std::function<metric_tensor(const point& q, vertex_index& hint)>;
 
-  // `unit` is the length wanted of an edge. The mesh must outlive the object.
+  // Takes the wanted length `unit` of an edge. The mesh must outlive the object.
   vertex_smoothing(working_mesh& m, double angle_bound, double unit, wanted_at wanted);
 
-  // True if the metric wanted varies so much over the edges that moving would help few nodes.
+  // True if the wanted metric varies so much over the edges that moves would help few nodes.
   bool is_in_vain() const;
-  // Moves nodes until none has a better place, or sweeps are over.
+  // Moves nodes until none has a better place, or the limit on sweeps is reached.
   void run(const cancellation& stop);
 
  private:
-  // Tensor wanted of a node.
+  // The wanted tensor of a node.
   struct wanted_tensor {
     metric_tensor metric;
     double root = 0;  // of its determinant
   };
-  // Place of a node that is better for the angles.
+  // A place of a node with a smaller defect.
   struct place {
     point at;
     wanted_tensor wanted;

@@ -76,7 +76,7 @@ std::optional<vertex_index> working_mesh::split(vertex_index t, std::size_t edge
     return turns_left(nodes_[x].position, nodes_[y].position, where) &&
            turns_left(nodes_[y].position, nodes_[z].position, where);
   };
-  // The faces around the new node: (c, a, m), (b, c, m), and across (d, b, m), (a, d, m).
+  // Makes the faces around the new node: (c, a, m), (b, c, m), and across (d, b, m), (a, d, m).
   if (!fits(b, c, a)) return std::nullopt;
   vertex_index d = none;
   std::size_t j = 0;
@@ -149,7 +149,8 @@ void working_mesh::flip(vertex_index t, std::size_t edge) {
   replace_neighbour(bc, t, s);
 }
 
-// True if the merge loses no given node and no segment: a sliding node goes along its segment only.
+// True if the merge removes no given node and no segment: a sliding node may only be merged along
+// its segment.
 bool working_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
   const node& from = nodes_[v];
   if (from.kind == node_kind::free) return true;
@@ -193,7 +194,8 @@ void working_mesh::merge(vertex_index v, vertex_index w) {
       nodes_[w].face = t;
       continue;
     }
-    // The edge from v to the third node falls onto the one from w to it, across from v.
+    // Joins the faces beyond: the edge from v to the third node becomes that from w to it, across
+    // from v.
     const std::size_t k = f.corner_of(w);
     const vertex_index beyond_v = f.next[i], beyond_w = f.next[k];
     const vertex_index third = f.v[3 - i - k];

@@ -3,8 +3,8 @@
 // Holds a triangulation that is being fitted to a metric: nodes with tensors, faces with their
 // neighbours, and elementary changes.
 //
-// Every face surely turns left in doubles, always: a change that would spoil that is refused.
-// Nothing else is certain; whether stars agree is asked elsewhere. Internal to mesh/adapt.
+// Every face certainly turns left, by an error bound in doubles: other changes are refused. Nothing
+// else is certain; local_tests.hpp tests whether stars agree. Internal to mesh/adapt.
 #pragma once
 
 #include <array>
@@ -32,8 +32,8 @@ namespace asterism::internal::adapting {
 
 inline constexpr vertex_index none = ~vertex_index{0};
 
-// A given node is a vertex of the domain, a sliding one divides a segment, or the curve that this
-// is a chord of.
+// Kind of a node. A given node is a vertex of the domain. A sliding one divides a segment, and lies
+// on it or on the curve that the segment is a chord of.
 enum class node_kind : unsigned char { given, sliding, free, gone };
 
 struct node {
@@ -57,7 +57,7 @@ struct face {
   std::size_t corner_of(vertex_index u) const { return v[0] == u ? 0 : v[1] == u ? 1 : 2; }
 };
 
-// Segments of this number and above stand for edges of a frame between blocks (mesh_blocks.hpp),
+// Least number of a segment that stands for an edge of a frame between blocks (mesh_blocks.hpp),
 // which does not change.
 inline constexpr vertex_index first_of_frame = vertex_index{1} << 31U;
 inline constexpr bool is_of_frame(vertex_index segment) {
@@ -69,8 +69,8 @@ using face_list = boost::container::small_vector<vertex_index, 16>;
 inline constexpr std::size_t after(std::size_t i) { return i == 2 ? 0 : i + 1; }
 inline constexpr std::size_t before(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
-// True if doubles are sure that the three turn counter-clockwise. Differences, products and their
-// difference are each rounded once: 4 epsilon of the products covers it.
+// True if the three points certainly turn counter-clockwise. Differences, products and their
+// difference are each rounded once: 4 epsilon times the products bounds the error.
 inline bool turns_left(const point& a, const point& b, const point& c) {
   constexpr double part = 4 * std::numeric_limits<double>::epsilon();
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
@@ -81,20 +81,20 @@ inline double squared(const metric_tensor& m, double x, double y) {
   return x * (m.m11 * x + 2 * m.m12 * y) + m.m22 * y * y;
 }
 
-// Returns the length from one node to another: the mean of what the two measure where they differ
-// little, and about that of a metric that changes geometrically between them where they differ
-// much.
+// Returns the length of the edge between two nodes: the mean of both ends' lengths where
+// these differ little, else about the length in a metric that changes geometrically along the
+// edge.
 inline double length_between(const node& p, const node& q) {
   const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
   const double s = std::sqrt(squared(p.metric, x, y)), t = std::sqrt(squared(q.metric, x, y));
   return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
 }
 
-// Several threads may look at a mesh that none changes.
+// Triangulation that is being changed. Several threads may read it while none changes it.
 class working_mesh {
  public:
-  // Builds it from a mesh of `d` without disagreeing triangles. Fails, naming what is wrong, where
-  // that is no triangulation in doubles. `d` must outlive it.
+  // Builds the triangulation from a mesh of `d` without disagreeing triangles. Fails, with a
+  // reason, where that is no triangulation in doubles. `d` must outlive it.
   static result<working_mesh> build(const domain& d, const mesh& start);
 
   const std::vector<node>& nodes() const { return nodes_; }
@@ -109,16 +109,16 @@ class working_mesh {
     nodes_[v].root = plain_root_of_determinant(m);
   }
 
-  // Charges the account with the faces looked at since the last time: those listed around nodes,
-  // and those noted.
+  // Charges the account for the faces visited since the last call: those listed around nodes, and
+  // those noted.
   void charge_work(const cancellation& stop) {
     stop.charge(work_weights::face_listed * static_cast<double>(looked_at_.take()));
   }
-  // Returns the faces noted, which will not be charged here.
+  // Returns the number of faces noted so far, and clears it, so that they are not charged here.
   std::size_t take_looked_at() { return looked_at_.take(); }
   void note_looked_at(std::size_t faces) const { looked_at_.add(faces); }
 
-  // Calls act(v) for each node that is not gone, from as many threads as there are.
+  // Calls act(v) for each node that exists, in several threads.
   template <class Act>
   void each_node(const Act& act) const {
     constexpr std::size_t chunk = 1024;
@@ -137,10 +137,10 @@ class working_mesh {
     return length_between(nodes_[a], nodes_[b]);
   }
 
-  // Adds a node on edge i of t; on a subsegment it becomes a sliding one. Refused where a face
-  // would not turn left. The caller sets its metric.
+  // Adds a node on edge i of t; on a subsegment it becomes a sliding one. Returns no node where a
+  // face would not turn left. The caller sets its metric.
   std::optional<vertex_index> split(vertex_index t, std::size_t edge, const point& where);
-  // Adds a node inside t; refused where a face would not turn left.
+  // Adds a node inside t; returns no node where a face would not turn left.
   std::optional<vertex_index> insert(vertex_index t, const point& where);
   // True if the edge has faces on both sides, is no subsegment, and the other diagonal gives faces
   // that turn left.
@@ -151,29 +151,29 @@ class working_mesh {
   bool can_merge(vertex_index v, vertex_index w) const;
   // Merges v into its neighbour w. Requires can_merge().
   void merge(vertex_index v, vertex_index w);
-  // True if all faces at v turn left with v there.
+  // True if all faces at v would turn left with v at that place.
   bool can_move(vertex_index v, const point& where) const;
   void move(vertex_index v, const point& where) { nodes_[v].position = where; }
-  // Returns the place on the segment of a sliding node that is nearest to `where`, on the curve
-  // that the segment is a chord of; where the node is if an end of the chord is nearest.
+  // Returns the place on the segment of a sliding node that is nearest to `where`, or on the curve
+  // of which the segment is a chord; the node's present place if an end of the chord is nearest.
   point on_segment(vertex_index v, const point& where) const;
-  // Returns where to split an edge near a place on it: on the curve that it is a part of, and else
-  // the place itself. Nothing where the curve has no such point.
+  // Returns the place to split an edge at, near a point of it: on the curve that it is a part of,
+  // else the point itself. Nothing where the curve has no such place.
   std::optional<point> place_on_edge(vertex_index t, std::size_t edge, const point& where) const;
 
-  // Nodes and faces of a mesh or of a part of one.
+  // Nodes and faces of a mesh, or of a part of one.
   struct parts {
     std::vector<node> nodes;
     std::vector<face> faces;
   };
-  // Takes all nodes and faces out. Nothing may be asked until others are assigned.
+  // Removes and returns all nodes and faces. The mesh must not be used until others are assigned.
   parts release();
-  // Replaces nodes and faces: the domain's vertices first, none of them missing.
+  // Replaces the nodes and faces: the domain's vertices must come first, all of them present.
   void assign(parts p);
   // Returns a mesh of the same domain with these nodes and faces.
   working_mesh like(parts p) const;
 
-  // Returns the mesh: the nodes in the order of the domain's vertices, then by number; faces as
+  // Returns the mesh: vertices of the domain in their order, then other nodes by number; faces as
   // triangles; subsegments in the order of their segments. `renumbered` maps nodes to sites.
   mesh triangulation(std::vector<vertex_index>& renumbered) const;
 

@@ -8,7 +8,7 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Directed edge and the face on its left.
+// A directed edge, and the face on its left.
 struct half_edge {
   vertex_index a, b, face, edge;
   friend bool operator<(const half_edge& p, const half_edge& q) {
@@ -67,8 +67,9 @@ std::optional<error> working_mesh::add(const mesh& start) {
   }
   for (const node& n : nodes_)
     if (n.face == none) return refuse("a site is in no triangle");
-  // Beside sharp corners chords are split on their own line. Between such a place and one on the
-  // curve the boundary would be neither.
+  // Moves sliding nodes of chords onto their curves, also beside sharp corners, where chords are
+  // split on their own line: between such a node and one on the curve the boundary would follow
+  // neither.
   for (vertex_index v = 0; v < nodes_.size(); ++v) {
     if (nodes_[v].kind != node_kind::sliding) continue;
     if (!curves_->is_chord(nodes_[v].segment)) continue;
