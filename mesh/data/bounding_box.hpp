@@ -13,7 +13,7 @@ namespace asterism {
 struct bounding_box {
   point low, high;
 
-  // Grows the box as little as will make it hold the point, or the other box.
+  // Enlarges the box to the smallest one that contains the point, or the other box, as well.
   void include(const point& q) {
     low = {std::min(low.x, q.x), std::min(low.y, q.y)};
     high = {std::max(high.x, q.x), std::max(high.y, q.y)};

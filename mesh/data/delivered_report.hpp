@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Says how far the metric a mesh is delivered in is from the one wanted. Plain data: the mesher
-// fills it in, certificates hold it, verify measures it again (delivery/delivered_metric.hpp).
+// Holds the distance of a mesh's delivered metric from the one wanted. Plain data: the
+// mesher fills it in, certificates hold it, verify measures it
+// (delivery/delivered_metric.hpp).
 #pragma once
 
 #include <cstddef>
@@ -18,11 +19,12 @@ struct delivered_report {
   std::size_t changed = 0;  // sites whose tensor is not, to the last bit, the one wanted there
   double beyond_tenth = 0;  // the part of the sites where some length differs by more than 10 %
   double median = 0, ninetieth = 0, greatest = 0;  // distances, of all sites
-  // The domain's area as either metric measures it, from the tensors at the vertices.
+  // Area of the domain in either metric, from the tensors at the vertices.
   double complexity_wanted = 0, complexity_delivered = 0;
-  // Edges were made this many times as long as one, so that the number of sites came out as wanted.
+  // Factor by which edges are longer than one, to have the number of sites
+  // wanted.
   double length_factor = 1;
-  // Least angle and triangles below the bound, ascending, as the metric wanted measures them, away
+  // Least angle, in degrees, and triangles below the bound, ascending, by the metric wanted, away
   // from corners that are sharp in it.
   double worst_angle_wanted = 180;
   std::vector<vertex_index> low_wanted;
@@ -39,8 +41,8 @@ inline constexpr double most_median_distance = 2.302585092994046;
 // Of metrics as simulations make them, the worst are again two fronts that cross, at 3.4.
 inline constexpr double most_density_ratio = 10;
 
-// Returns how many times as dense, or as thin, the metric delivered is as the one wanted, on the
-// whole: at least 1, or no number where areas have none.
+// Returns the ratio of the densities on the whole, that of the metric delivered and that of the one
+// wanted or its inverse: at least 1, NaN where areas have no ratio.
 inline double density_ratio(const delivered_report& report) {
   const double ratio = report.complexity_delivered / report.complexity_wanted;
   return ratio < 1 ? 1 / ratio : ratio;

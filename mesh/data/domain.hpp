@@ -19,7 +19,7 @@
 
 namespace asterism {
 
-// The number of a vertex, site or triangle, from 0.
+// Number of a vertex, site or triangle, counted from 0.
 using vertex_index = std::uint32_t;
 
 // A segment between two vertices of `domain::vertices`. `marker` is carried to the mesh's boundary
@@ -31,7 +31,7 @@ struct segment {
   int left_region = 1, right_region = 1;  // the domain's on that side; right only when internal
 };
 
-// Gives its number to the part of the domain around it, as far as the segments.
+// A point that gives its region number to the part of the domain around it, up to the segments.
 struct region_point {
   point at;
   int number = 0;
@@ -48,7 +48,7 @@ struct domain_origin {
   std::vector<std::size_t> vertex_lines, segment_lines, hole_lines,
       region_lines = {}, curve_lines = {},
       curve_numbers = {};  // of the lines that the curves are of: a line may make several
-  // Changes and omissions of the reader, a sentence each.
+  // Notes on what the reader changed or left out, a sentence each.
   std::vector<std::string> notes = {};
 };
 
@@ -68,9 +68,9 @@ struct domain {
   std::vector<region_point> regions;
   bool number_all_regions = false;
   domain_origin origin;
-  // Curved parts of the boundary. Vertices in a row on one are joined by a segment.
+  // Curved parts of the boundary. Consecutive vertices of a curve are joined by a segment.
   std::vector<domain_curve> curves = {};
-  // Polygons that say what is inside, less what hole points are in; empty: segments say it.
+  // Polygons that define the inside, without areas of hole points; empty: segments define it.
   std::vector<domain_polygon> polygons = {};
 
   // Returns the smallest box around all vertices; a box of the origin alone when there are none.

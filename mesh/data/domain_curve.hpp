@@ -14,7 +14,7 @@
 #include "asterism/core/site.hpp"
 
 namespace asterism {
-// Kinds of curves.
+// Kinds of curves that a domain can have.
 enum class curve_kind { arc, cubic };
 
 // A curve from its first vertex to its last. An arc whose first vertex is its last is a whole
@@ -26,10 +26,10 @@ struct domain_curve {
   bool clockwise = false;                    // an arc
   std::array<point, 2> control = {};         // the inner control points of a cubic
   std::vector<std::uint32_t> vertices = {};  // at least two, in their order along the curve
-  // The place of each: increasing, from 0 to 1; the part of the angle of an arc, the parameter of a
-  // cubic.
+  // Parameter of each vertex: increasing, from 0 to 1; the share of an arc's angle, or the
+  // parameter of a cubic.
   std::vector<double> parameters = {};
-  // The segment between first and last vertex that the curve replaces when it is divided
+  // Index of the segment between first and last vertex that the curve replaces when it is divided
   // (domain/divide_curves.hpp); without a meaning later.
   std::uint32_t segment = 0;
 };

@@ -17,12 +17,12 @@ namespace asterism {
 // A polygon of a domain. A ring encloses the points that are separated from infinity by an odd
 // number of its segments: of a ring that meets itself, or was repaired, this is what is inside.
 struct domain_polygon {
-  // The number of the feature that the polygon is a part of. Where polygons of several features
-  // have a part of the domain in common, its region is the least of their numbers. Without one, the
-  // part is numbered as one without a region point.
+  // Number of the feature that the polygon belongs to. Where polygons of several features have a
+  // part of the domain in common, its region is the least of their numbers. Without a number, the
+  // part is numbered like one without a region point.
   std::optional<int> region;
-  // The numbers of each ring's segments, from 0: the outer ring's first, then those of holes. A
-  // polygon without rings contains nothing.
+  // Indices of each ring's segments: the outer ring's first, then those of holes. A polygon without
+  // rings contains nothing.
   std::vector<std::vector<std::uint32_t>> rings;
 };
 

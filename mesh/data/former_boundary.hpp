@@ -17,11 +17,12 @@ struct former_boundary {
   // The former vertices between the ends of each segment, from its first to its second: as many
   // lists as the domain has segments.
   std::vector<std::vector<point>> between;
-  // Greatest distance of the two that was asked for, in units of the domain; default: none was.
+  // Greatest distance asked for between the two, in units of the domain; default:
+  // none.
   std::optional<double> allowed = {};
 };
 
-// How far the two are from each other.
+// Distance between the boundary of a mesh and the former one.
 struct former_boundary_report {
   std::size_t vertices_gone = 0;  // former ones that are no vertices of the domain
   // Upper bound of the distance from any point of either boundary to the other; infinity where the

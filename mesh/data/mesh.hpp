@@ -12,8 +12,8 @@
 
 namespace asterism {
 
-// A subsegment of a split segment; the domain lies to the left of a -> b, and on the right too when
-// the segment is internal.
+// A boundary edge, part of a segment; the domain lies to the left of a -> b, and on the right too
+// when the segment is internal.
 struct boundary_edge {
   vertex_index a = 0, b = 0;
   vertex_index segment = 0;  // index into domain::segments of the segment it is a subsegment of
@@ -30,17 +30,17 @@ struct mesh {
   std::vector<site> sites;
   vertex_index given = 0;
   std::vector<triangle> triangles;
-  // The region of each triangle; empty if all are in region 1. 0 is also the number of a triangle
-  // which no others join to a segment, in a mesh with gaps.
+  // The region of each triangle; empty if all are in region 1. In a mesh with gaps 0 is the number
+  // of a triangle that is joined to no segment.
   std::vector<int> regions;
-  // Each subsegment once, internal ones in the direction of their segment.
+  // Subsegments, each listed once, internal ones in the direction of their segment.
   std::vector<boundary_edge> boundary;
   std::vector<triangle> disagreeing;  // empty when refinement was complete
   // References of vertices, where a file gives others than the markers of its edges; else empty.
   // Carried along and part of the fingerprint, and without any other use.
   std::vector<int> references;
-  // Changes and omissions of its reader, a sentence each; empty for a mesh made here. No part of
-  // the fingerprint.
+  // Notes on what its reader changed or left out, a sentence each; empty for a mesh made here. Not
+  // part of the fingerprint.
   std::vector<std::string> notes = {};
 };
 

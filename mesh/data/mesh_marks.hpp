@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of a mesh that its file says must stay.
+// Holds the parts of a mesh that its file marks as required.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 
 namespace asterism {
 
-// Medit's Corners, RequiredVertices and RequiredEdges, the last by their ends.
+// Medit's Corners, RequiredVertices and RequiredEdges, edges by their two
+// ends.
 struct mesh_marks {
   std::vector<vertex_index> corners, required_vertices;
   std::vector<std::array<vertex_index, 2>> required_edges;
 };
 
-// A mesh with its marks.
+// A mesh with the marks of its file.
 struct marked_mesh {
   mesh subject;
   mesh_marks marks;

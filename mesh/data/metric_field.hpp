@@ -13,18 +13,18 @@
 
 namespace asterism {
 
-// Tensors wanted. `at` is deterministic and thread-safe. It fails, naming the point and the three
-// numbers, where the tensor is not finite or not (exactly tested) positive definite.
+// A field of wanted tensors. `at` is deterministic and thread-safe. It fails, naming the point and
+// the three numbers, where the tensor is not finite or not (exactly tested) positive definite.
 class ASTERISM_EXPORT metric_field {
  public:
   virtual ~metric_field() = default;
   virtual result<metric_tensor> at(const point& q) const = 0;
-  // Tells a field that it will be asked at these places, or most of them, and perhaps at others. A
-  // field for which many at once are cheaper than one by one calls `places` and remembers what it
-  // finds; others leave them uncounted. Changes no answer of `at`.
+  // Announces that `at` will be called for these places, or most of them, and perhaps for others. A
+  // field for which many evaluations at once are cheaper calls `places` and stores the results;
+  // other fields ignore it. Changes no result of `at`.
   virtual void expect(const std::function<std::vector<point>()>& places) const { (void)places; }
-  // Returns the mesh at whose vertices the field is given, with these tensors, where it is given
-  // so; else none. It lives as long as the field.
+  // Returns the mesh at whose vertices the field is given, with these tensors; null for other
+  // fields. It lives as long as the field.
   virtual const mesh* background() const { return nullptr; }
 };
 

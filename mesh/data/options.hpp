@@ -13,8 +13,8 @@
 namespace asterism {
 
 // The thesis's two heuristics, and `fill`: with a size limit the domain is filled first
-// (fill/fill.hpp), then defects are mended at the points the arcs offer, and in the end every star
-// is held against all sites.
+// (fill/fill.hpp), then defects are mended at candidates of the arcs, and in the end every star is
+// tested against all sites.
 enum class refinement_strategy { voronoi_arcs, poisson_darts, fill };
 
 // Options of a meshing run.
@@ -29,9 +29,9 @@ struct mesh_options {
   // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out
   // around length 1. Checked only when set (the command line sets it when --size is given).
   bool limit_size = false;
-  // Number of vertices to come out, within some percent, with edges as long as that takes. Met
-  // where the metric is given on a mesh (delivery/metric_delivery.hpp); elsewhere the metric
-  // decides alone.
+  // Number of vertices wanted, within some percent; the length of edges follows from it. Met where
+  // the metric is given on a mesh (delivery/metric_delivery.hpp); elsewhere the metric decides
+  // alone.
   std::optional<std::size_t> vertices = {};
   std::size_t max_sites = 100000;
   // Keeps the domain's vertices as the only sites, and its segments whole, if no triangle of their
@@ -55,18 +55,18 @@ struct mesh_options {
   bool prove_voronoi = false;
 };
 
-// The phase of a run. While filling, sites are being proposed, and nothing is known of triangles
+// The phase of a run. While filling, sites are being proposed, and no triangle is known
 // yet.
 enum class mesh_phase { filling, refining, auditing };
 
-// The state of a run, reported now and then.
+// State of a run, reported from time to time.
 struct mesh_progress {
   mesh_phase phase = mesh_phase::refining;
   std::size_t sites = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   double sites_expected = 0;  // while filling, about; 0 when that cannot be told yet
 };
 
-// Called now and then, from the thread that started the run; may be empty.
+// Function called from time to time by the thread that started the run; may be empty.
 using progress_listener = std::function<void(const mesh_progress&)>;
 
 }  // namespace asterism

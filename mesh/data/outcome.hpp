@@ -25,7 +25,7 @@ struct exempt_corner {
   double angle = 0;  // degrees, as its own metric sees it, between its two segments
 };
 
-// How a run ended. pipeline/outcome_text.hpp says it in a sentence.
+// Ways in which a run ends. pipeline/outcome_text.hpp has a sentence for each.
 enum class ending {
   complete,    // all stars agree, and every triangle meets the demands
   site_limit,  // mesh_options::max_sites was reached with demands left
@@ -46,7 +46,7 @@ struct steep_place {
   double spacing = 0;         // metric length: the shortest distance of sites that was considered
 };
 
-// Sharp corner of the domain that bad triangles are beside.
+// A sharp corner of the domain with bad triangles beside it.
 struct sharp_corner {
   vertex_index vertex = 0;
   point at;
@@ -71,14 +71,14 @@ struct refinement_ending {
   double tolerance = 0;           // metric length: the one in force at the end
   std::size_t sites_since = 0;    // too_steep: inserted since the first triangle was given up
   std::optional<steep_place> steep;
-  // Collateral, stuck, too_steep, overworked: beside bad triangles.
+  // Set for collateral, stuck, too_steep and overworked: the sharpest corner beside bad triangles.
   std::optional<sharp_corner> sharpest;
   std::optional<crowded_site> crowded;  // crowded: the most crowded site
   std::string stopped_because;          // stopped: what mesh_options::stop said
   bool nothing_added = false;  // the given vertices were complete by themselves, and are the mesh
   // Factor by which all edges were made longer because the size wanted would have taken more sites
-  // than max_sites allows, default 1; and about how many sites would have been wanted (0: the run
-  // was stopped before that could be told).
+  // than max_sites allows, default 1; and the estimated number of sites wanted (0: the run was
+  // stopped before the estimate).
   double length_factor = 1, sites_wanted = 0;
 };
 
@@ -94,11 +94,11 @@ struct improvement_report {
   bool stopped = false;  // by options.stop; the mesh is the last one that was accepted
 };
 
-// Metric in which stars agree, though it is farther from the one wanted than
+// Distance of a metric in which stars agree, but which is farther from the one wanted than
 // mesh_options::metric_tolerance allows.
 struct intolerable_distance {
-  // What is too much: delivered_report::greatest, with a tolerance; else its median, or, where that
-  // is not, the ratio of complexities (density_ratio).
+  // The measure that is too large: delivered_report::greatest, with a tolerance; else its median,
+  // or, where that is small enough, the ratio of complexities (density_ratio).
   enum class measure { greatest, median, density };
 
   double allowed = 0, found = 0;
@@ -122,17 +122,18 @@ struct attempt_report {
   std::optional<ending> how;  // none: it led to no mesh
 };
 
-// Two vertices that were given.
+// Two given vertices and their distance.
 struct close_vertices {
   vertex_index a = 0, b = 0;
   point at;           // the place of a
   double length = 0;  // between them, in the plane
 };
 
-// Last resort of a run: one metric for all sites (delivery/constant_metric_fallback.hpp).
+// A last resort, one metric for all sites
+// (delivery/constant_metric_fallback.hpp).
 struct last_resort_report {
   refinement_ending as_given;  // how refinement ended in the metric as given
-  // Two given vertices there that are a rounding apart, which leaves no room for triangles.
+  // Two given vertices that are a rounding apart, which leaves no room for triangles beside them.
   std::optional<close_vertices> too_close;
   bool has_demands = true;   // on angles and sizes; without them the run is not complete
   bool is_as_given = false;  // the metric given is the same everywhere, wherever it was looked at
@@ -149,32 +150,34 @@ struct mesh_outcome {
   std::size_t sites = 0, triangles = 0, disagreeing = 0, low_angle = 0, too_large = 0;
   bool jumps = false;  // some disagree where the metric jumps, or all but jumps
   std::size_t inserted = 0, splits = 0, candidates_rejected = 0;
-  // Stars a search of what is near had got wrong, found by looking at all sites, and mended.
+  // Number of stars that a local search made wrongly, mended by a search of all
+  // sites.
   std::size_t star_repairs = 0;
   std::vector<exempt_corner> exempt;
   std::vector<triangle> exempt_triangles;  // of result.triangles, below the bound at or across them
   tier_counters counters;
   std::optional<improvement_report> improved;  // where passes were asked for and it is complete
-  // Present if the mesh is of one metric for all sites; `delivered` says how far that is from the
-  // one wanted, unless it is that.
+  // Set if the mesh is in one metric for all sites; `delivered` has its distance from the one
+  // wanted, unless both are equal.
   std::optional<last_resort_report> one_metric;
-  // How the refinement in one metric ended that was stopped; the mesh is then of the metric given,
-  // and `ended` is how refinement had ended there.
+  // How a refinement in one metric ended that was stopped; the mesh is then in the metric given,
+  // and `ended` tells how refinement ended there.
   std::optional<refinement_ending> stopped_in_one_metric;
-  // How far the metric of the mesh is from the one wanted; present if the mesh was made by local
-  // changes, or in one metric for all sites.
+  // Distance of the mesh's metric from the one wanted; set if the mesh was made by local changes,
+  // or in one metric for all sites.
   std::optional<delivered_report> delivered;
-  // Present where such a metric was found and none that is near enough. With a tolerance of 0 the
-  // mesh is of the metric wanted, else of that one.
+  // Set if only a metric beyond the tolerance led to a mesh. With a tolerance of 0 the mesh is in
+  // the metric wanted, else in that one.
   std::optional<intolerable_distance> intolerable;
-  // The attempts of the run, in order, and the one whose mesh this is; none outside of make_mesh.
+  // Attempts of the run, in order, and the one that made this mesh; set by make_mesh
+  // alone.
   std::vector<attempt_report> tried;
   std::optional<mesh_attempt> chosen;
-  // The auditor's report, where the mesher asked for it already: with the angle bound and the
-  // domain of the run, no corner exempt, and nothing asked of the Voronoi diagram.
+  // The auditor's report, if the mesher ran the audit already: with the angle bound and the domain
+  // of the run, no corner exempt, and nothing asked of the Voronoi diagram.
   std::shared_ptr<const audit_report> audited;
 
-  // Returns how the run as a whole ended, whatever became of the refinement that made its mesh.
+  // Returns how the run as a whole ended, also where the refinement of its mesh ended otherwise.
   ending how() const {
     if (one_metric) return ending::one_metric;
     if (stopped) return ending::stopped;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Nodes of the sides of second-order triangles.
+// Holds the nodes of the sides of second-order triangles.
 //
 // Such a triangle is the image of a straight one under a quadratic map: each corner and, for each
 // side, a node that the middle of the side goes to. Sides that are not named are straight: their
@@ -12,7 +12,7 @@
 
 namespace asterism {
 
-// The node of a side that is not straight.
+// A side that is not straight, by its ends, and its node.
 struct side_node {
   vertex_index a = 0, b = 0;  // ends of the side, a < b
   point at;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds where sites are, and the box around them.
+// Lists the positions of sites, and finds the box around them.
 #pragma once
 
 #include <vector>

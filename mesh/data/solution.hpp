@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A solution on a mesh: fields given by their values at its vertices, linear in between.
+// Holds a solution on a mesh: fields given by their values at its vertices, linear in between.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace asterism {
 
-// The kind of a field: how many numbers a vertex has of it.
+// Kinds of fields, by the number of values at a vertex.
 enum class field_kind { scalar = 1, vector = 2, tensor = 3 };
 
-// Returns the numbers that a vertex has of a field: 1, 2 or 3.
+// Returns the number of values that a field has at a vertex: 1, 2 or 3.
 constexpr std::size_t components_of(field_kind kind) { return static_cast<std::size_t>(kind); }
 
-// A field. The numbers of vertex v are values[v * c], ..., values[v * c + c - 1], with c
-// components: of a vector x and y, of a symmetric tensor t11, t12, t22.
+// A field. Vertex v has the values v * c to v * c + c - 1 of the list, with c components: of a
+// vector x and y, of a symmetric tensor t11, t12, t22.
 struct solution_field {
   std::string name;  // as the file names it; in formats without names the number, from 1
   field_kind kind = field_kind::scalar;
@@ -29,7 +29,7 @@ struct solution {
   std::vector<solution_field> fields;
 };
 
-// One number a vertex: a scalar field, or a component of another.
+// One value for each vertex: a scalar field, or one component of another field.
 struct nodal_values {
   std::string name;  // of the field; for a component with .x, .y, or .xx, .xy, .yy after it
   std::vector<double> values;

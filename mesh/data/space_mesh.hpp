@@ -14,12 +14,12 @@ namespace asterism::internal {
 
 using space_triangle = std::array<std::uint32_t, 3>;
 
-// `faces` has the number of the surface's face for each triangle, or is empty.
+// A mesh in space. `faces` has the number of the surface's face for each triangle, or is empty.
 struct space_mesh {
   std::vector<space_point> points;
   std::vector<space_triangle> triangles;
   std::vector<std::uint32_t> faces = {};
-  // Changes and omissions of its reader, a sentence each.
+  // Notes on what its reader changed or left out, a sentence each.
   std::vector<std::string> notes = {};
 };
 

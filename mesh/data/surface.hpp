@@ -43,7 +43,7 @@ struct surface_patch {
 struct surface {
   std::string name;
   std::vector<surface_patch> patches;
-  // Changes and omissions of the reader, a sentence each.
+  // Notes on what the reader changed or left out, a sentence each.
   std::vector<std::string> notes = {};
 };
 

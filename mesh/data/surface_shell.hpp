@@ -13,7 +13,7 @@
 
 namespace asterism::internal {
 
-// Places a given site of a trimmed patch on its border: the curve, and the share of the curve's
+// Place on the border of a trimmed patch of a given site: the curve, and the share of the curve's
 // parameters, from 0 to below 1.
 struct border_place {
   std::uint32_t curve = 0;

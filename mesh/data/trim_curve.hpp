@@ -19,9 +19,9 @@ struct trim_point {
   friend bool operator==(const trim_point&, const trim_point&) = default;
 };
 
-// Two curves with one edge name are the same curve in space but for the gap between them. A place
-// of the edge is a share of the parameters of each curve, from 0 to 1, or from 1 to 0 of one that
-// runs backward.
+// Two curves with one edge name are the same curve in space, except for the gap between them. A
+// place of the edge is a share of the parameters of each curve, from 0 to 1, or from 1 to 0 of one
+// that runs backward.
 struct trim_curve {
   int degree = 1;
   std::vector<double> knots;
