@@ -36,12 +36,12 @@ void close_ring(domain& d, std::size_t first, int marker) {
 }
 
 // A set of points by their numbers in a list, in one array that is never more than half full: for
-// millions, a place found with one look.
+// millions of points, mostly found in one access.
 class known_points {
  public:
   explicit known_points(std::size_t most) : places_(std::bit_ceil(2 * most + 1), none) {}
 
-  // Adds points[v]; false if there is one at that place already.
+  // Adds points[v]; returns false if a point at that place is in the set.
   bool add(const std::vector<point>& points, vertex_index v) {
     const std::size_t mask = places_.size() - 1;
     std::size_t at = mixed_bits(bits_of(points[v].x) + mixed_bits(bits_of(points[v].y))) & mask;
@@ -53,14 +53,14 @@ class known_points {
 
  private:
   static constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
-  // Both zeros are one place.
+  // Maps both zeros to one place.
   static std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
 
   std::vector<vertex_index> places_;
 };
 
 bounding_box shrunk(const bounding_box& box) {
-  // Fractions of the corners rather than of the extent, which may overflow.
+  // Computes the box from its corners rather than from its extent, which may overflow.
   return {{0.95 * box.low.x + 0.05 * box.high.x, 0.95 * box.low.y + 0.05 * box.high.y},
           {0.05 * box.low.x + 0.95 * box.high.x, 0.05 * box.low.y + 0.95 * box.high.y}};
 }
@@ -91,9 +91,10 @@ result<domain> airfoil(const airfoil_options& options) {
   d.name = "airfoil";
   d.vertices = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
   close_ring(d, 0, 1);
-  // Along the lower side from the trailing to the leading edge, back along the upper one. The root
-  // of x is a cubic of the parameter that makes points denser at both edges; unlike the customary
-  // cosine it needs no function of the C library, whose last bit may differ between machines.
+  // Goes along the lower side from the trailing to the leading edge, back along the upper one. The
+  // root of x is a cubic of the parameter that makes points denser at both edges; unlike the
+  // customary cosine it needs no function of the C library, whose last bit may differ between
+  // machines.
   const auto root_at = [n](std::size_t i) {
     const double t = static_cast<double>(i) / static_cast<double>(n);
     return t * (1.5 - 0.5 * t * t);
@@ -109,7 +110,8 @@ result<domain> airfoil(const airfoil_options& options) {
   return d;
 }
 
-// Numbers many along a curve: a mesh of points in the order drawn is met all over memory.
+// Numbers many points along a curve: points in the order drawn are read from all over memory when
+// they are meshed.
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
   constexpr std::size_t draws_per_point = 1000, many = 5000;
   const std::size_t given = d.vertices.size();

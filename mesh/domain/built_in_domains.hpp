@@ -15,7 +15,7 @@ namespace asterism {
 // Returns [-1,1]^2, counter-clockwise from (-1,-1); segments marked 1 (bottom) to 4 (left).
 ASTERISM_EXPORT domain square();
 
-// Shape and resolution of the airfoil and its box.
+// Number of intervals of the airfoil, and its box.
 struct airfoil_options {
   std::size_t points_per_side = 40;  // intervals along the upper side and along the lower one
   bounding_box box = {{-1, -1}, {2, 1}};

@@ -19,7 +19,7 @@ using namespace internal;
 
 namespace {
 
-// An edge that stays, and the faces beside it.
+// An edge that is kept, and the faces beside it.
 struct kept_edge {
   segment s;
   std::size_t left = 0, right = 0;
@@ -54,7 +54,8 @@ std::vector<kept_edge> kept_edges(const domain& d, const plane_graph& graph, con
   return kept;
 }
 
-// Vertices of the segments, and loose ones inside, in their order; the rest is counted.
+// Lists the vertices of segments, and loose ones inside the domain, in their order; counts the
+// others.
 std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const face_map& faces,
                                 const std::vector<bool>& removed,
                                 const std::vector<kept_edge>& edges, domain_repairs& repairs) {
@@ -90,7 +91,7 @@ std::vector<region_point> without_limits(const domain& d, domain_repairs& repair
 
 domain assemble(const domain& d, const std::vector<bool>& kept,
                 const std::vector<kept_edge>& kept_edges, std::vector<vertex_index>& renumbered) {
-  // A vertex that is not kept gets the number of none.
+  // Marks vertices that are not kept.
   constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
   domain accepted;
   accepted.name = d.name;
@@ -110,7 +111,8 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
     edges.push_back({s.a, s.b, edges.size(), s.marker});
   }
   if (d.holes.empty()) return accepted;
-  // A hole that shared a segment with the outside is a part of it now, and needs no point.
+  // Drops the point of a hole that shared a segment with the outside: the hole is a part of the
+  // outside now.
   const face_map faces(accepted.vertices, edges);
   const std::vector<std::size_t> around = faces.faces_around(d.holes);
   for (std::size_t h = 0; h < d.holes.size(); ++h)
@@ -118,7 +120,7 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
   return accepted;
 }
 
-// Returns a polygon for each feature, around all of its parts, by the segments that stay.
+// Returns a polygon for each feature, around all of its parts, by the segments that are kept.
 std::vector<domain_polygon> polygons_around(const polygon_faces& polygons,
                                             const std::vector<bool>& removed,
                                             const std::vector<kept_edge>& edges) {
@@ -145,7 +147,8 @@ result<domain> check(const domain& input, domain_repairs& report) {
   const auto graph = build_plane_graph(input, report);
   if (!graph.ok()) return graph.failure();
   const face_map faces(input.vertices, graph.value().edges);
-  // First what is open towards the outside, or a hole or region point in it would be blamed.
+  // Checks first that rings are closed towards the outside: otherwise a hole or region point in an
+  // open ring would be blamed.
   std::vector<bool> outside(2 * graph.value().edges.size() + 1, false);
   outside[face_map::outside] = true;
   if (auto failed = check_closed(input, graph.value(), faces, outside)) return std::move(*failed);

@@ -20,7 +20,7 @@
 //  - the faces that are left are given the numbers of the region points in them (data/domain.hpp);
 //  - limits on the area of a region's triangles are dropped: size is the metric's.
 //
-// Refused, by name, in the numbers and lines of the file the domain came from:
+// Refused, naming the part, in the numbers and lines of the file the domain came from:
 //  - coordinates that are not finite, segments whose vertices do not exist;
 //  - two segments that cross in a point inside both: the point is in general no double;
 //  - a chain of segments that ends alone in a hole or outside: a ring that is not closed. (A chain

@@ -34,7 +34,7 @@ bool are_in_range(const mesh& m) {
                       [&](const boundary_edge& e) { return is_missing(e.a) || is_missing(e.b); });
 }
 
-// Returns the first vertex at the place of each; empty where no two are at one place.
+// Returns for each vertex the first one at its place; empty where all places are different.
 std::vector<vertex_index> first_at_place(const mesh& m) {
   std::vector<vertex_index> order(m.sites.size());
   std::iota(order.begin(), order.end(), vertex_index{0});
@@ -56,7 +56,7 @@ std::vector<vertex_index> first_at_place(const mesh& m) {
   return first;
 }
 
-// Markers that the boundary lists for sides, in either direction.
+// Markers that the boundary has for sides, whatever their direction.
 class listed_markers {
  public:
   explicit listed_markers(const mesh& m) {
@@ -66,7 +66,7 @@ class listed_markers {
     }
     std::sort(listed_.begin(), listed_.end());
   }
-  // Returns the edge's number; none where it is not listed.
+  // Returns the index of the boundary edge; none where it is not listed.
   std::size_t find(vertex_index a, vertex_index b) const {
     const ends key{std::min(a, b), std::max(a, b)};
     const auto at =
@@ -88,8 +88,8 @@ struct crack_edge {
   int left_marker = 0, right_marker = 0;
 };
 
-// Finds the edges: sides without a triangle beyond, of which another one leads back between the
-// same places.
+// Finds the edges of cracks: sides without a triangle beyond, for which another such side leads
+// back between the same places.
 std::vector<crack_edge> find_edges(const mesh& m, const std::vector<vertex_index>& first) {
   const triangle_sides sides(m);
   std::vector<std::pair<ends, ends>> open;  // between places, and between vertices
@@ -148,7 +148,7 @@ std::optional<error> refuse_others(const mesh& m, const std::vector<vertex_index
   return std::nullopt;
 }
 
-// Gives each pair of markers the number that its edges have.
+// Gives each pair of markers a number for its edges.
 std::map<std::pair<int, int>, int> number_pairs(const mesh& m,
                                                 const std::vector<crack_edge>& edges) {
   std::vector<char> is_crack(m.boundary.size(), 0);
@@ -180,7 +180,7 @@ std::map<std::pair<int, int>, int> number_pairs(const mesh& m,
   return numbers;
 }
 
-// Lists each edge once, where its first side was, or after all.
+// Lists each edge of a crack once, in the place of its first side, or at the end.
 void list_once(mesh& m, const std::vector<crack_edge>& edges, crack_markers& markers) {
   const auto numbers = number_pairs(m, edges);
   std::vector<char> gone(m.boundary.size(), 0);
@@ -212,8 +212,8 @@ bool is_same(const metric_tensor& a, const metric_tensor& b) {
   return a.m11 == b.m11 && a.m12 == b.m12 && a.m22 == b.m22;
 }
 
-// Leaves the first vertex at each place, with a metric as fine as those of all, and returns the new
-// numbers.
+// Keeps the first vertex at each place, with a metric as fine as those of all there, and returns
+// the new numbers.
 std::vector<vertex_index> keep_first(mesh& m, const std::vector<vertex_index>& first) {
   std::vector<vertex_index> number(m.sites.size());
   vertex_index kept = 0;
@@ -255,7 +255,7 @@ result<joined_cracks> join_cracks(mesh& m) {
 
 namespace {
 
-// The corners of triangles, joined to fans around their vertices.
+// Corners of triangles, joined to fans around their vertices.
 class corner_fans {
  public:
   corner_fans(const mesh& m, const triangle_sides& sides, const std::vector<ends>& cracks)
@@ -300,7 +300,7 @@ std::vector<ends> edges_of_cracks(const mesh& m, const crack_markers& cracks) {
   return edges;
 }
 
-// Gives the corners of each fan but the first at a vertex of a crack a vertex of its own.
+// Gives each fan at a vertex of a crack, except the first, a vertex of its own.
 void part_triangles(const mesh& joined, corner_fans& fans, const std::vector<ends>& cracks,
                     parted_mesh& made) {
   mesh& m = made.content;
@@ -334,7 +334,7 @@ parted_mesh part_cracks(const mesh& joined, const crack_markers& cracks) {
   corner_fans fans(joined, sides, edges);
   part_triangles(joined, fans, edges, made);
   mesh& m = made.content;
-  // Returns the side of the triangle on the left of a -> b, with the vertices it has now.
+  // Returns the side on the left of a -> b, with the present vertices of its triangle.
   const auto side = [&](vertex_index a, vertex_index b) -> std::optional<ends> {
     const auto* const s = sides.find(a, b);
     if (s == nullptr) return std::nullopt;

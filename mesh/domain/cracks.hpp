@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Slits and cracks: edges of a mesh whose vertices are there twice, once for the triangles on each
-// side. Inside the mesher, and for the auditor, such an edge is a segment inside the domain with
-// one vertex at each place. Files have the vertices of both sides.
+// Joins and parts slits and cracks: edges of a mesh whose vertices exist twice, once for the
+// triangles on each side. Inside the mesher, and for the auditor, such an edge is a segment inside
+// the domain with one vertex at each place. Files have the vertices of both sides.
 //
 // A vertex is there once for each fan of triangles around it that the edges of cracks, and the
 // boundary, part from the others: once at the tip of a crack, twice along it, three times where
@@ -23,11 +23,11 @@ struct crack_sides {
   int left = 0, right = 0;  // of the edge as it is directed
 };
 
-// Cracks by the markers that their edges have inside the mesher: every edge of such a marker is one
-// of a crack. Empty: there are none.
+// Pairs of markers of cracks, by the marker that their edges have inside the mesher: every edge
+// with such a marker is one of a crack. Empty if there are no cracks.
 using crack_markers = std::map<int, crack_sides>;
 
-// The cracks of a mesh that has one vertex at each place.
+// Cracks of a mesh that has one vertex at each place.
 struct joined_cracks {
   crack_markers markers;
   std::vector<vertex_index> number;  // of each vertex there was; empty where all stay
@@ -46,7 +46,7 @@ ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m);
 // A mesh with the vertices of both sides.
 struct parted_mesh {
   mesh content;
-  // The vertex of the joined mesh that each one is; the first ones are the same.
+  // Vertex of the joined mesh that each vertex of the parted mesh is; the first ones are the same.
   std::vector<vertex_index> original;
 };
 

@@ -18,7 +18,7 @@ vertex_pairs ends_of_segments(const domain& d) {
   return ends;
 }
 
-// Returns how many vertices in a row of a chain are joined.
+// Returns the number of consecutive vertices of a chain that are joined by segments.
 std::size_t joined(const std::vector<vertex_index>& chain, const vertex_pairs& ends) {
   std::size_t count = 0;
   for (std::size_t i = 0; i + 1 < chain.size(); ++i)

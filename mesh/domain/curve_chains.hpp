@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps the curves of a domain while that is put in order.
+// Keeps the curves of a domain while check_domain puts the domain in order.
 #pragma once
 
 #include <optional>

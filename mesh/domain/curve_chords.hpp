@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Finds the piece of a curve that a segment of a divided domain is the chord of, and places on it.
-// Whatever splits segments asks it: refinement and meshes made by local changes.
+// Refinement and local changes, which split segments, use it.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ class curve_chords {
   bool is_chord(vertex_index segment) const {
     return segment < of_segment_.size() && of_segment_[segment];
   }
-  // Returns the point of the curve nearest to q, about, strictly between the ends of the chord;
-  // none if an end is nearest. Requires a chord.
+  // Returns about the nearest point to q on the curve, strictly between the ends of the chord; none
+  // if an end is nearest. Requires a chord.
   std::optional<point> nearest(vertex_index segment, const point& q) const;
 
  private:

@@ -26,7 +26,7 @@ double angle_between(const point& u, const point& v, bool clockwise) {
   return angle > 0 ? angle : angle + turn;
 }
 
-// Returns the last control points of the part before t, or the first ones of that from t on.
+// Returns the control points of a part of a cubic: of that before t, or of that from t on.
 std::array<point, 4> part_of_cubic(std::array<point, 4> p, double t, bool before) {
   std::array<point, 4> kept;
   for (std::size_t level = 0; level < 4; ++level) {
@@ -71,8 +71,8 @@ point curve_path::derivative(double t) const {
 }
 
 std::optional<double> curve_path::nearest(const point& q, double t0, double t1) const {
-  // The way from q to the curve's point goes backward along the curve before the nearest point,
-  // and forward after it.
+  // Bisects on a sign: the displacement from q to the curve's point goes backward along the curve
+  // before the nearest point, and forward after it.
   const auto is_before = [&](double t) { return dot(minus(at(t), q), derivative(t)) < 0; };
   if (!is_before(t0) || is_before(t1)) return std::nullopt;
   constexpr int halvings = 54;  // the bits of a double
@@ -107,7 +107,7 @@ double curve_path::height(double t0, double t1) const {
     const point a = minus(p[1], p[0]), b = minus(p[2], p[0]);
     return std::max(elementary::hypot(a.x, a.y), elementary::hypot(b.x, b.y));
   }
-  // The inner control points have at most three quarters of the weight, both together.
+  // Uses that the inner control points have at most three quarters of the weight, both together.
   return 0.75 / length *
          std::max(std::abs(cross(chord, minus(p[1], p[0]))),
                   std::abs(cross(chord, minus(p[2], p[0]))));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Evaluates the curves of a domain in doubles, to propose where they are divided. How far a point
-// then is from its curve the auditor finds by itself, exactly.
+// Evaluates the curves of a domain in doubles, to propose where they are divided. The auditor
+// bounds a point's distance from its curve by itself, exactly.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// A curve with the places of its ends.
+// A curve of the domain, with the places of its ends.
 class curve_path {
  public:
   // Requires ends that are not at the centre of an arc.
@@ -22,7 +22,7 @@ class curve_path {
   point at(double t) const;
   point derivative(double t) const;
   // Returns the parameter of about the nearest point to q strictly between t0 and t1, of a piece
-  // that is straightforward; none if an end is nearest.
+  // that goes forward along its chord; none if an end is nearest.
   std::optional<double> nearest(const point& q, double t0, double t1) const;
   // Returns points whose convex hull holds the piece from t0 to t1, up to rounding, and its chord:
   // three for an arc, four for a cubic, the ends first and last. An arc's piece must be below half

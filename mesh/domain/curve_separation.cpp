@@ -16,7 +16,8 @@ namespace {
 
 enum class item_kind { piece, segment, vertex };
 
-// A thing that may be in the way: a piece of a curve, a straight segment, a vertex on none.
+// An obstacle for a curve's piece: a piece of another curve, a straight segment, or a vertex on
+// none.
 struct item {
   item_kind kind = item_kind::piece;
   std::size_t number = 0;  // of the curve, segment or vertex
@@ -58,14 +59,14 @@ class separation {
     add({item_kind::piece, curve, t0, t1, convex_hull(paths_[curve].control_points(t0, t1)), {}});
   }
 
-  // Looks at the last piece waiting. Returns what is wrong with the curves, if it came to that.
+  // Tests the last waiting piece. Returns an error if the curves cannot be separated.
   std::optional<error> step() {
     const std::size_t now = waiting_.back();
     waiting_.pop_back();
     if (items_[now].is_gone) return std::nullopt;
     const auto other = find_contact(now);
     if (!other) return std::nullopt;
-    // The longer of two pieces first, so that neither is divided without need.
+    // Halves the longer of two pieces first, so that neither is divided without need.
     const bool halve_other =
         items_[*other].kind == item_kind::piece && diameter(items_[*other]) > diameter(items_[now]);
     const std::size_t halved = halve_other ? *other : now;
@@ -78,7 +79,7 @@ class separation {
 
   bool is_done() const { return waiting_.empty(); }
 
-  // Tells of each curve whether a piece that waits has contact with something.
+  // Returns a flag for each curve: whether a waiting piece of it touches another item.
   std::vector<char> in_contact() const {
     std::vector<char> found(paths_.size(), 0);
     for (const std::size_t piece : waiting_)
@@ -115,7 +116,7 @@ class separation {
     add_piece(curve, t, t1);
   }
 
-  // Returns the first item that the piece has contact with.
+  // Returns the first item that the piece touches.
   std::optional<std::size_t> find_contact(std::size_t at) const {
     std::optional<std::size_t> first;
     index_.visit(items_[at].box, [&](std::uint32_t i) {

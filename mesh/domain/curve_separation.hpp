@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Divides curves until there is nothing between them and their chords, or finds those that have
-// something there.
+// Divides curves until nothing is between their pieces and the chords, or finds the curves with an
+// obstacle there.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ result<std::vector<std::vector<double>>> separate_curves(
     const domain& d, const std::vector<curve_path>& paths,
     std::vector<std::vector<double>> parameters, double finest_part);
 
-// Tells of each curve, undivided and straightforward, whether its hull has a point in common with
-// another one, a straight segment or a vertex on none, common ends left out.
+// Returns a flag for each curve, undivided and going forward along its chord: whether its hull has
+// a point in common with another one, a straight segment or a vertex on none, common ends left out.
 std::vector<char> curves_in_contact(const domain& d, const std::vector<curve_path>& paths);
 
 }  // namespace asterism::internal

@@ -13,13 +13,13 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the distance of two points; not finite where its square is not.
+// Returns the distance of two points; infinite or NaN where its square is.
 double distance(const point& a, const point& b) {
   const double x = a.x - b.x, y = a.y - b.y;
   return std::sqrt(x * x + y * y);
 }
 
-// Returns what is wrong with the vertices and the segment of a curve, or nothing.
+// Returns the fault in the vertices and the segment of a curve, or nothing.
 std::string fault_of_segment(const domain& d, const domain_curve& c, std::vector<char>& taken) {
   const domain_names names(d);
   if (c.vertices.size() != 2 || c.parameters != std::vector<double>{0, 1})
@@ -42,7 +42,7 @@ std::string fault_of_segment(const domain& d, const domain_curve& c, std::vector
 }
 
 std::string fault_of_arc(const domain& d, const domain_curve& c) {
-  // Six digits of a coordinate explain a difference that large.
+  // Accepts a difference that coordinates with six digits explain.
   constexpr double digits = 1e-6;
   const domain_names names(d);
   if (!is_finite(c.centre)) return ": the centre is not finite";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Refuses curves that mean nothing, before anything is computed with them.
+// Refuses invalid curves before anything is computed with them.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace asterism::internal {
 
-// Returns the first thing wrong with a curve as it was given (domain/divide_curves.hpp lists them):
+// Returns the first fault of a curve as it was given (domain/divide_curves.hpp lists them):
 // numbers, ends, radius, segment.
 std::optional<error> check_curve_values(const domain& d);
 

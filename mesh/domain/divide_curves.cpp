@@ -29,20 +29,20 @@ namespace {
 
 using parameters_of_curves = std::vector<std::vector<double>>;
 
-// Pieces shorter than this part of their curve mean that it cannot be divided.
+// Least share of a curve that a piece may be: shorter pieces mean that the curve cannot be divided.
 constexpr double finest_part = 0x1p-22;
 constexpr double part_of_chord = 1.0 / 50;
-// Part of the size across. Of a formula as of a chord, so that nothing is asked for where the
-// metric is the same in all directions. A metric on a mesh is mostly a solution's, and what the
-// boundary is off adds to the solution's error: with 1/100 the drag of a cylinder is off by less
-// than 3e-4 at 3,000 vertices (docs/results/adaptation.md).
+// Largest distance of a curve from its chord, as a part of the size across. For a formula it is the
+// same as relative to a chord, so that it adds nothing where the metric is isotropic. A metric on a
+// mesh is mostly a solution's, and the boundary's distance adds to the solution's error: with 1/100
+// the drag of a cylinder is off by less than 3e-4 at 3,000 vertices (docs/results/adaptation.md).
 constexpr double part_of_size = 1.0 / 50, part_of_size_on_mesh = 1.0 / 100;
-// Length of a piece in the metric from which the size across has it halved. Where pieces are much
-// shorter than the metric wants, triangles at them have low angles in it: with half a unit all
-// around, meshes by local changes were not certified in a metric near the one wanted.
+// Least metric length of a piece that is halved for the size across. Where pieces are much shorter
+// than the metric wants, triangles at them have low angles in it: with half a unit all around,
+// meshes by local changes were not certified in a metric near the one wanted.
 constexpr double least_halved = 0.8;
 
-// True if the piece is shorter than the least that is halved for the size across it, or as long.
+// True if the piece has at most the least metric length that is halved for the size across.
 result<bool> is_short(const curve_path& path, const metric_field& field, double t0, double t1) {
   const point from = path.at(t0), to = path.at(t1);
   const auto metric = field.at(path.at((t0 + t1) / 2));
@@ -50,7 +50,8 @@ result<bool> is_short(const curve_path& path, const metric_field& field, double 
   return !(squared_length(metric.value(), minus(to, from)) > least_halved * least_halved);
 }
 
-// True if the piece is near to its chord for the size that the metric wants across it, or short.
+// True if the piece is near enough to its chord for the size that the metric wants across, or too
+// short to be halved.
 result<bool> suits_size_across(const curve_path& path, const metric_field& field, double t0,
                                double t1) {
   const auto short_already = is_short(path, field, t0, t1);
@@ -69,9 +70,9 @@ result<bool> suits_size_across(const curve_path& path, const metric_field& field
 result<bool> is_near_enough(const curve_path& path, const curve_division& wanted, double t0,
                             double t1) {
   if (!path.is_straightforward(t0, t1)) return false;
-  // A cubic through a polygon is a guess, and its pieces turn as much as the polygon does however
-  // short they are: halved by that alone, the next mesh's are shorter, and so in each round of a
-  // loop that moves them.
+  // Does not halve cubics through a polygon for their turn alone: they are a guess, and their
+  // pieces turn as much as the polygon however short they are. Halved for that, the next mesh's are
+  // shorter, and so in each round of a loop that moves them.
   if (wanted.field != nullptr && !wanted.is_even) {
     const auto short_already = is_short(path, *wanted.field, t0, t1);
     if (!short_already || short_already.value()) return short_already;
@@ -82,7 +83,7 @@ result<bool> is_near_enough(const curve_path& path, const curve_division& wanted
   return wanted.field == nullptr ? true : suits_size_across(path, *wanted.field, t0, t1);
 }
 
-// Halves pieces until all are near enough to their chords, or are more than `most`.
+// Halves pieces until all are near enough to their chords, or there are more than `most`.
 result<std::vector<double>> halved(const domain& d, std::size_t curve, const curve_path& path,
                                    const curve_division& wanted, std::vector<double> start,
                                    std::size_t most) {
@@ -111,8 +112,8 @@ result<std::vector<double>> halved(const domain& d, std::size_t curve, const cur
   return done;
 }
 
-// Halves the pieces of all curves. Where the size across would have more of them than there may be,
-// it does without.
+// Halves the pieces of all curves. Ignores the size across where it would take more pieces than
+// allowed.
 result<parameters_of_curves> all_halved(const domain& d, const std::vector<curve_path>& paths,
                                         const curve_division& wanted,
                                         const parameters_of_curves& start) {
@@ -135,7 +136,7 @@ result<parameters_of_curves> all_halved(const domain& d, const std::vector<curve
   return found;
 }
 
-// Measures a curve in the metric.
+// Measures the metric length along a curve.
 result<arc_length> measured(const curve_path& path, const metric_field& field, double longest) {
   constexpr double fine = 1.0 / 16;  // of the longest: as the fill of a domain measures segments
   return arc_length::measure(
@@ -184,7 +185,7 @@ void put_chords(domain& d, std::size_t c, const curve_path& path,
                 const std::vector<double>& parameters) {
   domain_curve& curve = d.curves[c];
   const segment whole = d.segments[curve.segment];
-  // The segment may lead against the curve; its chords do so too.
+  // Reverses the chords where the segment leads against the curve.
   const bool is_reversed = whole.a != curve.vertices.front();
   const auto& lines = d.origin.curve_lines;
   const std::size_t line = c < lines.size() ? lines[c] : 0;

@@ -43,7 +43,7 @@
 
 namespace asterism {
 
-// Tells which chords are wanted.
+// Demands on the chords of curves.
 struct curve_division {
   // Greatest distance of a curve from its chord; default: a fiftieth of the chord's length.
   std::optional<double> chord_tolerance = {};
@@ -52,8 +52,8 @@ struct curve_division {
   // outlive the call.
   const metric_field* field = nullptr;
   std::size_t most_chords = 100000;
-  // False to leave out the even pieces that the metric asks for: those there are are halved alone,
-  // and only while they are longer than what it has halved for the size across.
+  // False to add no pieces for the metric length: present pieces are halved alone, and only while
+  // they are longer than the least one halved for the size across.
   bool is_even = true;
 };
 
@@ -61,12 +61,12 @@ struct curve_division {
 // back as it is. Fails also where the field does.
 ASTERISM_EXPORT result<domain> divide_curves(const domain& d, const curve_division& wanted = {});
 
-// Returns a domain that check_domain has accepted, divided already, with other chords: vertices
-// between the ends of its curves go, and new ones come after the others.
+// Returns a domain that check_domain has accepted, divided already, with other chords: removes the
+// vertices between the ends of its curves, and adds new ones after the others.
 ASTERISM_EXPORT result<domain> divide_curves_anew(const domain& d, const curve_division& wanted);
 
 // Returns the domain with curve i divided at `parameters[i]`, which increase from 0 to 1: the
-// domain that a certificate speaks of.
+// domain that a certificate refers to.
 ASTERISM_EXPORT result<domain> divide_curves_at(const domain& d,
                                                 const std::vector<std::vector<double>>& parameters);
 

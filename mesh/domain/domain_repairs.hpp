@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts what was changed in a domain when it was put in order.
+// Counts the repairs that were made when a domain was put in order.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct repair_place {
   point at;
 };
 
-// Counts of what was put in order.
+// Numbers of repairs, by kind.
 struct domain_repairs {
   std::size_t merged_vertices = 0;
   std::size_t segments_without_length = 0;
@@ -29,7 +29,7 @@ struct domain_repairs {
   std::size_t dropped_area_limits = 0;
   std::size_t flat_rings = 0;    // of polygons, which enclose nothing
   std::size_t shared_parts = 0;  // that several features contain
-  // The rest by repair_domain alone.
+  // Numbers of repairs that only repair_domain makes.
   std::size_t joined_vertices = 0;    // nearer than `distance` to another one, and not at its place
   std::size_t bent_segments = 0;      // passed a vertex within half the distance
   std::size_t crossings = 0;          // that became vertices

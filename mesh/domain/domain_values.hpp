@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks the numbers of a domain, before anything is asked of its shape.
+// Checks the numbers of a domain, before its shape is examined.
 #pragma once
 
 #include <optional>

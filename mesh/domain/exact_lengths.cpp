@@ -24,7 +24,7 @@ dyadic squared_distance(const point& p, const point& q) {
   return dot(u, u);
 }
 
-// The conversion may cut off.
+// Returns the double nearest to a rational; the library's conversion may truncate.
 double nearest_double(const rational& x) {
   const double cut = static_cast<double>(x);
   const double next = std::nextafter(cut, x < cut ? -std::numeric_limits<double>::infinity()

@@ -16,7 +16,7 @@ namespace {
 
 std::size_t twin(std::size_t half_edge) { return half_edge ^ 1; }
 
-// Sets of small integers that only ever grow together.
+// Sets of small integers that are joined, and never divided.
 class joined_sets {
  public:
   explicit joined_sets(std::size_t size) : parent_(size) {
@@ -26,7 +26,7 @@ class joined_sets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  // Joins two groups, of which the lesser name survives.
+  // Joins two sets; the lesser name becomes that of both.
   void join(std::size_t i, std::size_t j) {
     const auto [low, high] = std::minmax({find(i), find(j)});
     parent_[high] = low;
@@ -50,8 +50,8 @@ vertex_index face_map::origin(std::size_t half_edge) const {
   return half_edge % 2 == 0 ? e.a : e.b;
 }
 
-// Directions are ordered from straight down, excluded, once around: first those to the right or
-// straight up, which are the lexicographically greater ends.
+// Sorts the directions at each vertex, from straight down, excluded, once around: first those to
+// the right or straight up, which are the lexicographically greater ends.
 void face_map::sort_around_vertices() {
   const filtered_kernel kernel;
   around_.resize(vertices_.size());
@@ -77,7 +77,7 @@ void face_map::walk_faces() {
   for (std::size_t start = 0; start < face_of_.size(); ++start) {
     if (face_of_[start] != none) continue;
     ++walks;
-    // The leftmost turn at the end of h is the half-edge clockwise from the way back.
+    // Continues with the leftmost turn at the end of h: the half-edge clockwise from its reverse.
     for (std::size_t h = start; face_of_[h] == none;) {
       face_of_[h] = walks;
       const auto& out = around_[origin(twin(h))];
@@ -105,7 +105,8 @@ void face_map::join_walks() {
   for (const std::size_t v : lowest) places.push_back(vertices_[v]);
   const std::vector<std::size_t> below = half_edges_below(places);
   for (std::size_t i = 0; i < lowest.size(); ++i) {
-    // All edges at v leave to the right or straight up: the wedge past the last one is outer.
+    // Takes the wedge past the last edge: all edges at v leave to the right or straight up, so that
+    // wedge is outside.
     const std::size_t outer_walk = face_of_[around_[lowest[i]].back()];
     faces.join(outer_walk, below[i] == no_half_edge ? outside : face_of_[below[i]]);
   }
@@ -165,7 +166,7 @@ bool face_map::is_above(std::size_t g, std::size_t h) const {
   const point &a = vertices_[origin(g)], &b = vertices_[origin(twin(g))];
   const point &c = vertices_[origin(h)], &d = vertices_[origin(twin(h))];
   sign above = a.x >= c.x ? kernel.orientation(c, d, a) : -kernel.orientation(a, b, c);
-  // A common left end, or one edge starting on the other one's: then the right ends tell.
+  // Compares the right ends where the left ends coincide, or one edge starts on the other one.
   if (above == sign::zero)
     above = b.x <= d.x ? kernel.orientation(c, d, b) : -kernel.orientation(a, b, d);
   return above == sign::positive;

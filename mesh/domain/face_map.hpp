@@ -26,8 +26,8 @@ class face_map {
 
   static constexpr std::size_t outside = 0;  // the unbounded face
   std::size_t left_of(std::size_t half_edge) const { return face_of_[half_edge]; }
-  // Returns the face around each point, none of which means anything on an edge. Time: O((n + k)
-  // log n) for n edges and k points.
+  // Returns the face around each point; meaningless for a point on an edge. Time: O((n + k) log n)
+  // for n edges and k points.
   std::vector<std::size_t> faces_around(const std::vector<point>& points) const;
   // Returns the edge that `q` lies on, ends included; edges.size() when there is none.
   std::size_t edge_through(const point& q) const;
@@ -38,8 +38,8 @@ class face_map {
   void walk_faces();
   void join_walks();
   struct by_height;
-  // Returns, for each point, the half-edge that passes below it nearest to it, a hair to its left,
-  // running to the right; no_half_edge when nothing is below.
+  // Returns, for each point, the nearest half-edge below it, infinitesimally to its left, running
+  // to the right; no_half_edge when nothing is below.
   std::vector<std::size_t> half_edges_below(const std::vector<point>& points) const;
   bool is_above(std::size_t e, std::size_t f) const;
 

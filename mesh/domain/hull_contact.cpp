@@ -8,7 +8,7 @@
 namespace asterism::internal {
 namespace {
 
-// The points of a polygon on a line; on it they are in lexicographic order.
+// Points of a polygon that are on a line, the lexicographically first and last of them.
 struct contact {
   bool any = false;
   point low, high;
@@ -65,7 +65,7 @@ std::vector<point> convex_hull(std::vector<point> points) {
   std::sort(points.begin(), points.end(), lexicographically_less);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
-  // The lower chain from left to right, then the upper one back.
+  // Builds the lower chain from left to right, then the upper one back.
   std::vector<point> hull;
   for (const bool lower : {true, false}) {
     const std::size_t start = hull.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells by exact signs whether two convex polygons of few points have a point in common.
+// Decides by exact signs whether two convex polygons of few points have a point in common.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace asterism::internal {
 
-// Returns the corners of the convex hull, counter-clockwise; one or two points where it is no more.
+// Returns the corners of the convex hull, counter-clockwise; one or two points where the hull is a
+// point or a segment.
 std::vector<point> convex_hull(std::vector<point> points);
 
-// True if the hulls, as convex_hull returns them, are not shown to be apart: by a line along an
+// True unless the hulls, as convex_hull returns them, are shown to be apart: by a line along an
 // edge of one of them, with one on each side, and nothing in common but at most a corner of both.
 // Such a line exists for two convex polygons, with at least one edge between them, that are apart.
 bool hulls_meet(const std::vector<point>& a, const std::vector<point>& b);

@@ -23,16 +23,17 @@ using namespace internal;
 namespace {
 
 constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
-// Part of the largest coordinate by which vertices on a line may be off it.
+// Greatest distance of vertices from a line on which they count, as a part of the largest
+// coordinate.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-// A run of boundary edges between two vertices that are kept: vertices and the edges after them.
+// A run of boundary edges between two kept vertices: the vertices, and the edges after them.
 struct run {
   std::vector<vertex_index> vertices, edges;
 };
 
-// True if both have the same regions, each of the same size up to a part of it, an area `swept`
-// and the rounding of the whole.
+// True if both have the same regions, with sizes that differ by at most a part of them, an area
+// `swept` and the rounding of the whole.
 bool are_near(const region_sizes& wanted, const region_sizes& found, double part, double swept) {
   constexpr double rounding_of_sums = 1e-12;
   double whole = 0;
@@ -103,7 +104,7 @@ class outliner {
   double greatest_ = 0;
 };
 
-// Finds the vertices through which a cubic may lead.
+// Marks the vertices through which a cubic may lead.
 void outliner::find_smooth(const mesh_marks& marks) {
   for (vertex_index v = 0; v < smooth_.size(); ++v)
     smooth_[v] = at_[v].size() == 2 && !turns(v) &&
@@ -133,7 +134,7 @@ bool outliner::is_corner(vertex_index v) const {
   return e.marker != f.marker || e.internal != f.internal || turns(v);
 }
 
-// Returns by how much the two edges at a vertex turn, without a sign, in radians.
+// Returns the absolute angle, in radians, between the two edges at a vertex.
 double outliner::turn(vertex_index v) const {
   const boundary_edge &e = mesh_.boundary[at_[v][0]], &f = mesh_.boundary[at_[v][1]];
   const vertex_index p = e.a == v ? e.b : e.a, q = f.a == v ? f.b : f.a;
@@ -163,7 +164,7 @@ bool outliner::stands_out(vertex_index v) const {
   return turn(v) > factor * most;
 }
 
-// Follows edges from a vertex until one that is kept.
+// Follows edges from a vertex to the next kept vertex.
 run outliner::follow(vertex_index from, vertex_index edge, std::vector<char>& used) const {
   run r;
   vertex_index v = from;
@@ -185,17 +186,18 @@ void outliner::find_runs() {
   std::vector<char> used(mesh_.boundary.size(), 0);
   const auto start_at = [&](vertex_index v) {
     for (const vertex_index e : at_[v])
-      // In the direction of the first edge; what enters v is followed from its other end.
+      // Follows runs in the direction of the first edge; edges that enter v are followed from their
+      // other end.
       if (used[e] == 0 && mesh_.boundary[e].a == v) runs_.push_back(follow(v, e, used));
   };
   for (vertex_index v = 0; v < kept_.size(); ++v)
     if (kept_[v] != 0) start_at(v);
-  // Internal runs may be listed against their direction from both ends.
+  // Follows internal runs that are listed against their direction from both ends.
   for (vertex_index v = 0; v < kept_.size(); ++v)
     if (kept_[v] != 0)
       for (const vertex_index e : at_[v])
         if (used[e] == 0) runs_.push_back(follow(v, e, used));
-  // Closed curves without a vertex to keep: three, a third of the way apart.
+  // Keeps three vertices of closed curves without any kept one, a third of the way apart.
   for (vertex_index e = 0; e < used.size(); ++e) {
     if (used[e] != 0) continue;
     std::vector<char> tried = used;
@@ -232,7 +234,7 @@ bool outliner::goes_forward(const run& r, std::size_t i, std::size_t j) const {
   return true;
 }
 
-// Returns how far vertices that go may be from the piece between two that stay.
+// Returns the greatest distance of dropped vertices from the piece between two that stay.
 double outliner::allowed_off(vertex_index a, vertex_index b) const {
   if (options_.largest_distance) return *options_.largest_distance - rounding * greatest_;
   constexpr double part = 0.01;
@@ -244,7 +246,7 @@ double outliner::allowed_off(vertex_index a, vertex_index b) const {
   return part * std::min(piece, 1 / per_length);
 }
 
-// True if the vertices of the run between two of it may go.
+// True if all vertices of the run between two of its vertices may be dropped.
 bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
                             bool simplify_curves) const {
   constexpr std::size_t most_dropped = 256;
@@ -259,7 +261,7 @@ bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
   return measured <= 1 && off <= allowed_off(a, b) && goes_forward(r, i, j);
 }
 
-// Returns the vertices of the run between two of it.
+// Returns the places of the vertices of the run between two of its vertices.
 std::vector<point> outliner::between(const run& r, std::size_t i, std::size_t j) const {
   std::vector<point> places;
   for (std::size_t k = i + 1; k < j; ++k) places.push_back(where(r.vertices[k]));
@@ -267,7 +269,7 @@ std::vector<point> outliner::between(const run& r, std::size_t i, std::size_t j)
 }
 
 // Returns the width, across the line between two vertices of the run, of a strip that holds the run
-// there, the cubic and whatever has its vertices on this: how far these may be from each other.
+// there, the cubic and any polygon with vertices on the cubic: the greatest distance of these.
 double outliner::width(const run& r, std::size_t i, std::size_t j,
                        const std::array<point, 2>& control) const {
   const point &a = where(r.vertices[i]), &b = where(r.vertices[j]);
@@ -280,7 +282,7 @@ double outliner::width(const run& r, std::size_t i, std::size_t j,
     high = std::max(high, off);
   };
   for (std::size_t k = i + 1; k < j; ++k) include(where(r.vertices[k]), 1);
-  // The inner control points have at most three quarters of the weight, both together.
+  // Uses that the inner control points have at most three quarters of the weight, both together.
   for (const point& p : control) include(p, 0.75);
   return high - low;
 }
@@ -309,20 +311,22 @@ void outliner::add_curve(const run& r, std::size_t i, std::size_t j,
   shape.curves.push_back(std::move(cubic));
 }
 
-// True if the run is all between two regions. It is of one kind throughout, as what is between
-// others begins at a vertex of three segments.
+// True if the run is all between two regions. It is of one kind throughout, as lines between other
+// regions begin at a vertex of three segments.
 bool outliner::divides_regions(const run& r) const {
   const boundary_edge& e = mesh_.boundary[r.edges.front()];
   return e.internal && sides_.divides_regions(mesh_.regions, e.a, e.b);
 }
 
-// Returns the places in the run of the vertices that stay. Between regions none goes but for
-// rounding: what one loses there, the other would gain.
+// Returns the indices in the run of the vertices that stay. Between regions a vertex is dropped
+// only if it is on a line but for rounding: another change would move area from one region to the
+// other.
 std::vector<std::size_t> outliner::pieces(const run& r, bool simplify_curves) const {
   simplify_curves = simplify_curves && !divides_regions(r);
   const std::size_t last = r.vertices.size() - 1;
   if (may_be_piece(r, 0, last, false)) return {0, last};
-  // Each length tried is looked at whole: what is straight for longer keeps a vertex now and then.
+  // Limits the length of a straight piece: each length that is tried is tested in full, so longer
+  // straight runs keep a vertex every so often.
   constexpr std::size_t most_straight = 4096;
   std::vector<std::size_t> stay{0};
   for (std::size_t i = 0; i < last;) {
@@ -410,7 +414,8 @@ result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks,
     if (!is_there(e[0]) || !is_there(e[1]))
       return error{"a mark names a vertex that does not exist", error_code::invalid_mesh};
   const outliner found(m, marks, options);
-  // Splits are rounded, and so are the places that they are computed from.
+  // Refuses distances below rounding errors: split points are rounded, and so are the points that
+  // they are computed from.
   const double least = 0x1p-40 * found.greatest();
   if (options.largest_distance && !(*options.largest_distance >= least))
     return error{"a distance of the old and the new boundary of " +

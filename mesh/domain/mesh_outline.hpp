@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the domain that a mesh is of, with as few vertices as keep it: for adaptation loops, in
-// which a mesh's own vertices must be free to go.
+// Finds the domain that a mesh covers, with as few vertices as possible: for adaptation loops, in
+// which a mesh's own vertices may be removed.
 //
 // Vertices of the domain: corners and required vertices, ends of required edges, where not two
 // segments meet, where the marker changes or a segment becomes internal, and where the boundary
@@ -34,7 +34,7 @@
 
 namespace asterism {
 
-// Wishes for the domain.
+// Demands on the domain.
 struct outline_options {
   double corner_angle = 30;  // degrees, above 0 and at most 180
   // Greatest distance of the boundary of the mesh from that of any mesh of the domain, both ways;
@@ -42,7 +42,7 @@ struct outline_options {
   std::optional<double> largest_distance = {};
 };
 
-// A domain, and how it was found.
+// The domain of a mesh, and how it was found.
 struct mesh_outline {
   domain shape;                       // as check_domain accepts it
   former_boundary former;             // along its segments
@@ -50,13 +50,13 @@ struct mesh_outline {
   std::size_t kept = 0;               // of those
   double greatest_distance = 0;       // of a dropped vertex from its segment
   bool keeps_all = false;             // every vertex of the mesh is one of the domain
-  // The segment of each boundary edge of the mesh, where the first vertices of the mesh are those
-  // of the domain in their order; else empty.
+  // Segment of the domain for each boundary edge of the mesh, if the first vertices of the mesh are
+  // those of the domain in their order; else empty.
   std::vector<vertex_index> segment_of_edge;
 };
 
-// Returns the domain. The mesh must be a triangulation in order (adopt_mesh), with the metric in
-// which pieces of curves are measured.
+// Returns the domain of a mesh. The mesh must be a triangulation in order (adopt_mesh), with the
+// metric in which pieces of curves are measured.
 ASTERISM_EXPORT result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks,
                                                      const outline_options& options);
 

@@ -17,7 +17,7 @@ std::string place(const std::string& name, const std::string& file,
   return known.empty() ? std::string() : known + ": ";
 }
 
-// Returns the number of the first polygon with this segment; that of none beyond the last.
+// Returns the number of the first polygon with this segment; past the last one if there is none.
 std::size_t polygon_with(const domain& d, std::size_t s) {
   std::size_t p = 0;
   for (; p < d.polygons.size(); ++p)

@@ -19,7 +19,7 @@ class domain_names {
   // Returns names such as "vertex 5 (0.25, 1)", "segment 3 (vertices 5-6)", "hole 1 (0.5, 0)",
   // "region 2 (3, 3)", "curve 4". Require indices in range.
   std::string vertex(std::size_t v) const;
-  // A segment of a polygon is called a side of it, by its ends.
+  // Names a segment of a polygon, as a side between its two ends.
   std::string segment(std::size_t s) const;
   std::string polygon(std::size_t p) const;  // "polygon 3 (feature 2)"
   std::string ring(std::size_t p, std::size_t r) const;
@@ -28,7 +28,7 @@ class domain_names {
   std::string region(std::size_t r) const;
   std::string curve(std::size_t c) const;
 
-  // Returns "file:line: ", or "name: " where no line is known: what a message starts with.
+  // Returns "file:line: ", or "name: " where no line is known, with which messages start.
   std::string at_vertex(std::size_t v) const;
   std::string at_segment(std::size_t s) const;
   std::string at_hole(std::size_t h) const;
@@ -36,15 +36,15 @@ class domain_names {
   std::string at_curve(std::size_t c) const;
   std::string at_start() const;
 
-  // Returns " on line 12", or nothing.
+  // Returns " on line 12", or an empty text where no line is known.
   std::string line_of_segment(std::size_t s) const;
 
  private:
   const domain& d_;
 };
 
-// Returns "(x, y)" with 17 significant digits at most: the digits that tell the double from all
-// others.
+// Returns "(x, y)" with at most 17 significant digits: the shortest that read back to the same
+// doubles.
 std::string coordinates(const point& p);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the vertices near a place, in squares as wide as near is. Works inside repair_domain.
+// Finds the vertices near a place, in squares of the width `distance`. Works inside repair_domain.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace asterism::internal {
 
 class near_vertices {
  public:
-  // Finds what is within `distance`.
+  // Finds vertices within `distance` of a place.
   explicit near_vertices(double distance) : width_(distance) {}
 
   void add(vertex_index v, const point& p) { squares_[square_of(p)].push_back(v); }
@@ -34,7 +34,8 @@ class near_vertices {
 
  private:
   using square = std::pair<std::int64_t, std::int64_t>;
-  // A coordinate has at most 2^51 widths, and a quotient's error is far below one.
+  // Computes the square's number: a coordinate has at most 2^51 widths, and a quotient's error is
+  // far below one.
   square square_of(const point& p) const {
     return {static_cast<std::int64_t>(std::floor(p.x / width_)),
             static_cast<std::int64_t>(std::floor(p.y / width_))};

@@ -11,9 +11,9 @@
 namespace asterism::internal {
 namespace {
 
-// True if a vertex of a chord is about on its curve, not somewhere on the chord's own line. Decides
-// no more than which sides are curved: that no triangle folds is proved of what comes out, and
-// which nodes are on the curve is decided anew, exactly (audit/curved_triangles.hpp).
+// True if a vertex of a chord is about on its curve, not only on the chord's own line. Decides only
+// which sides are curved: the auditor proves of the result that no triangle folds, and decides
+// exactly which nodes are on the curve (audit/curved_triangles.hpp).
 bool is_on_curve(const curve_chords& chords, const domain& shape, vertex_index number,
                  const mesh& m, vertex_index v) {
   const segment& s = shape.segments[number];

@@ -23,14 +23,14 @@ point unit(const point& a) {
 
 }  // namespace
 
-// Returns the neighbour of a smooth vertex on the other side.
+// Returns the neighbour of a smooth vertex that is not `from`.
 vertex_index outline_curves::beyond(vertex_index v, vertex_index from) const {
   const boundary_edge &e = mesh_.boundary[at_[v][0]], &f = mesh_.boundary[at_[v][1]];
   const vertex_index p = e.a == v ? e.b : e.a, q = f.a == v ? f.b : f.a;
   return p == from ? q : p;
 }
 
-// Returns by how much the boundary turns at a smooth vertex, without a sign.
+// Returns the absolute angle by which the boundary turns at a smooth vertex.
 double outline_curves::turn_at(vertex_index v, vertex_index from) const {
   const point u = minus(where(v), where(from)), w = minus(where(beyond(v, from)), where(v));
   return elementary::atan2(std::abs(u.x * w.y - u.y * w.x), dot(u, w));
@@ -51,8 +51,9 @@ std::optional<point> outline_curves::direction(vertex_index v, vertex_index to) 
   const vertex_index from = beyond(v, to);
   const point behind = minus(where(v), where(from));
   if (is_straight(from, v)) return unit(behind);
-  // The tangent of the circle makes with each chord half of the angle that this spans, whose sines
-  // are as the chords: each unit vector has the length of the other chord.
+  // Returns the tangent of the circle through three points. It makes with each chord half of the
+  // angle that the chord spans, whose sine is proportional to the chord: so each unit vector is
+  // weighted by the length of the other chord.
   const double l = length(behind), r = length(ahead);
   return unit({behind.x / l * r + ahead.x / r * l, behind.y / l * r + ahead.y / r * l});
 }
@@ -73,7 +74,8 @@ std::optional<std::array<point, 2>> outline_curves::control(const vertex_index* 
   const double at_start = dot(*start, c), at_end = -dot(*end, c);
   constexpr double least = 0.5;  // the cosine of 60 degrees
   if (!(at_start > least && at_end > least)) return std::nullopt;
-  // An arc that turns by twice the angle from its chord has its control points so far away.
+  // Takes the distance of an arc's control points: that of an arc which turns by twice the angle
+  // from its chord.
   const double from_a = 2 * whole / (3 * (1 + at_start)), from_b = 2 * whole / (3 * (1 + at_end));
   return std::array<point, 2>{{{where(a).x + from_a * start->x, where(a).y + from_a * start->y},
                                {where(b).x + from_b * end->x, where(b).y + from_b * end->y}}};

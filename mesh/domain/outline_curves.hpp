@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws cubics through the boundary vertices of a mesh, for places between them, and keeps account
-// of these. Internal to mesh_outline.
+// Draws cubics through the boundary vertices of a mesh, for places between them, and keeps a list
+// of them. Internal to mesh_outline.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ class outline_curves {
       : mesh_(m), at_(at), smooth_(smooth) {}
 
   // Returns the inner control points of the cubic from the first of these vertices of the boundary
-  // to the last, which follow each other; nothing where that is straight, or turns by so much that
-  // a cubic would not follow it.
+  // to the last, which follow each other; nothing where the boundary is straight, or turns by so
+  // much that a cubic would not follow it.
   std::optional<std::array<point, 2>> control(const vertex_index* first, std::size_t count) const;
 
  private:
@@ -45,11 +45,12 @@ class outline_curves {
   const std::vector<char>& smooth_;
 };
 
-// Takes cubics away of which the hull meets something else: whatever splits one is in its hull.
+// Removes cubics whose hull meets another curve, segment or vertex: any chord of a cubic is in its
+// hull.
 void drop_curves_in_the_way(domain& shape);
 
-// Brings the lists of vertices between the ends of the segments to the order and directions that
-// these have in another domain. False where a segment is none of that.
+// Reorders the lists of vertices between the ends of segments to the order and directions of
+// another domain's segments. Returns false where a segment is not among these.
 bool bring_to_order(const domain& before, const domain& now,
                     std::vector<std::vector<point>>& between);
 

@@ -29,7 +29,7 @@ point point_inside(const domain& d, const std::vector<vertex_index>& ring) {
   const std::size_t i = static_cast<std::size_t>(at - ring.begin()), n = ring.size();
   const point &v = d.vertices[ring[i]], &a = d.vertices[ring[(i + 1) % n]],
               &b = d.vertices[ring[(i + n - 1) % n]];
-  // Counter-clockwise: b, v, a would be the ring's direction turned round.
+  // Takes the orientation of b, v, a, which is that of the reversed ring: counter-clockwise.
   const double whole = doubled(v, b, a) > 0 ? 1 : -1;
   double deepest = 0;
   const point* found = nullptr;
@@ -45,9 +45,9 @@ point point_inside(const domain& d, const std::vector<vertex_index>& ring) {
   return {(v.x + a.x + b.x) / 3, (v.y + a.y + b.y) / 3};
 }
 
-// Walks along the boundary with what is outside the mesh on the right. Where rings touch, several
+// Walks along the boundary with the outside of the mesh on the right. Where rings touch, several
 // segments begin at a vertex; the walk goes on along the first one counter-clockwise from where it
-// came, beyond which is mesh again. So each walk is around one hole, or around what is outside.
+// came, beyond which the mesh begins again. So each walk is around one hole, or around the whole.
 class ring_walk {
  public:
   explicit ring_walk(const domain& shape) : shape_(shape), from_(shape.vertices.size()) {
@@ -65,7 +65,7 @@ class ring_walk {
   }
 
  private:
-  // Returns which part of a turn from b's direction to a leads to q: 0 less than half of it, 1
+  // Classifies the direction to q by the turn from b's direction to a's: 0 less than half a turn, 1
   // half, 2 more, 3 all.
   int part_of_turn(const point& b, const point& a, const point& q) const {
     const sign side = kernel_.orientation(b, a, q);

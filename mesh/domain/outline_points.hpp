@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Points in the holes and regions of a mesh, by which its domain is told from what is not. In
-// doubles; whoever uses them compares areas.
+// Finds points in the holes and regions of a mesh that tell its domain from the outside. In
+// doubles; users must compare areas.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ bool add_hole_points(domain& shape);
 // regions.
 void add_region_points(const mesh& m, domain& shape);
 
-// Areas by the number of the region, in doubles.
+// Areas in doubles, by the number of the region.
 using region_sizes = std::map<int, double>;
 region_sizes sizes_of_regions(const mesh& m);
 // Returns the areas that the segments enclose. The domain is as check_domain accepts it.

@@ -14,14 +14,14 @@
 namespace asterism::internal {
 namespace {
 
-// A side of a segment from which a face is told, and what the face is.
+// A side of a segment with a known face, and the region of that face.
 struct known_side {
   std::size_t segment = 0;
   bool to_left = true;
   std::optional<int> region;  // none: outside of the domain
 };
 
-// The sides of the segments by the faces that they are of; none of those that have a point.
+// Faces that have no point, by the sides of the segments around them.
 class silent_faces {
  public:
   explicit silent_faces(const domain& d) : edges_(edges_of(d)), faces_(d.vertices, edges_) {
@@ -36,7 +36,7 @@ class silent_faces {
       if (face < sides_.size()) sides_[face].clear();
   }
 
-  // Returns those that a point is to tell of. A part without one is numbered `unsaid`.
+  // Returns the sides of each face that needs a point. A part without a point is numbered `unsaid`.
   std::vector<std::vector<known_side>> to_be_told(int unsaid) const {
     std::vector<std::vector<known_side>> all;
     for (const auto& face : sides_)
@@ -68,7 +68,7 @@ std::optional<point> point_in_face(const domain& d, const std::vector<known_side
   return std::nullopt;
 }
 
-// Returns the number that parts without a region point have: 1 where all have it, else 0.
+// Returns the region number of parts without a region point: 1 where all parts have it, else 0.
 int number_unsaid(const domain& d) {
   const bool has_one =
       d.regions.empty() && std::none_of(d.segments.begin(), d.segments.end(), [](const segment& s) {

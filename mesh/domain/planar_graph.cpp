@@ -71,7 +71,7 @@ std::vector<vertex_index> vertices_along(const domain& d, const std::vector<vert
                    kernel.orientation(pa, pb, d.vertices[*at]) == sign::zero))
       along.push_back(*at);
   }
-  // On one line the lexicographic order is the order along it.
+  // Orders points on one line lexicographically, which is the order along it.
   if (lexicographically_less(pb, pa)) std::reverse(along.begin(), along.end());
   return along;
 }
@@ -127,7 +127,7 @@ void unite_subsegments(const domain& d, const std::vector<graph_edge>& subsegmen
   repeated.report("overlapping segments united", repairs.messages);
 }
 
-// Edges without a common vertex; after the cutting they can meet in no other way than crossing.
+// Tests edges without a common vertex; after the cutting they can meet only by crossing.
 bool cross(const domain& d, const graph_edge& e, const graph_edge& f,
            const filtered_kernel& kernel) {
   if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return false;
@@ -174,8 +174,8 @@ result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs) 
   graph.first_alike = merge_vertices(d, by_place);
   report_merged(d, graph.first_alike, repairs);
   unite_subsegments(d, cut_segments(d, graph.first_alike, by_place, repairs), graph, repairs);
-  // Each ring of a polygon has corners and sides of its own where several meet: nothing was
-  // changed.
+  // Drops messages about polygons: where several meet, each ring has corners and sides of its own,
+  // and nothing was changed.
   if (!d.polygons.empty()) repairs.messages.resize(told);
   if (const auto crossing = find_crossing(d, graph.edges)) {
     const domain_names names(d);

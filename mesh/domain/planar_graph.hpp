@@ -13,7 +13,8 @@
 
 namespace asterism::internal {
 
-// `a` and `b` as on the first segment that covers the edge: `source`, an index into the domain's.
+// An edge with its ends as on the first segment that covers it: `source`, an index into the
+// domain's segments.
 struct graph_edge {
   vertex_index a = 0, b = 0;
   std::size_t source = 0;
@@ -21,23 +22,23 @@ struct graph_edge {
   std::size_t covered = 1;  // by how many segments
 };
 
-// A part of a segment: the edge that it became.
+// A part of a segment, by the edge that it became.
 struct covering {
   std::size_t edge = 0, source = 0;
 };
 
 struct plane_graph {
-  // For each vertex of the domain, the first vertex with the same coordinates. Edges use only
-  // these.
+  // For each vertex of the domain, the first vertex with the same coordinates. Only these occur in
+  // edges.
   std::vector<vertex_index> first_alike;
   std::vector<graph_edge> edges;
-  // The parts of all segments in their order, along each.
+  // Parts of all segments in their order, along each segment.
   std::vector<covering> coverings;
 };
 
 // Builds the graph. Requires finite coordinates and indices in range. Counts go to `repairs`, and
-// messages unless the domain has polygons, whose rings meet each other as a matter of course. Fails
-// where two segments cross in a point inside both.
+// messages unless the domain has polygons, whose rings usually meet each other. Fails where two
+// segments cross in a point inside both.
 result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs);
 
 }  // namespace asterism::internal

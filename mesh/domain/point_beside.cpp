@@ -18,7 +18,8 @@ bool cross(const point& a, const point& b, const point& p, const point& q) {
   return ap != sign::zero && ap == -aq && pa != sign::zero && pa == -pb;
 }
 
-// True if nothing of the domain is in the triangle of the segment and the point.
+// True if the triangle of the segment and the point has no vertex and no part of a segment of the
+// domain in it.
 bool is_free(const domain& d, const segment& s, const point& p) {
   const filtered_kernel kernel;
   const point &a = d.vertices[s.a], &b = d.vertices[s.b];
@@ -37,7 +38,7 @@ bool is_free(const domain& d, const segment& s, const point& p) {
   });
 }
 
-// Returns how far the nearest other vertex or segment is from a point, roughly.
+// Returns the approximate distance from a point to the nearest other vertex or segment.
 double room(const domain& d, std::size_t but, const point& p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < d.segments.size(); ++i) {

@@ -12,8 +12,8 @@ namespace asterism::internal {
 
 // Returns a point with nothing between it and the segment, on its left or right: by exact tests the
 // triangle that it makes with the segment has no other vertex in it and no segment across. Segments
-// meet in common vertices alone. None where doubles have no such point, or the tests have no end.
-// O(n) for each of few tries.
+// meet in common vertices alone. None where doubles have no such point, or the limit on tries is
+// reached. O(n) for each try.
 std::optional<point> point_beside(const domain& d, std::size_t segment, bool to_left);
 
 }  // namespace asterism::internal

@@ -11,7 +11,7 @@ namespace {
 
 enum class on_ray { nothing, crossed, through_origin };
 
-// Says how the segment a b meets the ray from q towards greater x, which is moved up by an
+// Returns how the segment a b meets the ray from q towards greater x, which is moved up by an
 // infinitesimal, so that it misses every vertex.
 on_ray meets_ray(const point& q, const point& a, const point& b) {
   const bool between_y = std::min(a.y, b.y) <= q.y && q.y <= std::max(a.y, b.y);

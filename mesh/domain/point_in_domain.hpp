@@ -19,8 +19,8 @@ namespace asterism::internal {
 // segments).
 bool contains(const domain& d, const point& q);
 
-// Decides for many points whether they are in a domain, and looks only at the segments near a ray
-// from each.
+// Decides for many points whether they are in a domain. Tests only the segments near a ray from
+// each point.
 class inside_index {
  public:
   // Prepares the domain, or one region of it. Requires of `d` what contains() requires. Copies the
@@ -28,9 +28,9 @@ class inside_index {
   explicit inside_index(const domain& d, std::optional<int> region = {});
 
   // True if q is strictly inside: not on a segment between inside and outside. Segments with the
-  // same on both sides are not looked at. May be called from any thread.
+  // same region on both sides are ignored. May be called from any thread.
   bool contains(const point& q) const;
-  // True if there is no segment that bounds it: there is no such region.
+  // True if no segment bounds the region, which then does not exist.
   bool is_empty() const { return ends_.empty(); }
 
  private:

@@ -10,7 +10,7 @@
 namespace asterism::internal {
 namespace {
 
-// Lists of numbers, one list for each of some keys, in two arrays.
+// Lists of numbers, one list for each key, stored in two arrays.
 class number_lists {
  public:
   struct entry {
@@ -46,7 +46,7 @@ std::vector<std::optional<int>> all_features(const domain& d) {
   return features;
 }
 
-// Sorts, and leaves one of what is there an odd number of times.
+// Sorts the numbers, and keeps one copy of each that occurs an odd number of times.
 void keep_odd(std::vector<std::size_t>& numbers) {
   std::sort(numbers.begin(), numbers.end());
   std::size_t kept = 0;
@@ -59,7 +59,7 @@ void keep_odd(std::vector<std::size_t>& numbers) {
   numbers.resize(kept);
 }
 
-// Knows which polygons contain the place where it is, and steps across edges.
+// A walk across edges that knows which polygons contain its present face.
 class polygon_walk {
  public:
   polygon_walk(const domain& d, const std::vector<ring_place>& rings,
@@ -79,7 +79,7 @@ class polygon_walk {
     for (std::size_t i = rings_of_edge_.begin_of(edge); i < rings_of_edge_.end_of(edge); ++i)
       change_side(rings_of_edge_[i]);
   }
-  // The features that contain the place.
+  // Returns the features that contain the present face.
   const std::set<std::size_t>& here() const { return here_; }
 
  private:
@@ -111,8 +111,8 @@ class polygon_walk {
   std::set<std::size_t> here_;
 };
 
-// Returns the rings along each edge, of those that are there an odd number of times; lists the
-// rings without any.
+// Returns for each edge the rings that run along it an odd number of times; lists the rings without
+// any such edge.
 number_lists crossed_rings(const domain& d, const plane_graph& graph,
                            const std::vector<ring_place>& rings, std::vector<ring_place>& flat) {
   std::vector<number_lists::entry> parts, crossed;
@@ -146,7 +146,7 @@ void label(std::size_t face, std::size_t half_edge, const std::set<std::size_t>&
   found.shared_features = {*here.begin(), *std::next(here.begin())};
 }
 
-// Walks to every face along a tree and back, so that the walk knows where it is.
+// Visits every face along a tree and back, so that the walk knows which polygons contain each.
 void label_faces(const plane_graph& graph, const face_map& faces, polygon_walk& walk,
                  polygon_faces& found) {
   struct step {

@@ -27,12 +27,13 @@ struct ring_place {
 struct polygon_faces {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  // The numbers that polygons have for their regions, in ascending order; that of those without is
-  // the first.
+  // Region numbers of polygons, in ascending order; the first is that of polygons without a
+  // number.
   std::vector<std::optional<int>> features;
   // By face, as face_map names them: the first of the features that contain it, or none.
   std::vector<std::size_t> feature_of;
-  // Faces that several features contain; of the first one a half-edge around it and two features.
+  // Number of faces that several features contain; for the first such face a half-edge around it
+  // and two of the features.
   std::size_t shared = 0, shared_half_edge = 0;
   std::pair<std::size_t, std::size_t> shared_features;
   std::vector<ring_place> flat;  // rings that enclose nothing

@@ -17,8 +17,8 @@ namespace {
 
 using failure = std::optional<error>;
 
-// Checks that q, around which that face is, is on no edge and not outside. `place` and `name` are
-// what messages call it.
+// Checks that the face around q is valid: q is on no edge and not outside. `place` and `name` are
+// used in messages.
 failure check_bounded(const domain& d, const plane_graph& graph, const face_map& faces,
                       const point& q, std::size_t face, const std::string& place,
                       const std::string& name) {
@@ -99,14 +99,14 @@ failure name_faces(const domain& d, const plane_graph& graph, const face_map& fa
   return {};
 }
 
-// Returns the number that polygons give to a face, if they do.
+// Returns the number that the polygons around a face give it; none if no polygon has one.
 std::optional<int> number_of_feature(const domain_parts& parts, std::size_t face) {
   if (parts.polygons.feature_of.empty() || parts.removed[face]) return std::nullopt;
   return parts.polygons.features[parts.polygons.feature_of[face]];
 }
 
-// Numbers the faces without a region point, in the order of the edges, by the least numbers still
-// free.
+// Numbers the faces without a region point, in the order of the edges, by the least free
+// numbers.
 void number_the_rest(const domain& d, const plane_graph& graph, const face_map& faces,
                      const named_faces& named, domain_parts& parts) {
   std::set<int> taken;

@@ -16,17 +16,18 @@
 
 namespace asterism::internal {
 
-// Both by face, as face_map names them.
+// Classes of the faces, by face, as face_map names them.
 struct domain_parts {
-  // The outside, faces that no polygon contains where there are polygons, faces with hole points.
+  // Faces that are no part of the domain: the outside, faces that no polygon contains if there are
+  // polygons, and faces with hole points.
   std::vector<bool> removed;
   std::vector<int> region;  // of the others
   polygon_faces polygons;   // of a domain with polygons
 };
 
 // Classifies the faces. `faces` are those of `graph`, whose edges came from `d`. Fails for a hole
-// or region point that does not say which face is meant, or contradicts another one, and for a
-// polygon's ring that is not closed. What is odd about polygons goes to `repairs`.
+// or region point that is in no face, or contradicts another one, and for a polygon's ring that is
+// not closed. Anomalies of polygons are reported in `repairs`.
 result<domain_parts> find_parts(const domain& d, const plane_graph& graph, const face_map& faces,
                                 domain_repairs& repairs);
 

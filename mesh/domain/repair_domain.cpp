@@ -23,7 +23,7 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// In doubles, for the report.
+// Returns the distance from a point to a segment in doubles, for the report.
 double distance_to_segment(const point& v, const point& a, const point& b) {
   const double x = b.x - a.x, y = b.y - a.y, scale = std::max(std::abs(x), std::abs(y));
   const auto from = [&](const point& p) { return elementary::hypot(v.x - p.x, v.y - p.y); };
@@ -34,8 +34,8 @@ double distance_to_segment(const point& v, const point& a, const point& b) {
   return from({a.x + s * x, a.y + s * y});
 }
 
-// Returns the polygons by what became of their segments: the pieces, which are in the order of
-// these.
+// Returns the polygons by the pieces of their segments, which are in the order of these
+// segments.
 std::vector<domain_polygon> polygons_of_pieces(const domain& d,
                                                const std::vector<snapped_piece>& pieces) {
   std::vector<domain_polygon> made = d.polygons;
@@ -223,7 +223,8 @@ void repairer::add(const domain_repairs& rest) {
   report_.messages.insert(report_.messages.end(), rest.messages.begin(), rest.messages.end());
 }
 
-// Returns the least distance that the coordinates allow: 8 units in the last place of the largest.
+// Returns the least distance that the coordinates allow: 8 units in the last place of the largest
+// one.
 double least_distance(const domain& d) {
   double largest = std::numeric_limits<double>::min();
   for (const point& p : d.vertices) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});

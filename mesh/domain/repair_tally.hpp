@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts repairs of one kind and keeps the words for the first of them. Works inside check_domain.
+// Counts repairs of one kind, and keeps a description of the first of them. Works inside
+// check_domain.
 #pragma once
 
 #include <cstddef>

@@ -61,7 +61,7 @@ std::optional<error> check_closed(const domain& d, const plane_graph& graph, con
   for (vertex_index v = 0; v < around.size(); ++v) {
     if (around[v].size() != 1) continue;
     const std::size_t edge = around[v].front();
-    // Traced there and back, it is a spike of a closed ring.
+    // Skips an edge that is traced there and back: it is a spike of a closed ring.
     if (graph.edges[edge].covered % 2 == 0) continue;
     if (removed[faces.left_of(2 * edge)]) return open_chain(d, graph, around, v);
   }

@@ -3,9 +3,9 @@
 // Checks that the rings of a domain are closed. Works inside check_domain.
 //
 // A chain of segments that ends alone is no ring. Inside the domain it is an internal segment; in a
-// face that is removed it can only be a ring that was meant to be closed, whose hole has run out
-// or whose inside is outside. It is refused by both its ends: where it ends alone, and where it
-// ends alone too or joins other segments.
+// face that is removed it can only be a ring that was meant to be closed, so that its hole or its
+// inside is joined to the outside. It is refused by both its ends: where it ends alone, and where
+// it ends alone too or joins other segments.
 #pragma once
 
 #include <optional>

@@ -9,7 +9,7 @@
 namespace asterism::internal {
 namespace {
 
-// Directions in which chords' curves leave a vertex.
+// Directions in which the curves of chords leave a vertex.
 struct leaving {
   std::size_t segments = 0, curves = 0;
   point sum;  // of unit vectors, so of opposite ones nothing

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the vertices of a divided domain at which its curves go on without a corner: files call the
-// others corners.
+// Finds the vertices of a divided domain at which its curves continue without a corner: files mark
+// the others as corners.
 #pragma once
 
 #include <vector>

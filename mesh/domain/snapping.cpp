@@ -18,12 +18,13 @@
 namespace asterism::internal {
 namespace {
 
-// Bounds memory: at 64 bytes a piece, with what belongs to it, a quarter of a gigabyte.
+// Largest number of pieces, which bounds memory: at 64 bytes a piece, with its lists, a quarter of
+// a gigabyte.
 constexpr std::size_t most_pieces = 4000000;
 
 using vertex_pair = std::pair<vertex_index, vertex_index>;
 
-// A straight edge, whatever segments run along it.
+// A straight edge, shared by all segments that run along it.
 struct edge {
   vertex_index a = 0, b = 0;  // a has the lower index
   std::size_t source = 0;     // of the first piece
@@ -117,8 +118,8 @@ std::vector<edge> snapper::edges() const {
   return all;
 }
 
-// Sorts what the edge shall go through, from a to b. In doubles: a wrong order makes links that are
-// too long, and those are refused.
+// Sorts the vertices that the edge is to pass, from a to b. Works in doubles: a wrong order makes
+// links that are too long, and those are refused.
 void snapper::order_along(edge& e) const {
   const point &a = at(e.a), &b = at(e.b);
   const double scale = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
@@ -129,7 +130,7 @@ void snapper::order_along(edge& e) const {
   e.through.erase(std::unique(e.through.begin(), e.through.end()), e.through.end());
 }
 
-// Step 2, once for each edge. Returns true if anything changed.
+// Bends edges to near vertices (step 2), each edge once. Returns true if anything changed.
 bool snapper::bend_to_vertices() {
   std::vector<vertex_index> by_x = kept_;
   std::stable_sort(by_x.begin(), by_x.end(), [&](vertex_index v, vertex_index w) {
@@ -139,7 +140,7 @@ bool snapper::bend_to_vertices() {
   for (edge& e : all) {
     double units = work_weights::edge_in_arrangement;
     const bounding_box box = box_of(e);
-    // Wider than half the distance, so that rounding excludes nothing.
+    // Searches wider than half the distance, so that rounding excludes no vertex.
     const double low = box.low.x - distance_, high = box.high.x + distance_;
     auto v = std::lower_bound(by_x.begin(), by_x.end(), low,
                               [&](vertex_index w, double x) { return at(w).x < x; });
@@ -159,7 +160,7 @@ bool snapper::bend_to_vertices() {
   return replace(all);
 }
 
-// Step 3, for all crossings that there are now. Returns true if there were any.
+// Adds the vertices of all present crossings (step 3). Returns true if there were any.
 bool snapper::cut_crossings() {
   const filtered_kernel kernel;
   std::vector<edge> all = edges();
@@ -200,8 +201,8 @@ bool snapper::is_safe(vertex_index v, const edge& e) const {
   return v == e.a || v == e.b || shortens(at(v), at(e.a), at(e.b));
 }
 
-// Returns a new vertex at the crossing, or the nearest one there is. The exact nearest would do
-// always; here its place is rounded, so that others are tried after it.
+// Returns a new vertex at the crossing, or the nearest one there is. The exactly nearest one would
+// always be valid; here the crossing is rounded, so that further vertices are tried after it.
 std::optional<vertex_index> snapper::common_vertex(const edge& e, const edge& f) {
   const point p = rounded_crossing(at(e.a), at(e.b), at(f.a), at(f.b));
   std::vector<vertex_index> near = near_.around(p);
@@ -232,8 +233,8 @@ void snapper::meet(edge& e, edge& f) {
   made_.meetings.push_back({*v, second, first, true});
 }
 
-// Returns the vertices from a to b, both included: through all that were found, or, if that makes a
-// link as long as the edge, through the first alone.
+// Returns the vertices of the chain from a to b, both included: all that the edge is to pass, or,
+// if that makes a link as long as the edge, only the first of them.
 std::vector<vertex_index> snapper::chain_of(const edge& e) const {
   std::vector<vertex_index> chain = {e.a};
   chain.insert(chain.end(), e.through.begin(), e.through.end());
@@ -245,7 +246,7 @@ std::vector<vertex_index> snapper::chain_of(const edge& e) const {
   return chain;
 }
 
-// Replaces the pieces along edges that shall go through something. Returns true if there are any.
+// Replaces the pieces along edges that are to pass other vertices. Returns true if there are any.
 bool snapper::replace(const std::vector<edge>& edges) {
   std::map<vertex_pair, std::vector<vertex_index>> chains;
   for (const edge& e : edges)

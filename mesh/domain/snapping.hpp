@@ -8,8 +8,8 @@
 //  2. A segment that passes a point within D/2 is bent to go through it.
 //  3. Segments that cross get their crossing for a vertex, its coordinates rounded once; or, where
 //     a vertex is nearer than D to it, the nearest vertex.
-// Every question is asked of the doubles as they stand, exactly, and asked again of what became of
-// them. Points of the input keep their coordinates.
+// Every test is made exactly on the present doubles, and repeated after they were changed. Points
+// of the input keep their coordinates.
 //
 // It ends: step 1 is done once, and afterwards vertices are D apart, so that there is room for a
 // finite number; steps 2 and 3 replace a piece of a segment by pieces that are each strictly
@@ -38,7 +38,7 @@ struct snapped_piece {
   std::size_t source = 0;
 };
 
-// A vertex that two segments got in common, or one and a point beside it.
+// A vertex that two segments have in common after snapping, or one segment and a point beside it.
 struct snapped_meeting {
   vertex_index vertex = 0;
   std::size_t source = 0, other = 0;  // `other` a segment where they crossed, else a vertex

@@ -26,7 +26,8 @@ std::vector<graph_edge> edges_of(const snapped_graph& graph) {
   return edges;
 }
 
-// The faces that are no part of the domain: the outside, and those with hole points in them.
+// Flags of the faces that are no part of the domain: the outside, and those with hole points in
+// them.
 std::set<std::size_t> removed_faces(const domain& d, const std::vector<graph_edge>& edges,
                                     const face_map& faces) {
   std::set<std::size_t> removed = {face_map::outside};
@@ -47,13 +48,13 @@ class trimmer {
       for (const vertex_index v : {edges_[e].a, edges_[e].b}) around_[v].push_back(e);
   }
 
-  // Returns the edges from the free end v to where its segment goes on; none if v is no free end
-  // outside of the domain, or the chain begins elsewhere.
+  // Returns the chain of edges from the free end v to the vertex where its segment goes on; none if
+  // v is no free end outside of the domain, or the chain begins elsewhere.
   std::vector<std::size_t> overhang(vertex_index v) const {
     std::vector<std::size_t> chain;
     if (around_[v].size() != 1) return {};
     std::size_t e = around_[v].front();
-    // Traced there and back, it is a spike of a closed ring.
+    // Ends at an edge that is traced there and back: it is a spike of a closed ring.
     if (edges_[e].covered % 2 == 0 || !removed_.contains(faces_.left_of(2 * e))) return {};
     while (true) {
       chain.push_back(e);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cuts off what segments leave outside of a domain whose boundary they cross. Works inside
-// repair_domain.
+// Removes the parts of segments that cross the boundary of a domain and end outside of it. Works
+// inside repair_domain.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@
 namespace asterism::internal {
 
 // Removes chains of pieces that end alone outside or in a hole, and begin at a vertex where the
-// segment goes on; pieces meet in vertices alone. Returns the first piece of each chain, whose `a`
-// is where it ended.
+// segment goes on; pieces meet in vertices alone. Returns the first piece of each chain, whose end
+// `a` is the free one.
 std::vector<snapped_piece> trim_segments(const domain& d, snapped_graph& graph);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Is the field of tensors that are given at the vertices of a background mesh.
+// Defines the field of tensors that are given at the vertices of a background mesh.
 #pragma once
 
 #include "asterism/mesh/data/mesh.hpp"

@@ -17,12 +17,14 @@
 
 namespace asterism::internal {
 
-// Copies share the background, and may have other tensors on it. Several threads may ask.
+// Copies share the background mesh, and may have other tensors on it. Several threads may read one
+// object.
 class background_metric {
  public:
   // Leaves out flat and clockwise triangles; requires one that is neither.
   explicit background_metric(const mesh& background);
-  // Answers as one of a mesh would whose box this is, and of which the background is a part.
+  // Interpolates as the background of a larger mesh with this box would, of which `background` is a
+  // part.
   background_metric(const mesh& background, const bounding_box& box);
 
   const std::vector<point>& places() const { return locator_->places(); }
@@ -32,28 +34,28 @@ class background_metric {
   // Returns the tensor at the point, interpolated in the triangle that it is farthest inside of, or
   // in one near it; at a vertex of that triangle the vertex's own, bit for bit.
   metric_tensor at(const point& q) const;
-  // Returns the same, or nothing if no triangle is within `reach` of the point.
+  // Returns the tensor of at(), or nothing if no triangle is within `reach` of the point.
   std::optional<metric_tensor> at_within(const point& q, double reach) const;
-  // Returns about the same, sooner near the place asked about before: the walk begins at `hint`,
-  // which is set to the triangle where it ended.
+  // Returns about the tensor of at(), faster near the last place: the walk begins at `hint`, which
+  // is set to the triangle where it ends.
   metric_tensor at(const point& q, vertex_index& hint) const;
-  // Returns the triangle that at() with this hint ends in.
+  // Returns the triangle in which at() with this hint interpolates.
   vertex_index triangle_near(const point& q, vertex_index hint) const {
     return nearby(q, hint).triangle;
   }
-  // Returns what at() with a hint does, where that is another tensor than a field says which has
-  // the same triangles.
+  // Returns the tensor of at() with a hint, if it differs from that of another field on the same
+  // triangles.
   std::optional<metric_tensor> where_other(const background_metric& than, const point& q,
                                            vertex_index hint) const;
   // Returns the corners of the triangle that at() with a hint interpolates in.
   triangle nodes_around(const point& q, vertex_index& hint) const;
-  // Returns how many triangles searches of at() with a hint have looked at since the last call:
-  // few, but where triangles are so thin that the box of each overlaps those of thousands.
+  // Returns the number of triangles that searches of at() with a hint have visited since the last
+  // call: few, unless triangles are so thin that the box of each overlaps those of thousands.
   std::size_t take_looked_at() const { return looked_at_.take(); }
 
   // Returns the edges, each once.
   std::vector<graph_edge> edges() const { return locator_->edges(); }
-  // Returns the integral of the root of the determinant: the area as the metric measures it.
+  // Returns the integral of the root of the determinant: the area in the metric.
   double complexity() const;
 
  private:

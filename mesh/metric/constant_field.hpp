@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes fields that are the same everywhere, and means of tensors.
+// Makes fields that are the same tensor everywhere, and means of tensors.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace asterism::internal {
 // Returns a field that fails where the tensor is no metric.
 std::unique_ptr<metric_field> same_everywhere(const metric_tensor& m);
 
-// Returns the log-Euclidean mean; of one tensor at least. Tensors as numerics/metric_algebra.hpp
-// takes them.
+// Returns the log-Euclidean mean of one tensor or more. Requirements on tensors are those of
+// numerics/metric_algebra.hpp.
 metric_tensor mean_of(const std::vector<metric_tensor>& tensors);
 
 }  // namespace asterism::internal

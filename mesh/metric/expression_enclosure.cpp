@@ -9,7 +9,7 @@ namespace asterism::internal {
 
 namespace {
 
-// Says whether a condition holds: all over a box, nowhere in it, or neither for certain.
+// Truth of a condition over a box: true everywhere in it, nowhere, or undecided.
 enum class truth { no, yes, unknown };
 
 truth decided(bool is_true, bool is_false) {
@@ -30,7 +30,7 @@ interval_jet number_of(truth t) {
 }  // namespace
 
 interval_jet expression_enclosure::over(const plane_jet& at) const {
-  // Operands that a step does not have are the first step's, which is a number.
+  // Uses the first step, a number, in the place of operands that a step does not have.
   std::vector<evaluation> made(steps_.size());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const step& s = steps_[i];
@@ -172,7 +172,7 @@ interval_jet expression_enclosure::function_of(operation what, const interval_je
 
 interval_jet expression_enclosure::power_of(const interval_jet& base,
                                             const interval_jet& exponent) {
-  // Steers: larger powers are enclosed by logarithms, more widely.
+  // Largest power that is multiplied out; larger ones are enclosed by logarithms, less tightly.
   constexpr double most_multiplied = 64;
   const double n = exponent.value.inf();
   const bool is_constant = n == exponent.value.sup() && exponent.x.inf() == 0 &&
@@ -180,7 +180,7 @@ interval_jet expression_enclosure::power_of(const interval_jet& base,
   if (is_constant && n == std::floor(n) && std::abs(n) <= most_multiplied)
     return whole_power(base, static_cast<int>(n));
   if (is_constant && n == 0.5) return square_root(base);
-  // Powers of negative numbers have either sign, or no value.
+  // Returns everything for powers of negative numbers: they have either sign, or no value.
   if (base.value.inf() < 0) return {everything(), everything(), everything()};
   return exponential(exponent * natural_logarithm(base));
 }

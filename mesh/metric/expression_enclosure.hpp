@@ -23,7 +23,7 @@ namespace asterism::internal {
 
 class expression_enclosure {
  public:
-  // Reads the formula; nothing where it has something else, or is no formula.
+  // Reads the formula; returns nothing where it has other parts, or is no formula.
   static std::optional<expression_enclosure> parse(const std::string& text);
 
   // Returns the enclosure. In a floating_point_scope(rounding::upward); several threads may ask.
@@ -62,7 +62,8 @@ class expression_enclosure {
     lesser,
     greater
   };
-  // A step takes what its operands' steps made, by their numbers; each comes after its operands.
+  // A step of the evaluation. It takes the results of its operands' steps, by their numbers; each
+  // comes after its operands.
   struct step {
     operation what;
     double constant = 0;
@@ -70,19 +71,19 @@ class expression_enclosure {
 
     friend auto operator<=>(const step& a, const step& b) = default;
   };
-  // Encloses what a step makes, but for where that is no number.
+  // Enclosure of a step's result, for the points where it is a number.
   struct evaluation {
     interval_jet jet;
     bool may_be_nan = false;  // somewhere in the box
   };
 
-  // True for operations that may make a number of a NaN.
+  // True for operations whose result may be a number though an operand is NaN.
   static bool hides_nan(operation what);
-  // True for those that make 0 or 1.
+  // True for conditions, whose results are 0 or 1.
   static bool is_condition(operation what);
-  // Returns what is between the outcomes of such an operation.
+  // Returns an enclosure of all possible outcomes of an operation that hides a NaN.
   static interval_jet any_outcome(const step& s, const std::vector<evaluation>& made);
-  // True unless the operation makes numbers of numbers.
+  // True if the operation may have no value (NaN) somewhere in the box.
   static bool makes_nan(operation what, const interval_jet& operand, const interval_jet& value);
   static interval_jet value_of(const step& s, const std::vector<evaluation>& made,
                                const plane_jet& at);

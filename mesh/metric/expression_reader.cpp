@@ -12,7 +12,7 @@
 namespace asterism::internal {
 
 // Reads a formula from left to right, one function for each level of precedence. Each returns the
-// number of the step that makes the value; nothing where the text is not understood.
+// number of the step that makes the value; nothing where the text is not in the language.
 class formula_reader {
  public:
   using step_number = std::optional<std::size_t>;
@@ -47,7 +47,7 @@ class formula_reader {
                            std::size_t first = 0) {
     return number_of({what, value, first, 0, 0});
   }
-  // Gives equal steps one number: so a product of equal factors is known to be a square.
+  // Gives equal steps one number: so a product of equal factors is recognised as a square.
   std::size_t number_of(const expression_enclosure::step& s) {
     const auto [place, is_new] = known_.emplace(s, steps_.size());
     if (is_new) steps_.push_back(s);
@@ -97,7 +97,7 @@ class formula_reader {
       const step_number right = (this->*next)();
       if (!right) return std::nullopt;
       left = found->exchanged ? add(found->what, *right, *left) : add(found->what, *left, *right);
-      // Makes `a != b` of 1 - (a == b).
+      // Makes `a != b` from 1 - (a == b).
       if (found->negated) left = add(operation::subtract, *add_constant(1), *left);
     }
     return std::nullopt;
@@ -190,7 +190,7 @@ class formula_reader {
     return add(operation::divide, all, *count);
   }
 
-  // Bounds the depth of the stack; what is nested more deeply is not read.
+  // Bounds the depth of the stack; formulas nested more deeply are refused.
   static constexpr int most_nested = 200;
   static constexpr std::array<named_operator, 1> either_of = {
       {{"||", operation::disjunction, false, false}}};

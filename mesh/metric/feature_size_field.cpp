@@ -12,7 +12,8 @@
 namespace asterism::internal {
 namespace {
 
-// Segments of one length stay whole, and triangles grow as they would by Delaunay refinement.
+// Size at a vertex as a multiple of its shorter segment, and growth of the size with distance:
+// segments of one length stay whole, and triangles grow as in Delaunay refinement.
 constexpr double part_of_segment = 1.3, growth = 0.7;
 
 }  // namespace
@@ -37,7 +38,8 @@ result<featured_field> featured_field::make(const domain& d, const metric_field&
   return made;
 }
 
-// Halves nodes across the longer side of the box, so that the depth is bounded.
+// Builds a node of the tree. Halves the features along the longer side of the box, so that the
+// depth is bounded.
 void featured_field::add_node(std::size_t first, std::size_t last) {
   constexpr std::size_t leaf_size = 8;
   const std::size_t self = nodes_.size();
@@ -70,8 +72,8 @@ result<metric_tensor> featured_field::at(const point& q) const {
   return metric_tensor{m.m11 * inverse, m.m12 * inverse, m.m22 * inverse};
 }
 
-// Visits nearer children first. The distance to a box is at least the larger of those in x and y
-// over the half extents of the unit ellipse.
+// Visits nearer children first. The distance to a box is at least the larger of those in x and y,
+// divided by the half extents of the unit ellipse.
 double featured_field::length_at(const site& q) const {
   constexpr double near_enough = 1 / 1.16;
   const metric_tensor& m = q.metric;
@@ -86,7 +88,7 @@ double featured_field::length_at(const site& q) const {
   };
   double least = longest_;
   if (nodes_.empty()) return least;
-  // Depths are at most the logarithm of the number of features.
+  // Size of the stack: depths are at most the logarithm of the number of features.
   boost::container::small_vector<std::pair<std::size_t, double>, 64> waiting{{0, least_at(0)}};
   while (!waiting.empty()) {
     const auto [at, bound] = waiting.back();

@@ -16,8 +16,8 @@ namespace asterism::internal {
 
 // The tensor of `field` divided by h^2: with l_v the shorter segment at the vertex v, in the metric
 // there, and |q - v| measured at q, h is the least of `longest` and of 1.3 l_v + 0.7 |q - v| over
-// all vertices, or up to a sixth more (which spares looking at all that are about equally far).
-// Isolated vertices have no say.
+// all vertices, or up to a sixth more (which spares visiting all vertices that are about equally
+// far). Isolated vertices are ignored.
 class featured_field : public metric_field {
  public:
   // Makes the field for a checked `d`; `field` must outlive it. Fails where `field` does.

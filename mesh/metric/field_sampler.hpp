@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures sites by a metric field, for code that goes on until a convenient place to stop.
+// Measures sites by a metric field, and keeps the field's first error, for code that ends only at a
+// convenient place.
 #pragma once
 
 #include <optional>

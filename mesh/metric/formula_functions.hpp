@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Names the functions in which built-in metrics are written once, for doubles and for enclosures
-// (interval_jet.hpp has those of the latter).
+// Declares the functions with which built-in metrics are written once, for doubles and for
+// enclosures (interval_jet.hpp has those of the latter).
 #pragma once
 
 #include <algorithm>

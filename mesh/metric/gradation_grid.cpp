@@ -16,16 +16,16 @@ std::uint64_t key(std::uint32_t x, std::uint32_t y) {
   return (static_cast<std::uint64_t>(x) << 32U) | y;
 }
 
-// Cells along a side of length `side` where the longer one has 16.
+// Returns the number of cells along a side of length `side`, where the longer side has 16.
 std::uint32_t cells_of(double side, double longer) {
   const double n = std::ceil(cells_along * (side / longer));
   return std::max(1U, static_cast<std::uint32_t>(n));
 }
 
-// Goes from one end to the other with t from 0 to 1, without overflow and exact at the ends.
+// Returns the point from `low` to `high` at t in [0, 1], without overflow and exact at the ends.
 double between(double low, double high, double t) { return low * (1 - t) + high * t; }
 
-// Returns the fraction of the way from low to high, kept within [0,1].
+// Returns the parameter of x from `low` to `high`, clamped to [0, 1].
 double fraction(double low, double high, double x) {
   if (!(high > low)) return 0;
   return std::clamp((x / 2 - low / 2) / (high / 2 - low / 2), 0.0, 1.0);
@@ -97,9 +97,10 @@ std::vector<std::uint32_t> gradation_grid::larger_neighbours(const cell& c) cons
 }
 
 bool gradation_grid::split(std::uint32_t c) {
-  // A middle of its own needs a side of two units.
+  // Returns false for cells whose side is too short to have a middle of their own.
   if (cells_[c].side < 4) return false;
-  // Each neighbour that is split is larger by a factor of two: the recursion ends at the roots.
+  // Splits larger neighbours first. Each of them is larger by a factor of two: the recursion ends
+  // at the roots.
   for (const std::uint32_t other : larger_neighbours(cells_[c]))
     if (cells_[other].leaf() && !split(other)) return false;
   const cell whole = cells_[c];
@@ -131,8 +132,9 @@ gradation_grid::place gradation_grid::locate(const point& q) const {
     return std::min(static_cast<std::uint32_t>(t), count * root_side - 1);
   };
   const cell& c = cells_[leaf_at(unit(x, columns_), unit(y, rows_))];
-  // From the middle, in halves of the side: the edge the ray through q leaves by, how far q is on
-  // the way, and where on that edge, from 0 to 1 counter-clockwise.
+  // Finds the place relative to the middle, in halves of the side: the edge that the ray through q
+  // crosses, the share of the ray up to q, and the position on that edge, from 0 to 1
+  // counter-clockwise.
   const double half = static_cast<double>(c.side) / 2;
   const double u = (x - c.x) / half - 1, v = (y - c.y) / half - 1;
   const bool upright = std::abs(u) > std::abs(v);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Chooses the points of a box at which a metric field is sampled, densely where asked for, and
-// interpolates between them.
+// Chooses the points of a box at which a metric field is sampled, densely where cells are split,
+// and interpolates between them.
 //
 // A quadtree of cells. Sides of cells that share an edge differ by a factor of two at most, so that
 // an edge has at most one node between its ends; every cell is cut into triangles from its middle
@@ -36,13 +36,13 @@ class gradation_grid {
   };
 
   const std::vector<cell>& cells() const { return cells_; }
-  // Nodes are numbered in the order in which they came up; they never go.
+  // Nodes in the order of their creation; they are never removed.
   std::size_t nodes() const { return positions_.size(); }
   const point& position(std::uint32_t node) const { return positions_[node]; }
   // Returns the displacement from the lower left to the upper right corner.
   point diagonal(const cell& c) const;
 
-  // Cuts leaf `c` in four, and others as far as needed. False at the deepest level.
+  // Splits leaf `c` in four, and larger neighbours as needed. Returns false at the deepest level.
   bool split(std::uint32_t c);
 
   // Lists the nodes on the boundary of a leaf, counter-clockwise from the lower left corner: 4

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what gradation is to keep to, and what it did.
+// Holds the options of gradation, and the report of its work.
 #pragma once
 
 #include <cstddef>

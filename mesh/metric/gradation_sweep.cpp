@@ -68,7 +68,8 @@ gradation_sweep::gradation_sweep(const metric_field& field, gradation_grid& grid
   report_.beta = options.beta;
 }
 
-// A step is a sample or a look around, some microseconds.
+// True if the run is to end; the stop is polled every 256 steps. A step is a sample or a visit of a
+// node's surroundings, some microseconds.
 bool gradation_sweep::is_ended() {
   constexpr std::size_t between_questions = 256;
   if (!ended_ && ++steps_ % between_questions == 0) ended_ = options_.stop.is_requested();
@@ -138,7 +139,8 @@ std::vector<bool> gradation_sweep::kept() const {
   return keep;
 }
 
-// Leaves as they were before; those that come up by it are looked at the next time.
+// Splits the leaves that are not fine enough. Tests the present leaves alone; new ones are tested
+// the next time.
 std::size_t gradation_sweep::refine(bool by_given) {
   const auto count = static_cast<std::uint32_t>(grid_.cells().size());
   std::size_t splits = 0;
@@ -245,7 +247,8 @@ bool gradation_sweep::visit(std::uint32_t n) {
   return true;
 }
 
-// Takes small lengths first: they are what spreads, so one sweep carries them far.
+// Sweeps over the nodes from small lengths to large ones: small lengths spread, so that one sweep
+// carries them far.
 void gradation_sweep::sweep_until_settled() {
   std::vector<std::uint32_t> order(nodes_.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -18,20 +18,20 @@ namespace asterism::internal {
 
 class gradation_sweep {
  public:
-  // `field` is not owned. `grid` has nodes already.
+  // Takes a field that it does not own, and a grid that has nodes already.
   gradation_sweep(const metric_field& field, gradation_grid& grid,
                   const gradation_options& options);
 
   struct node {
     metric_tensor given, now;
     tensor_logarithm given_log, now_log;
-    // Times, counted in changes of any node: of its last change, and of its last look around.
+    // Times of the node's last change and of its last visit, counted in changes of any node.
     std::uint64_t changed = 1, visited = 0;
     bool altered = false;  // now differs from given
   };
 
-  // Refines for the field as given, then sweeps and refines by turns. Fails where the field does,
-  // and when options.stop ended it.
+  // Refines the grid for the field as given, then sweeps and refines in turn. Fails where the field
+  // does, and when options.stop ended it.
   std::optional<error> run();
 
   const std::vector<node>& nodes() const { return nodes_; }

@@ -37,7 +37,7 @@
 
 namespace asterism {
 
-// The graded field and how it came about.
+// The graded field, and the report of its gradation.
 struct graded_metric {
   std::unique_ptr<metric_field> field;
   gradation_report report;

@@ -21,13 +21,13 @@ constexpr double elementary_error = 0x1p-49, subnormal_error = 0x1p-1070;
 
 using plain_function = double (*)(double);
 
-// Returns the value in the mode in which the functions are accurate.
+// Returns the function's value in the rounding mode in which core/elementary is accurate.
 [[gnu::noinline]] double value_to_nearest(plain_function f, double x) {
   const floating_point_scope scope(rounding::nearest);
   return opaque_here(f(opaque_here(x)));
 }
 
-// Returns a number not below the function's value, not above it for `down`.
+// Returns a bound of the function's value: a lower one for `down`, else an upper one.
 double value_outward(plain_function f, double x, bool down) {
   const double y = value_to_nearest(f, x);
   if (!(std::abs(y) <= largest)) return y;
@@ -39,7 +39,7 @@ double value_outward(plain_function f, double x, bool down) {
 // Encloses the values of a function that increases.
 rounded_interval increasing(plain_function f, const rounded_interval& a) {
   const double low = value_outward(f, a.inf(), true), high = value_outward(f, a.sup(), false);
-  // Beyond the range of doubles an end is no bound.
+  // Replaces an end beyond the range of doubles by the largest double: infinity would be no bound.
   return {low == infinity ? largest : low, high == -infinity ? -largest : high};
 }
 
@@ -53,8 +53,8 @@ bool may_have_crest(const rounded_interval& a, double shift, int parity) {
   for (int step = 0; step < 5; ++step) {
     const double k = first + step;
     if (std::abs(std::fmod(k, 2)) != parity) continue;
-    // Roundings of the point, of pi and of both comparisons are below 2^-50 of it; more only
-    // widens.
+    // Widens the comparison by more than the roundings of the point, of pi and of both comparisons,
+    // which are below 2^-50 of it.
     const double at = (k + shift) * std::numbers::pi, slack = 0x1p-40 * (1 + std::abs(at));
     if (at >= a.inf() - slack && at <= a.sup() + slack) return true;
   }
@@ -63,8 +63,8 @@ bool may_have_crest(const rounded_interval& a, double shift, int parity) {
 
 // Encloses a sine (`shift` 1/2: greatest at pi/2) or a cosine (0).
 rounded_interval wave(plain_function f, const rounded_interval& a, double shift) {
-  // Both steer, as long as multiples of pi are told apart: all values are an enclosure too. A
-  // longer interval has nearly all.
+  // Limits of the length and the place of an interval that is enclosed sharply: beyond them
+  // multiples of pi are not distinguished, and [-1, 1] is returned, which encloses all values.
   constexpr double longest = 6, farthest = 0x1p20;
   if (!(a.sup() - a.inf() < longest) || !(std::abs(a.inf()) < farthest)) return {-1, 1};
   const rounded_interval from = {value_outward(f, a.inf(), true), value_outward(f, a.inf(), false)},
@@ -85,7 +85,7 @@ even_functions even_functions_at(double at) {
     const rounded_interval c = half * (up + down), s = divided(half * (up - down), r);
     return {c, s, divided(c - s, q + q)};
   }
-  // The term of q^k is 1 / (2k)! of C, 1 / (2k+1)! of S, (k+1) / (2k+3)! of S'.
+  // Sums the terms of q^k: 1 / (2k)! of C, 1 / (2k+1)! of S, (k+1) / (2k+3)! of S'.
   rounded_interval power = 1, c = 0, s = 0, slope = 0;
   rounded_interval factorial = 1;  // (2k)!
   constexpr int terms = 10;
@@ -99,7 +99,7 @@ even_functions even_functions_at(double at) {
     power = power * q;
     factorial = even;
   }
-  // (20)! is above 2^61, and each later term less than half of the one before.
+  // Bounds the rest: (20)! is above 2^61, and each later term is less than half of the one before.
   const rounded_interval rest(0, 0x1p-59);
   return {c + rest, s + rest, slope + rest};
 }

@@ -27,8 +27,8 @@ rounded_interval cosine_of(const rounded_interval& a);
 rounded_interval hyperbolic_tangent_of(const rounded_interval& a);
 rounded_interval arc_tangent_of(const rounded_interval& a);
 
-// Functions of q = r^2 >= 0 that are analytic in q: C = cosh r, S = sinh(r) / r, and S' = (C - S) /
-// (2 q), the derivative of S. All are positive and increase with q.
+// Enclosures of functions of q = r^2 >= 0 that are analytic in q: C = cosh r, S = sinh(r) / r, and
+// S' = (C - S) / (2 q), the derivative of S. All are positive and increase with q.
 struct even_functions {
   rounded_interval cosh, sinhc, slope;
 };

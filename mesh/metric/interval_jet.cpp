@@ -10,7 +10,7 @@
 namespace asterism::internal {
 namespace {
 
-// Returns f(a), of which the value and the derivative by a are given.
+// Returns f(a) from f's value and derivative at a.
 interval_jet chained(const rounded_interval& value, const rounded_interval& slope,
                      const interval_jet& a) {
   return {value, slope * a.x, slope * a.y};

@@ -29,7 +29,7 @@ interval_jet operator-(const interval_jet& a);
 interval_jet operator*(const interval_jet& a, const interval_jet& b);
 interval_jet operator/(const interval_jet& a, const interval_jet& b);
 
-// Formulas that are written for doubles and for jets use these names.
+// Enclose the functions by the names that formulas use for doubles as well.
 interval_jet square(const interval_jet& a);
 interval_jet square_root(const interval_jet& a);
 interval_jet exponential(const interval_jet& a);
@@ -41,10 +41,10 @@ interval_jet arc_tangent(const interval_jet& a);
 interval_jet absolute(const interval_jet& a);
 interval_jet lesser(const interval_jet& a, const interval_jet& b);
 interval_jet greater(const interval_jet& a, const interval_jet& b);
-// Returns a^n for a whole n of up to 64 in size.
+// Returns a^n for a whole number n with |n| <= 64.
 interval_jet whole_power(const interval_jet& a, int n);
-// Returns what is between two functions of which it is not known which is meant: the derivatives
-// are infinite, unless both are the same constant.
+// Returns an enclosure of two functions, either of which may be the value: derivatives are
+// infinite, unless both are the same constant.
 interval_jet either(const interval_jet& a, const interval_jet& b);
 
 // Encloses the tensors of a field over a box, with their derivatives.

@@ -16,14 +16,14 @@ namespace asterism::internal {
 
 namespace {
 
-// Holds a point in the frame's coordinates, of doubles or of enclosures.
+// A point in the frame's coordinates, in doubles or enclosures.
 template <class Number>
 struct local_point {
   Number x, y;
 };
 
-// Stands for the tensor in which an edge of length `across` along the unit vector `normal`, or of
-// length `along` at right angles to it, has length 1.
+// The tensor in which an edge of length `across` along the unit vector `normal`, and one of length
+// `along` at right angles to it, have length 1.
 template <class Number>
 struct layer_lengths {
   local_point<Number> normal;
@@ -58,7 +58,7 @@ layer_formula in_both(const Formula& formula) {
   return {formula, formula};
 }
 
-// Evaluates a formula in the frame's coordinates. Its lengths are in units of the domain times
+// Evaluates a formula of the frame's coordinates. Its lengths are in units of the domain times
 // `unit`.
 class layered_field : public sized_field {
  public:
@@ -79,8 +79,8 @@ class layered_field : public sized_field {
   field_frame frame_;
 };
 
-// Returns lengths across circles about the origin; anything goes at the origin itself, where the
-// formulas that reach it are round.
+// Returns the lengths for a layer across circles about the origin; any direction is valid at the
+// origin itself, where the formulas that reach it are isotropic.
 layer_lengths<double> across_circles(const plain_point& p, double r, double across, double along) {
   return {r > 0 ? plain_point{p.x / r, p.y / r} : plain_point{1, 0}, across, along};
 }
@@ -188,7 +188,8 @@ made_field make_shock(const field_request& asked) {
   return made(asked.size, curved_shock(aspect.value()), *middle, 1);
 }
 
-// The benchmarks are defined on the unit square, which the box's longer side replaces.
+// Places the benchmarks, which are defined on the unit square, in a square on the box's longer
+// side.
 template <layer_formula (*formula)()>
 made_field make_benchmark(const field_request& asked) {
   const auto corner = frame_at_the_corner(asked.box);

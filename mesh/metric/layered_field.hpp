@@ -2,7 +2,7 @@
 //
 // Makes fields given by an edge length across a layer, one along it, and the direction across:
 // boundary layers, shocks, and the benchmarks of the Unstructured Grid Adaptation Working Group.
-// The formulas and their sources are in docs/manual/metrics.md.
+// Formulas and sources are in docs/manual/metrics.md.
 #pragma once
 
 #include <span>

@@ -18,7 +18,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// A region inside which a size is wished; around it the place tree has its border.
+// A region with a size for its inside; outside, sizes grow from its border, which is in the place
+// tree.
 struct sized_region {
   inside_index inside;
   double size;

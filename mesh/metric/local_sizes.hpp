@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a metric finer where sizes are wished, and keeps it within bounds.
+// Makes a metric finer where local sizes are given, and keeps it within bounds.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace asterism {
 
-// Returns the size where nothing is wished and none is named: the greatest that may be, or, without
+// Returns the size elsewhere if only local sizes are given: the greatest size allowed, or, without
 // a bound, the longer side of the domain's box.
 ASTERISM_EXPORT double size_where_none_is_wished(const size_wishes& wishes, const domain& d);
 

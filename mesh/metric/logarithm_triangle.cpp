@@ -13,7 +13,8 @@
 namespace asterism::internal {
 namespace {
 
-// Bounds what roundings make corners off by; and steers: a part halved more often has no bound.
+// Largest number of halvings: a part halved more often has no bound. It also bounds the rounding
+// errors of corners.
 constexpr int most_halvings = 60;
 
 enclosed_logarithm enclosed(const tensor_logarithm& l) { return {l.l11, l.l12, l.l22}; }
@@ -46,7 +47,7 @@ tensor_jet exponential_over(const enclosed_logarithm& l, const enclosed_logarith
   return {scale * (c + s * a), scale * s * b, scale * (c - s * a)};
 }
 
-// Finds the derivatives of what is linear in the triangle.
+// Computes the derivatives of the logarithm's entries, which are linear in the triangle.
 [[gnu::noinline]] bool find_derivatives(logarithm_triangle& t) {
   const floating_point_scope scope(rounding::upward);
   const auto x = [&](std::size_t k) {
@@ -88,9 +89,9 @@ variation_of_part logarithm_triangle::bounds() const {
     in_middle[k] = quotient(a + b + c, rounded_interval(3));
   }
   small_part shape;
-  // Covers, in units of 2^-52 of the greatest coordinate: at most 60 for the corner after as many
-  // halvings, 60 for the middle of three such, 3 for the sum and quotient of that, 2 for the
-  // difference from it. Together below 2^8.
+  // Bounds errors in units of 2^-52 of the greatest coordinate: at most 60 for the corner after 60
+  // halvings, 60 for the middle of three such corners, 3 for the sum and quotient of that, 2 for
+  // the difference from it. Together below 2^8.
   const double slack = greatest_coordinate * 0x1p-44;
   shape.middle = {(corners[0].x + corners[1].x + corners[2].x) / 3,
                   (corners[0].y + corners[1].y + corners[2].y) / 3};

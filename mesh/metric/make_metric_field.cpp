@@ -69,7 +69,7 @@ class expression_field : public sized_field {
       : sized_field(size), entries_(std::move(entries)), enclosures_(std::move(enclosures)) {}
 
  private:
-  // Evaluates the formulas. An expression holds its variables, so one thread at a time.
+  // Evaluates three formulas. The parser holds its variables, so one thread at a time may call it.
   result<metric_tensor> unsized(const point& q) const override {
     const std::lock_guard<std::mutex> alone(mutex_);
     std::array<double, 3> m{};
@@ -156,7 +156,7 @@ constexpr std::array<named_field, 4> tensor_fields = {{
     {"expr", ":M11;M12;M22", "three expressions in x and y (muparser's syntax)", make_expression},
 }};
 
-// Returns every row: those of lengths after those of tensors.
+// Returns the rows of all fields: those given by tensors, then those given by lengths.
 std::vector<named_field> named_fields() {
   std::vector<named_field> all(tensor_fields.begin(), tensor_fields.end());
   const auto layered = layered_fields();
@@ -164,7 +164,7 @@ std::vector<named_field> named_fields() {
   return all;
 }
 
-// Returns the names with their arguments, as "identity, swirl[:K] and sink[:K]".
+// Returns the names with their arguments, such as "identity, swirl[:K] and sink[:K]".
 std::string listed_names() {
   std::string text;
   const std::vector<metric_name> names = metric_names();

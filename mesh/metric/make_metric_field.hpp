@@ -14,7 +14,7 @@
 
 namespace asterism {
 
-// Describes a metric that has a name.
+// Describes a metric that has a name: a row of help and manual.
 struct metric_name {
   std::string_view name;       // what comes before the colon
   std::string_view arguments;  // with their colon; those in brackets may be left out

@@ -24,7 +24,7 @@ bool meet(const bounding_box& a, const bounding_box& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
-// Returns how far the point is outside of the box, in the direction where it is farthest.
+// Returns the distance of the point from the box: the larger of those along x and y.
 double distance_outside(const point& q, const bounding_box& box) {
   return std::max({box.low.x - q.x, q.x - box.high.x, box.low.y - q.y, q.y - box.high.y, 0.0});
 }
@@ -52,7 +52,7 @@ class part_field final : public sized_field {
   std::optional<background_metric> metric_;
 };
 
-// Bytes of numbers, one after another.
+// Appends numbers to a list of bytes.
 class byte_writer {
  public:
   template <class T>

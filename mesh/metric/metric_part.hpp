@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Cuts what one piece of a domain needs out of a metric that is given on a mesh, so that a piece
+// Extracts the part of a metric given on a mesh that one piece of a domain needs, so that a piece
 // can be meshed without the rest of it.
 #pragma once
 
@@ -27,14 +27,14 @@ struct metric_part {
 // the field is not one of make_interpolated_field.
 std::optional<metric_part> part_of(const metric_field& field, const bounding_box& window);
 
-// Returns the field of the part: at points of the window, bit for bit what the whole field has. It
+// Returns the field of the part: at points of the window it equals the whole field bit for bit. It
 // fails at a point from which no triangle is within the margin. The whole field has the tensor of a
 // farther one there.
 std::unique_ptr<metric_field> make_field_of_part(const metric_part& part);
 
-// Writes the part in the form of this machine's memory, for a file that lives as long as a run.
+// Returns the part as bytes in this machine's memory format, for a file that exists for one run.
 std::string bytes_of(const metric_part& part);
-// Reads what bytes_of wrote. `name` is the file's, for messages.
+// Reads the part from the bytes of bytes_of. `name` is the file's, for messages.
 result<metric_part> metric_part_in(const std::string& bytes, const std::string& name);
 
 }  // namespace asterism::internal

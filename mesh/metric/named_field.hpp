@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Describes a metric field that has a name: how it is given, what it is, and who makes it.
+// Describes a metric field that has a name: its arguments, a sentence about it, and its maker.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Tells a maker of fields what to make.
+// Arguments for the maker of a named field.
 struct field_request {
   std::string_view specification;             // the whole, for messages
   std::optional<std::string_view> parameter;  // what follows the first colon

@@ -14,8 +14,8 @@ namespace asterism::internal {
 
 namespace {
 
-// muparser's own operator ^ is the C library's function, and cannot be replaced. Expressions are
-// given to it with this sign in its place, which nobody may use.
+// Sign that replaces ^ in expressions given to muparser, and may not be used in them: muparser's
+// own operator ^ is the C library's function, and cannot be replaced.
 constexpr char power_sign = '#';
 
 std::string with_sign_replaced(std::string text, char from, char to) {
@@ -43,7 +43,8 @@ std::size_t find_assignment(const std::string& text) {
   return std::string::npos;
 }
 
-// muparser's functions are the C library's, which differ in the last place from one to the next.
+// Replaces muparser's functions, which are the C library's and differ in the last place between
+// libraries.
 double arc_tangent(double x) { return elementary::atan2(x, 1); }
 double arc_sine(double x) { return elementary::atan2(x, std::sqrt((1 - x) * (1 + x))); }
 double arc_cosine(double x) { return elementary::atan2(std::sqrt((1 - x) * (1 + x)), x); }
@@ -75,7 +76,7 @@ void define_functions(mu::Parser& parser) {
 
 }  // namespace
 
-// The parser keeps the addresses of x and y, so the state never moves.
+// Keeps the state at one address, since the parser holds the addresses of x and y.
 struct plane_expression::state {
   std::string text;
   double x = 0, y = 0;
@@ -104,7 +105,7 @@ result<plane_expression> plane_expression::parse(const std::string& text) {
     s->parser.DefineConst("e", std::numbers::e);
     s->parser.SetExpr(with_sign_replaced(text, '^', power_sign));
     int values = 0;
-    // muparser finds errors when it evaluates for the first time.
+    // Evaluates once: muparser finds errors at the first evaluation.
     s->parser.Eval(values);
     if (values != 1)
       return error{"'" + text + "': one value is wanted, not " + std::to_string(values)};

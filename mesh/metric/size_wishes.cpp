@@ -26,7 +26,7 @@ constexpr range aspects = {1, 1e6, "from 1 to 1e6"};
 constexpr range everywhere = {-std::numeric_limits<double>::max(),
                               std::numeric_limits<double>::max(), "finite"};
 
-// Takes the numbers of a text one by one, and remembers the first that is wrong.
+// Takes the numbers of a text one by one, and remembers the first invalid one.
 class number_list {
  public:
   explicit number_list(std::string_view text) : rest_(text) {}
@@ -57,7 +57,7 @@ class number_list {
     return failed_ ? 0 : static_cast<int>(x);
   }
 
-  // Returns what is wrong, if anything is, or anything is left.
+  // Returns the error, if a number was invalid, or text is left over.
   std::optional<error> finish() const {
     if (failed_) return error{*failed_, error_code::bad_option};
     if (!ended_) return error{quoted_token(rest_) + " is too much", error_code::bad_option};
@@ -78,8 +78,8 @@ class number_list {
 constexpr double least_number = std::numeric_limits<int>::min(),
                  greatest_number = std::numeric_limits<int>::max();
 
-// Reads H[,GROWTH] into a wish whose place is read, and adds it. Returns what is wrong with the
-// place, else with the size.
+// Reads H[,GROWTH] into a wish whose place was read, and adds it. Returns the error of the place,
+// else that of the size.
 template <class Wish>
 std::optional<error> add_sized(std::vector<Wish>& all, Wish one, const number_list& place,
                                number_list size, const char* name = "H") {
@@ -155,7 +155,7 @@ std::optional<error> add(size_wishes& all, std::string_view kind, std::string_vi
   return error{quoted_token(kind) + " is no kind of size", error_code::bad_option};
 }
 
-// Returns the numbers with commas between them; they read back as they were.
+// Returns the numbers, separated by commas, with the digits that read back to the same doubles.
 std::string list_of(std::initializer_list<double> numbers) {
   std::string text;
   for (const double x : numbers) {

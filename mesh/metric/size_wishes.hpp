@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Sizes wanted at places: at a point, in a box, in a region, near a part of the boundary, in layers
-// along it; and bounds on all of them. What --size-at, --size-box, --size-in, --size-near,
-// --layers,
-// --hmin, --hmax and --aspect say.
+// Defines sizes wanted at places (at a point, in a box, in a region, near a part of
+// the boundary, in layers along it) and bounds on all sizes: the values of
+// --size-at, --size-box, --size-in, --size-near, --layers, --hmin, --hmax and
+// --aspect.
 //
 // Units: lengths are the domain's. `growth` is the factor between neighbouring edges, or heights of
 // layers, away from the place: with the distance d from it a size grows to size + (growth - 1) d,
@@ -26,25 +26,25 @@ namespace asterism {
 // Growth of sizes away from their place where none is named.
 inline constexpr double usual_growth = 1.3;
 
-// In a circle; a point where the radius is 0.
+// Size in a circle; at a point where the radius is 0.
 struct size_at {
   point centre;
   double radius = 0, size = 0, growth = usual_growth;
 };
 
-// In a box.
+// Size in a box.
 struct size_in_box {
   bounding_box box;
   double size = 0, growth = usual_growth;
 };
 
-// In the region with this number.
+// Size in the region with this number.
 struct size_in_region {
   int region = 1;
   double size = 0, growth = usual_growth;
 };
 
-// Along the segments with this marker.
+// Size along the segments with this marker.
 struct size_near {
   int marker = 0;
   double size = 0, growth = usual_growth;
@@ -68,7 +68,7 @@ struct size_wishes {
   double least = 0, greatest = std::numeric_limits<double>::infinity();  // lengths of an edge
   double aspect = 1e6;  // how many times as long as wide a triangle may be
 
-  // True if nothing is wished.
+  // True if no size and no bound is given.
   ASTERISM_EXPORT bool is_empty() const;
 };
 

@@ -20,7 +20,7 @@ double half_of_longer_side(const bounding_box& box) {
   return std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
 }
 
-// Returns the number with all its digits, or the words for one that is too large.
+// Returns the number with 17 significant digits, or its word where it is infinite or NaN.
 std::string in_full(double x) {
   return std::isfinite(x) ? fmt::format("{:.17g}", x) : format_number(x);
 }

@@ -36,7 +36,7 @@ rounded_interval product_of(const interval_tensor& m, const point& a, const poin
          rounded_interval(a.y) * (m.m12 * rounded_interval(b.x) + m.m22 * rounded_interval(b.y));
 }
 
-// Returns a tensor in coordinates whose axes are the two displacements.
+// Returns a tensor in the coordinates whose axes are the two displacements.
 interval_tensor in_frame(const interval_tensor& m, const unit_displacements& frame) {
   return {product_of(m, frame.first, frame.first), product_of(m, frame.first, frame.second),
           product_of(m, frame.second, frame.second)};
@@ -51,7 +51,7 @@ mean_and_radius spectrum(const interval_tensor& m) {
   return {half * (m.m11 + m.m22), root_of(squared(half * (m.m11 - m.m22)) + squared(m.m12))};
 }
 
-// Returns the greatest modulus of an eigenvalue, from above.
+// Returns an upper bound of the greatest modulus of an eigenvalue.
 double norm_above(const interval_tensor& m) {
   const mean_and_radius s = spectrum(m);
   const double mean = std::max(-s.mean.inf(), s.mean.sup());
@@ -72,8 +72,8 @@ const std::array<point, variation_directions>& directions() {
   return all;
 }
 
-// Returns the greatest norm of v1 C1 + v2 C2 for unit vectors v, from above: a norm is convex, so
-// that it is greatest at a vertex of a polygon around the circle.
+// Returns an upper bound of the greatest norm of v1 C1 + v2 C2 for unit vectors v: a norm is
+// convex, so that it is greatest at a vertex of a polygon around the circle.
 double greatest_norm(const interval_tensor& first, const interval_tensor& second) {
   double greatest = 0;
   for (const point& v : directions())
@@ -113,8 +113,9 @@ variation_of_part bound_variation_of(const small_part& part, const tensor_jet& o
                     *frame);
   };
   const interval_tensor middle = in_frame(values(in_middle), *frame);
-  // Encloses the tensor anywhere as that in the middle and what it changes by on the way; or over
-  // the part, which is nearer in one that is long where nothing changes.
+  // Encloses the tensor over the part in two ways: as that in the middle plus its change on the
+  // way, and directly over the part, which is tighter for a part that is long where nothing
+  // changes.
   const rounded_interval dx(-part.reach_x, part.reach_x), dy(-part.reach_y, part.reach_y);
   const interval_tensor anywhere =
       middle + dx * in_frame(along_x(over), *frame) + dy * in_frame(along_y(over), *frame);

@@ -9,26 +9,27 @@
 
 namespace asterism::internal {
 
-// Count half of the vertices of the regular polygon around the unit circle by which the greatest
-// variation of all directions is bounded, as one of two opposite ones will do, and bound their
-// distance from the centre: 1 / cos(pi / 32) = 1.004838..., and 1e-5 more for their coordinates in
-// doubles.
+// Half the number of vertices of the regular polygon around the unit circle by which the greatest
+// variation of all directions is bounded, as one of two opposite ones suffices; and a bound of
+// their distance from the centre: 1 / cos(pi / 32) = 1.004838..., and 1e-5 more for their
+// coordinates in doubles.
 inline constexpr int variation_directions = 16;
 inline constexpr double direction_slack = 1.00485;
 
-// Describes a part of the plane: a point of it, and how far others are from it along x and y.
+// A part of the plane: one of its points, and the greatest distances of others from it along x and
+// y.
 struct small_part {
   point middle;
   double reach_x = 0, reach_y = 0;
 };
 
-// Bounds the greatest variation in a part from above, and tells about that in its middle.
+// Upper bound of the variation in a part, and an approximate value in its middle.
 struct variation_of_part {
   double above = 0, in_middle = 0;
 };
 
 // Returns bounds from the tensors over a part and in its middle; `above` is infinite where the part
-// is too large for them. In a floating_point_scope(rounding::upward).
+// is too large for them. Requires a floating_point_scope(rounding::upward).
 variation_of_part bound_variation_of(const small_part& part, const tensor_jet& over,
                                      const tensor_jet& in_middle);
 

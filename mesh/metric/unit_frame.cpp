@@ -36,7 +36,7 @@ double unit_frame::length_outward(double length) const {
 
 unit_frame unit_frame::choose(const domain& d, const metric_field& field, bool lengths_are_free) {
   const bounding_box box = d.box();
-  // Halves, as the extent of a box may overflow.
+  // Computes half of the extent, as the extent of a box may overflow.
   const double half = std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
   if (!(half > 0)) return {};
   const int side = std::ilogb(half) + 1;

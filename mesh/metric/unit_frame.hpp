@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Maps very large and very small domains to images of about unit size, by a power of two that loses
-// nothing. The same mesh comes out as for a domain of ordinary size, and as fast, since no product
+// Maps very large and very small domains to images of about unit size, by a power of two, which is
+// exact. The same mesh comes out as for a domain of ordinary size, and as fast, since no product
 // leaves the range in which doubles decide. If no size is wanted, so that a length in the metric
 // means nothing in itself, the metric is scaled to unit size as well.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace asterism::internal {
 
-// The image is x / 2^coordinates with squared lengths divided by 2^squares.
+// A frame. The image of a point x is x / 2^coordinates; squared lengths are divided by 2^squares.
 class unit_frame {
  public:
   unit_frame() = default;
@@ -39,12 +39,13 @@ class unit_frame {
   int coordinates_ = 0, squares_ = 0;
 };
 
-// The field as the image of the domain has it. Both references must outlive it.
+// Field for the image of the domain. Both references must outlive it.
 class framed_field : public metric_field {
  public:
   framed_field(const metric_field& field, const unit_frame& frame)
       : field_(&field), frame_(&frame) {}
-  // Fails also where the scaled tensor would leave the range of normal doubles.
+  // Fails where the field does, and where the scaled tensor would leave the range of normal
+  // doubles.
   result<metric_tensor> at(const point& q) const override;
   void expect(const std::function<std::vector<point>()>& places) const override;
 

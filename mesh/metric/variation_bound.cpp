@@ -19,11 +19,12 @@
 namespace asterism::internal {
 namespace {
 
-// Both steer: a bound stands wherever halving ends, and is only less tight.
+// Limits of the halving: largest number of parts, and the ratio of bound to seen variation that is
+// close enough. Bounds are valid wherever halving ends, only less tight.
 constexpr std::size_t most_parts = 200'000;
 constexpr double close_enough = 1.02;
 
-// Knows a convex polygon around the vertices of a domain, by the farthest of them in each of
+// A convex polygon around the vertices of a domain, known by the farthest of them in each of
 // sixteen directions.
 class outline {
  public:
@@ -39,8 +40,8 @@ class outline {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const point& n = directions[k];
       const double x = n.x * (n.x > 0 ? low.x : high.x), y = n.y * (n.y > 0 ? low.y : high.y);
-      // Covers three sums, each rounded by 2^-53 of itself: x + y, the one in farthest_[k], and
-      // that of the two below. Products by 1 and 2 are exact, and so are subnormal sums.
+      // True only if no point of the box is in the
+      // polygon.
       const double slack = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(farthest_[k]));
       if (x + y > farthest_[k] + slack) return true;
     }
@@ -67,7 +68,8 @@ class outline {
   std::array<double, 16> farthest_{};
 };
 
-// Holds a part of the region with its bounds; `order` makes equals come in one order.
+// A part of the region with its bounds; `order` is the tie-breaking order of parts with equal
+// bounds.
 template <class Part>
 struct bounded_part {
   Part part;
@@ -80,7 +82,7 @@ struct bounded_part {
   }
 };
 
-// Halves the part with the greatest bound, again and again. `Region` has parts, and their bounds.
+// Repeatedly halves the part with the greatest bound. `Region` provides parts and their bounds.
 template <class Region>
 class halving {
  public:
@@ -141,7 +143,7 @@ class formula_region {
   bool is_outside(const part& p) const { return outline_.misses(p.low, p.high); }
   static std::string place(const part& p) { return coordinates(middle_of(p)); }
 
-  // Finds besides whether the box is wider than high.
+  // Returns the bounds of a part, and stores whether its box is wider than high.
   result<variation_of_part> bounds_of(part& p) const {
     const point m = middle_of(p);
     const small_part shape{m, reach(p.low.x, m.x, p.high.x), reach(p.low.y, m.y, p.high.y)};
@@ -170,8 +172,8 @@ class formula_region {
   static point middle_of(const part& p) {
     return {p.low.x / 2 + p.high.x / 2, p.low.y / 2 + p.high.y / 2};
   }
-  // Returns how far the farther end is from the middle, from above: difference and product are off
-  // by 2^-53 of themselves each, and by nothing where they are subnormal. The middle is no mean of
+  // Returns how far the farther end is from the middle, rounded up: difference and product have
+  // errors of 2^-53 of themselves each, and none where they are subnormal. The middle is no mean of
   // the ends where it was rounded.
   static double reach(double low, double middle, double high) {
     return std::max(high - middle, middle - low) * (1 + 0x1p-50);
@@ -190,10 +192,10 @@ class formula_region {
     return enclosure{bound_variation_of(shape, *over, *in_middle), *over, *in_middle};
   }
 
-  // True if a value in doubles is that of the enclosure, but for roundings: another way to the same
-  // number, by which neither is believed alone. No bound rests on the part allowed for roundings:
-  // it only refuses, and steers between a formula that loses digits and one that was read
-  // otherwise.
+  // True if a value in doubles agrees with the enclosure but for roundings: two ways to
+  // one number, which check each other. The part allowed is more than a formula's loss of
+  // digits, and less than a formula read differently would be off; no bound depends on
+  // it.
   static bool agrees(const metric_tensor& m, const tensor_jet& enclosed) {
     const double allowed = 0x1p-20 * std::max(m.m11, m.m22);
     const auto is_near = [&](double x, const interval_jet& j) {
@@ -203,7 +205,8 @@ class formula_region {
            is_near(m.m22, enclosed.m22);
   }
 
-  // True if the box is longer along x, as its enclosure tells lengths; else by the sides.
+  // True if the box is longer along x by the lengths that its enclosure gives, or, without these,
+  // by its sides.
   static bool is_wider(const part& p, const tensor_jet& over) {
     const double width = p.high.x - p.low.x, height = p.high.y - p.low.y;
     const auto change = [](const rounded_interval& a) { return std::max(-a.inf(), a.sup()); };

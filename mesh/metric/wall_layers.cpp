@@ -35,7 +35,7 @@ double place_around(const point& u) {
 
 constexpr std::size_t no_side = static_cast<std::size_t>(-1);
 
-// A segment as one of its vertices sees it.
+// A segment at a vertex: its direction away from it, and its wall.
 struct spoke {
   point direction;  // away from the vertex
   double length = 0;
@@ -78,8 +78,8 @@ std::vector<std::vector<spoke>> spokes_of(const domain& d, const std::vector<wal
   return all;
 }
 
-// The wall at one corner of the domain: between the side that leaves the vertex and the one that
-// arrives there, counter-clockwise.
+// The wall at one corner of the domain: the angle between the side that leaves the vertex and the
+// one that arrives there, counter-clockwise.
 struct wall_corner {
   bool is_smooth = false;  // two sides that are nearly straight on
   double radius = 0;       // of curvature, where it is smooth
@@ -88,9 +88,10 @@ struct wall_corner {
 };
 
 wall_corner corner_between(const spoke& leaving, const spoke& arriving) {
-  // Of a turn of 30 degrees: the length of the difference of two unit vectors.
+  // Length of the difference of two unit vectors at 30 degrees, from which a turn is sharp.
   constexpr double sharp = 0.5176380902050415;
-  // Cosine of 100 degrees: a layer that ends at a wall across needs nothing.
+  // Cosine of 100 degrees: beyond that turn the wall ends at one across it, which limits no
+  // edge.
   constexpr double across = -0.17364817766693033;
   wall_corner made;
   const point onward{-arriving.direction.x, -arriving.direction.y};
@@ -111,7 +112,7 @@ wall_corner corner_between(const spoke& leaving, const spoke& arriving) {
   return made;
 }
 
-// Walls as they bend: the radius of curvature of each side, and normals at its ends.
+// Bent walls: the radius of curvature of each side, and the normals at its ends.
 struct bent_walls {
   std::vector<double> radius;
   std::vector<char> is_curved;  // of a curve that was divided
@@ -129,7 +130,7 @@ point normal_of(const domain& d, const wall_side& side) {
   return {-along.y, along.x};
 }
 
-// Where the vertex divides a curve, the angle there is the division's: only the radius counts.
+// Takes only the radius where the vertex divides a curve: the angle there comes from the division.
 void note_corner(const wall_corner& corner, const spoke& leaving, const spoke& arriving,
                  vertex_index v, bool divides_curve, const std::vector<wall_side>& sides,
                  bent_walls& made) {
@@ -164,7 +165,7 @@ bent_walls bend(const domain& d, const std::vector<wall_side>& sides) {
   return made;
 }
 
-// Returns how long edges along the walls may be, from place to place.
+// Returns the places that limit the length of edges along the walls.
 std::vector<sized_place> lengths_along(const domain& d, const std::vector<wall_side>& sides,
                                        const bent_walls& bent,
                                        const std::vector<boundary_layers>& layers) {
@@ -190,8 +191,8 @@ double squared(const metric_tensor& m, const point& u) {
   return m.m11 * (u.x * u.x) + 2 * (m.m12 * (u.x * u.y)) + m.m22 * (u.y * u.y);
 }
 
-// Makes lengths along the unit vector `u` at least 1 for each `longest`: the tensor grows by a
-// multiple of u u^T, so that lengths across u stay.
+// Makes the displacement of length `longest` along the unit vector `u` at least 1 long in the
+// metric: the tensor grows by a multiple of u u^T, so that lengths across u stay.
 void shorten(metric_tensor& m, const point& u, double longest) {
   const double lacking = 1 / (longest * longest) - squared(m, u);
   if (!(lacking > 0)) return;
@@ -220,7 +221,7 @@ double edge_across(const boundary_layers& layers, double distance) {
   constexpr double edge_of_height = 2 / std::numbers::sqrt3;
   double height = layers.first_height + (layers.growth - 1) * distance;
   if (layers.layers && layers.growth < usual_growth) {
-    // The height after the last layer, and the distance there.
+    // Finds the height after the last layer, and the distance at which it ends.
     double last = layers.first_height, end = 0;
     for (int i = 0; i < *layers.layers && end <= distance; ++i) {
       end += last;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Layers along parts of the boundary: how high they are at a distance, which way across is, and how
-// long their triangles may be along them.
+// Computes layers along parts of the boundary: their height at a distance from the wall, the
+// direction across, and the length that their triangles may have along the wall.
 //
 // Heights: the row of triangles of a mesh with edges of metric length 1 is sqrt(3)/2 high. A metric
 // that wants h across has rows of that height with the length 2/sqrt(3) h across: `edge_across`.
@@ -11,8 +11,8 @@
 // than 0.16 h / t (or h, where that is more), and grow from there; where vertices of a wall of
 // radius of curvature R are nearer together, t is l / R over an edge, and edges are no longer than
 // 0.4 sqrt(R h). The sagitta of a chord that long is a fiftieth of h, as for curves that are
-// divided for a size (domain/divide_curves.hpp). Where a wall ends on open ground edges are as long
-// as high.
+// divided for a size (domain/divide_curves.hpp). Where a wall ends and the boundary goes straight
+// on, edges are as long as high.
 #pragma once
 
 #include <cstddef>
@@ -25,27 +25,27 @@
 
 namespace asterism::internal {
 
-// A segment, walked with the domain on its left.
+// A segment with layers, in the direction that has the domain on its left.
 struct wall_side {
   vertex_index a = 0, b = 0;
   std::size_t segment = 0;  // of the domain
   std::size_t wish = 0;     // which of the layers it has
 };
 
-// Returns the sides of segments that have layers, those of internal segments both.
+// Returns the sides of segments that have layers; of internal segments both sides.
 std::vector<wall_side> wall_sides(const domain& d, const std::vector<boundary_layers>& layers);
 
-// Returns the length wanted of an edge across, at this distance from the wall.
+// Returns the wanted length of an edge across, at this distance from the wall.
 double edge_across(const boundary_layers& layers, double distance);
 
 class wall_layers {
  public:
-  // `d` as check_domain leaves it; keeps its own copy of what it needs.
+  // Takes a domain as check_domain leaves it; keeps its own copy of what it needs.
   wall_layers(const domain& d, std::vector<boundary_layers> layers);
 
-  // Returns the tensor with what the layers want at q added: nowhere is it longer than it was.
+  // Returns the tensor refined for the layers at q: no length becomes longer.
   metric_tensor added_to(const metric_tensor& m, const point& q) const;
-  // True if there is a segment for each of the layers.
+  // True if each of the layers has a segment with its marker.
   const std::vector<bool>& found() const { return found_; }
 
  private:

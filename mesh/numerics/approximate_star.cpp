@@ -24,21 +24,21 @@ struct candidate {
   displacement<double> d, z;
 };
 
-// Takes the sign over, since on which side of the centre a candidate is, is past guessing. Adding
-// nothing makes -0 to 0.
+// Returns a number that grows with the direction's angle. Copies the sign without a branch, since
+// the side of the centre is past prediction. Adding 0 turns -0 into 0.
 double turn_of(const displacement<double>& d) {
   const double slope = d.x / (std::abs(d.x) + std::abs(d.y));
   return std::copysign(1 - slope, d.y + 0.0);
 }
 
-// True if w, between y and x, is a corner of the hull; always true across half a turn or more.
+// True if w is a corner of the hull between y and x; always true across half a turn or more.
 bool stands_out(const candidate& y, const candidate& w, const candidate& x) {
   return cross(y.d, x.d) <= 0 || cross(w.z - y.z, x.z - w.z) > 0;
 }
 
-// Puts the candidates in order from the first, by counting how many turn less than each: what comes
-// before what is past guessing. False, leaving them as they were, if there are more than few, or
-// two turn alike.
+// Sorts the candidates by direction from the first, by counting how many turn less than each:
+// comparisons would be mispredicted. Returns false, leaving them as they were, if they are many, or
+// two have one direction.
 bool order_few(std::vector<candidate>& all) {
   constexpr std::size_t few = 16;
   const std::size_t size = all.size();
@@ -69,7 +69,7 @@ bool order_few(std::vector<candidate>& all) {
   return true;
 }
 
-// Puts the candidates in order from the first, each once.
+// Sorts the candidates by direction from the first, each once.
 void order_all(std::vector<candidate>& all) {
   std::sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) {
     return a.turn != b.turn ? a.turn < b.turn : a.who < b.who;
@@ -89,7 +89,7 @@ void order_all(std::vector<candidate>& all) {
   std::rotate(all.begin(), all.begin() + first, all.end());
 }
 
-// Returns what the star of v may be made from, counter-clockwise from the nearest, which is on the
+// Returns the candidates for the star of v, counter-clockwise from the nearest, which is on the
 // hull.
 std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_index v,
                                          const std::vector<vertex_index>& from) {
@@ -120,7 +120,7 @@ void close_gap(const site& s, const site& y, const site& x, plain_gap& gap) {
   const auto vertex = numeric::voronoi_vertex_near(s, y, x);
   if (!vertex) return;
   const auto seen = apply(s.metric, *vertex);
-  // Beyond a right angle from a neighbour it is not the vertex of this gap.
+  // Rejects a point beyond a right angle from a neighbour: it is not the vertex of this gap.
   if (!(dot(seen, to_y) > 0 && dot(seen, to_x) > 0)) return;
   gap.vertex = {vertex->x, vertex->y};
   gap.squared_radius = dot(seen, *vertex);
@@ -162,7 +162,7 @@ bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_ga
   return cross(y, x) > certainly * std::sqrt(dot(y, y) * dot(x, x));
 }
 
-// Compares squares of the sine, as v measures it, but for its sign.
+// Compares signed squares of the sine between directions, as v measures it.
 bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
                        const approximate_star& star) {
   constexpr double least_sine = 0x1p-10, least = least_sine * least_sine;
@@ -179,8 +179,8 @@ bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
 
 namespace {
 
-// Leaves of the candidates, which go round once from one that stays, those that stand between the
-// ones beside them: calls stands(before, candidate, after).
+// Keeps, of the candidates around the full turn from one that stays, those that pass the test
+// between their present neighbours: calls stands(before, candidate, after).
 template <class Stands>
 const std::vector<const candidate*>& those_that_stand(const std::vector<candidate>& all,
                                                       const Stands& stands) {
@@ -195,8 +195,8 @@ const std::vector<const candidate*>& those_that_stand(const std::vector<candidat
   return hull;
 }
 
-// Leaves out what is behind another candidate, on its ray from the centre up to roundings. They are
-// in the order of their directions, from the nearest of all.
+// Removes candidates behind another one on its ray from the centre, up to roundings. The candidates
+// are in the order of their directions, from the nearest of all.
 void leave_nearest_on_rays(std::vector<candidate>& all) {
   constexpr double on_one_ray = 0x1p-40;
   std::size_t kept = 0;
@@ -212,7 +212,7 @@ void leave_nearest_on_rays(std::vector<candidate>& all) {
   if (!all.empty()) all.resize(kept + 1);
 }
 
-// True if w is in v's star between y and x, as the hull says where that is clear, or else their
+// True if w belongs to v's star between y and x: by the hull where that is clear, else by their
 // Voronoi vertex.
 bool stands_out_with_care(const std::vector<site>& sites, vertex_index v, const candidate& y,
                           const candidate& w, const candidate& x) {
@@ -265,7 +265,7 @@ approximate_star build_approximate_star(const std::vector<site>& sites, vertex_i
 
 namespace {
 
-// Directions from the centre of a star to its neighbours, in their order.
+// Directions from the centre of a star to its neighbours, in the star's order.
 class star_directions {
  public:
   star_directions(const std::vector<site>& sites, vertex_index v, const approximate_star& star)
@@ -275,13 +275,13 @@ class star_directions {
     return between(centre_, sites_[star_[i].neighbour].position);
   }
 
-  // True if the gap after neighbour i is half a turn or more, or d lies in it: on its first side,
-  // and not on its last.
+  // True if the gap after neighbour i is half a turn or more, or contains d: its first side
+  // included, its last excluded.
   bool holds(std::size_t i, const displacement<double>& d) const {
     return holds((*this)[i], (*this)[following(star_, i)], d);
   }
 
-  // Returns the first gap that holds d; the number of gaps if there is none.
+  // Returns the first gap that contains d; the number of gaps if there is none.
   std::size_t first_that_holds(const displacement<double>& d) const {
     constexpr std::size_t few = 16;
     if (star_.size() > few) {
@@ -305,8 +305,8 @@ class star_directions {
     return wide ? past || not_beyond : past && not_beyond;
   }
 
-  // Halves the star until one neighbour is left: the last one, counter-clockwise from the first,
-  // that d is not before. Stars where metrics vary wildly have hundreds.
+  // Bisects the neighbours until one is left: the last one, counter-clockwise from the first, that
+  // d is not before. Stars where metrics vary wildly have hundreds.
   std::size_t last_not_beyond(const displacement<double>& d) const {
     const auto first = (*this)[0];
     const auto in_first_half = [&first](const displacement<double>& e) {

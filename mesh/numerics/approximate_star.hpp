@@ -3,9 +3,9 @@
 // Approximates stars in plain doubles, without the boundary, to find where there is room for a
 // site.
 //
-// Exact tests on the points as rounded decide everything that follows: this net only proposes where
-// sites may go. It is many times cheaper than true stars, and a wrong neighbour costs at most a
-// proposal that comes to nothing.
+// Exact tests on the points as rounded decide everything that follows: approximate stars only
+// propose where sites may go. It is many times cheaper than true stars, and a wrong neighbour costs
+// at most a proposal that comes to nothing.
 //
 // The star of v is read off a convex hull: with d = w - v the site w lies, as v's territory is
 // concerned, about where the covector z = M_w d / |d|_w^2 says (the first point of the ray in
@@ -40,31 +40,31 @@ inline std::size_t following(const approximate_star& star, std::size_t i) {
   return i + 1 < star.size() ? i + 1 : 0;
 }
 
-// Fills in the vertex of a gap that is known from elsewhere, given the site after it, or returns
-// false.
+// Sets the vertex of a gap that is known from another star, given the site after the gap; returns
+// false if it is not known.
 using known_vertex = std::function<bool(plain_gap& gap, vertex_index next)>;
 
-// Returns the star of v among the candidates; v itself and repetitions are passed over. `before`
-// may be an earlier star of v whose neighbours are the first candidates, in its order: gaps that
-// are in both are taken from there. `known`, where given, is asked before a vertex is computed.
+// Returns the star of v among the candidates; v itself and repetitions are skipped. `before` may be
+// an earlier star of v whose neighbours are the first candidates, in its order: gaps that are in
+// both are copied. `known`, where given, is called before a vertex is computed.
 approximate_star build_approximate_star(const std::vector<site>& sites, vertex_index v,
                                         const std::vector<vertex_index>& candidates,
                                         const approximate_star& before = {},
                                         const known_vertex& known = {});
 
-// Returns the star of v among the candidates as build_approximate_star does, but with more care, at
-// several times the cost: where the hull leaves it in doubt whether a candidate is a neighbour, the
-// Voronoi vertex of those beside it says so, which all stars that have it agree on; and of sites on
-// one ray the nearest is taken alone.
+// Returns the star of v among the candidates as build_approximate_star does, but with fewer errors,
+// at several times the cost: where the hull does not decide clearly whether a candidate is a
+// neighbour, the Voronoi vertex of the candidates beside it decides, which is the same in all
+// stars; and of sites on one ray only the nearest is taken.
 approximate_star build_careful_star(const std::vector<site>& sites, vertex_index v,
                                     const std::vector<vertex_index>& candidates);
 
-// Fills in the vertex of a gap of v's star between gap.neighbour and `next`, which the star of w,
-// one of these two, has as `found`. False where that one is not known, or not one of v's.
+// Sets the vertex of a gap of v's star between gap.neighbour and `next` to `found`, which the star
+// of w, one of these two, has. Returns false where that is not known, or is no vertex of v's gap.
 bool take_vertex(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next,
                  vertex_index w, const plain_gap& found);
 
-// Fills in the vertex of a gap of v's star between gap.neighbour and `next`.
+// Computes the vertex of a gap of v's star between gap.neighbour and `next`.
 void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next);
 
 // True if the gap of v's star between gap.neighbour and `next` is less than half a turn and has no
@@ -72,8 +72,8 @@ void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, v
 bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_gap& gap,
                   vertex_index next);
 
-// True if each neighbour is plainly one: the Voronoi vertices to both sides of it are known, and v
-// sees the edge between them at an angle that is far beyond what roundings do.
+// True if each neighbour is one without doubt: the Voronoi vertices to both sides of it are known,
+// and v sees the edge between them at an angle far above rounding errors.
 bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
                        const approximate_star& star);
 

@@ -12,14 +12,14 @@
 
 namespace asterism::internal {
 
-// The length from the start of a line as a function of its parameter, from 0 to 1, sampled where it
-// bends: intervals are halved until the three measurements in each agree.
+// The length from the start of a line as a function of its parameter, from 0 to 1, sampled more
+// densely where it bends: intervals are halved until the three measurements in each agree.
 class arc_length {
  public:
   // Returns the metric length of the line's derivative at a parameter.
   using speed_function = std::function<result<double>(double)>;
 
-  // Lengths below `fine` are not looked into further. Fails where `speed` does.
+  // Samples the length. Lengths below `fine` are not sampled further. Fails where `speed` does.
   static result<arc_length> measure(const speed_function& speed, double fine);
 
   double total() const { return lengths_.back(); }
@@ -27,11 +27,12 @@ class arc_length {
   double parameter_at(double length) const { return interpolate(lengths_, parameters_, length); }
 
  private:
-  // Sixteen intervals at least, so that a segment cannot hide a bend from three samples; at most
-  // 2^18, by which an interval of even the steepest metric that is meshed is far below `fine`.
+  // Bounds on the number of intervals: sixteen at least, so that a segment cannot hide a bend from
+  // three samples; at most 2^18, by which an interval of even the steepest metric that is meshed is
+  // far below `fine`.
   static constexpr int least_depth = 4, most_depth = 18;
-  // Agreement of the speeds at the ends and in the middle: Simpson's rule is then off by less than
-  // a thousandth (docs/results/constants.md has others).
+  // Greatest relative difference of the speeds at the ends and in the middle: Simpson's rule then
+  // has an error below a thousandth (docs/results/constants.md has others).
   static constexpr double agreement = 0.05;
 
   explicit arc_length(double fine) : fine_(fine) {}

@@ -32,8 +32,8 @@ point half_gradient(const site& s, const point& q) {
   return {s.metric.m11 * u.x + s.metric.m12 * u.y, s.metric.m12 * u.x + s.metric.m22 * u.y};
 }
 
-// Coordinates and metrics of about unit size around the first site, by powers of two, so that
-// scaling loses nothing. Where a metric is thin, those in which it is round come first.
+// Brings coordinates and metrics to about unit size around the first site, by powers of two, so
+// that scaling is exact. Where a metric is thin, coordinates in which it is round are used first.
 struct frame {
   point origin;
   std::optional<round_coordinates> round;
@@ -65,7 +65,7 @@ struct frame {
   }
 };
 
-// On the lines v + u / s, u = d + m n, the bisector of v and w is C s^2 - B s - A = 0.
+// Coefficients of the bisector of v and w on the lines v + u / s, u = d + m n: C s^2 - B s - A = 0.
 struct line_equation {
   coefficients<2> A;
   coefficients<1> B;
@@ -81,8 +81,8 @@ struct line_equation {
   }
 };
 
-// Improves q by Newton's method for f_a = f_b = f_c. Nothing when it leaves the plane or stops
-// short of a zero.
+// Improves q by Newton's method for f_a = f_b = f_c. Returns nothing when the iteration leaves the
+// plane or does not reach a zero.
 //
 // Each step squares the error where bisectors cross. Where they touch, it halves the error, and the
 // miss is the square of that: 20 steps then leave 2^-40. A step of 1e-15 is about the rounding of
@@ -110,7 +110,7 @@ std::optional<point> polish(const std::array<site, 3>& s, point q) {
   return q;
 }
 
-// Adds q unless it is one of the points again. Of the same triples, points that are one come out
+// Adds q unless it is one of the points already. Of the same triples, equal points are computed
 // less than 1e-8 apart, but for one pair, and different ones more than 1e-4.
 void add_once(std::vector<point>& points, const std::optional<point>& q) {
   constexpr double same = 1e-7;

@@ -3,10 +3,10 @@
 // Constructs points where new sites may go, in doubles: Voronoi vertices of three sites, the places
 // where a Voronoi arc leaves its wedge, and the points where a boundary subsegment is split.
 //
-// A constructed point is rounded once and not trusted: every question about it is asked of the
-// rounded point. A point that is missed or imprecise costs a better candidate, never a wrong mesh.
-// Coordinates far outside the range of squares (about 1e+-100) are scaled away before anything is
-// multiplied.
+// A constructed point is rounded once, and every test is made on the rounded point. A point that
+// is missed or imprecise only loses a better candidate, and never makes a mesh wrong.
+// Coordinates far outside the range of squares (about 1e+-100) are scaled away before anything
+// is multiplied.
 #pragma once
 
 #include <vector>

@@ -7,8 +7,9 @@
 
 namespace asterism::internal {
 
-// m12 = q m22 + r exactly, so that m12^2 / m22 = q m12 + q r + r^2 / m22, the last below 2^-106 of
-// the first; what cancels, m11 - q m12, is rounded once.
+// Computes m11 - m12^2 / m22 without cancellation: m12 = q m22 + r exactly, so that m12^2 / m22 = q
+// m12 + q r + r^2 / m22, the last below 2^-106 of the first; the part that cancels, m11 - q m12, is
+// rounded once.
 double least_across(double m11, double m12, double m22) {
   const double q = m12 / m22, r = std::fma(-q, m22, m12);
   return std::fma(-q, m12, m11) - q * r;

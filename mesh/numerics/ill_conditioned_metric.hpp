@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Computes with thin metrics: tensors whose quadratic form cancels in doubles because its ellipse
-// is long and stands aslant, and the coordinates in which such a metric is round.
+// is long and oblique, and the coordinates in which such a metric is round.
 //
 // m11 dx^2 + 2 m12 dx dy + m22 dy^2 loses a factor m11 m22 / det of precision in the long direction
-// of the ellipse: all of it at an aspect of 1e8. The tensor meant is exactly the one whose entries
-// the doubles are, and its form is evaluated here with small relative error.
+// of the ellipse: all of it at an aspect of 1e8. The tensor is exactly the one whose entries the
+// doubles are, and its form is evaluated here with small relative error.
 #pragma once
 
 #include "asterism/core/site.hpp"

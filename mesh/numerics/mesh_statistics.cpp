@@ -19,8 +19,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Sums over triangles and their edges. An edge inside the mesh is met twice, one on the boundary
-// once, so that it is added again.
+// Sums over triangles and their edges. Interior edges occur in two triangles, boundary edges in
+// one, so that the latter are added once more.
 struct sums {
   double half_edges = 0, unit = 0, lengths = 0;
   double quality = 0, least_quality = 1;
@@ -43,8 +43,8 @@ struct sums {
 
 // True if variation(p, q), where the ends measure at least `shorter`, is certainly no more than
 // sigma. That is so if tau^2 is at most T^2 = 1 / (1 - sigma shorter)^2, hence if T^2 is beyond
-// both roots of det(M_q - x M_p), and of det(M_p - x M_q). The margin is far more than what
-// distortion() rounds; what is beyond it is computed.
+// both roots of det(M_q - x M_p), and of det(M_p - x M_q). The margin is far above the rounding
+// errors of distortion(); pairs beyond it are computed.
 bool varies_no_faster(const metric_tensor& p, const metric_tensor& q, double shorter,
                       double sigma) {
   constexpr double margin = 0x1p-36;
@@ -63,14 +63,14 @@ bool varies_no_faster(const metric_tensor& p, const metric_tensor& q, double sho
          is_beyond(det_q, product_q, det_p, product_p);
 }
 
-// Returns variation(p, q), of which it is known how long the ends find the shorter of both ways.
+// Returns variation(p, q), given the shorter of both ends' distances.
 double variation_over(const site& p, const site& q, double shorter) {
   const double tau = distortion(p.metric, q.metric);
   if (tau == 1) return 0;  // also where lengths overflow
   return (1 - 1 / tau) / shorter;
 }
 
-// Both ends measure the same where their metrics are the same, bit for bit.
+// Measures an edge once where both ends have the same metric, bit for bit.
 void add_edge(const site& p, const site& q, sums& s) {
   const bool is_one = identical(p.metric, q.metric);
   const double by_p = metric_distance(p, q.position),
@@ -79,14 +79,14 @@ void add_edge(const site& p, const site& q, sums& s) {
   s.half_edges += 1;
   s.lengths += length;
   if (is_unit_length(length)) s.unit += 1;
-  // The variation is 0 then, if these are lengths at all.
+  // Skips the variation where it is 0: with one metric whose lengths are finite and positive.
   const bool is_even = is_one && length > 0 && length < std::numeric_limits<double>::infinity() &&
                        p.metric.m11 + p.metric.m22 > 0;
   if (!is_even && !varies_no_faster(p.metric, q.metric, shorter, s.sigma))
     s.sigma = std::max(s.sigma, variation_over(p, q, shorter));
 }
 
-// Measures a triangle that is in round coordinates.
+// Measures a triangle in coordinates in which its metrics are round.
 triangle_shape shape_in_round(const triangle_sites& t) {
   metric_tensor mean{};
   double squares = 0;
@@ -118,7 +118,7 @@ void add_triangle(const triangle_sites& given, const low_angles& thresholds, sum
   s.eps = std::max(s.eps, circumradius_in_round(t));
 }
 
-// Adds up chunk by chunk, so that sums are the same for any number of threads.
+// Sums chunk by chunk, so that the results are the same for any number of threads.
 sums sums_over(const mesh& m) {
   constexpr std::size_t chunk = 1024;
   const low_angles thresholds = {angle_threshold(20), angle_threshold(30)};
@@ -139,7 +139,7 @@ sums sums_over(const mesh& m) {
   return all;
 }
 
-// Turns sums into means and parts of all; the sites' aspects are left out.
+// Divides the sums by numbers, to means and shares; leaves out the aspects of sites.
 mesh_statistics means_of(const sums& all, std::size_t triangles) {
   const auto count = static_cast<double>(triangles);
   mesh_statistics result;
@@ -160,10 +160,10 @@ mesh_statistics means_of(const sums& all, std::size_t triangles) {
 
 }  // namespace
 
-// The eigenvalues of M_p^-1 M_q are t +- sqrt(t^2 - d), t half the trace, d the determinant. Both
-// tensors are first scaled by one power of two, which changes no ratio, as products of entries
-// beyond 2^+-512 would leave the range of doubles; and a thin p is made round. Equal tensors need
-// none of it, which would lose the smaller entry of one like diag(1e200, 1e-200).
+// Uses that the eigenvalues of M_p^-1 M_q are t +- sqrt(t^2 - d), t half the trace, d the
+// determinant. Both tensors are first scaled by one power of two, which changes no ratio, as
+// products of entries beyond 2^+-512 would leave the range of doubles; and a thin p is made round.
+// Equal tensors skip that, as it would lose the smaller entry of one like diag(1e200, 1e-200).
 double distortion(const metric_tensor& p, const metric_tensor& q) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double trace = p.m11 + p.m22;
@@ -197,7 +197,8 @@ double variation(const site& p, const site& q) {
                         std::min(metric_distance(p, q.position), metric_distance(q, p.position)));
 }
 
-// Returns the root of the ratio of the eigenvalues t +- r, as (t + r) / root of the determinant.
+// Returns length over width of the unit circle: the root of the ratio of the eigenvalues t +- r, as
+// (t + r) / root of the determinant.
 double aspect(const metric_tensor& m) {
   const double r = elementary::hypot(m.m11 / 2 - m.m22 / 2, m.m12);
   return (m.m11 / 2 + m.m22 / 2 + r) / root_of_determinant(m);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures how good a mesh is as the metric sees it, beyond its certificate: lengths, quality,
-// count, and how fast the metric varies in it. In doubles, for reports.
+// Measures the quality of a mesh in its metric, beyond its certificate: lengths, quality, count,
+// and how fast the metric varies in it. In doubles, for reports.
 #pragma once
 
 #include <cstddef>
@@ -34,30 +34,31 @@ struct triangle_shape {
 // Returns area and quality of one triangle.
 ASTERISM_EXPORT triangle_shape shape_of(const triangle_sites& t);
 
-// Statistics of a mesh, as its metric sees it.
+// Statistics of a mesh in its metric.
 struct mesh_statistics {
   std::size_t edges = 0;
   // Share of the edges of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is
   // the mean of what the two ends measure.
   double unit_edges = 0, mean_length = 0;
-  // The mean over all triangles, and the least.
+  // Mean and least quality of all triangles.
   double mean_quality = 0, least_quality = 0;
-  // Share of the triangles whose smallest angle, from all three vertices, is below 20, 30 degrees.
+  // Share of the triangles whose smallest angle, by the metrics of all three vertices, is below 20
+  // and below 30 degrees.
   double below_20 = 0, below_30 = 0;
-  // The domain's area in the metric, from the metrics at the vertices; and the triangles there are,
-  // as a multiple of those of unit equilateral ones it would take.
+  // Area of the domain by the metrics at the vertices; and the number of triangles, as a multiple
+  // of that of unit equilateral triangles with this area.
   double metric_area = 0, count_ratio = 0;
-  // The longest unit circle of a vertex's metric: length over width.
+  // Greatest aspect (length over width of the unit circle) of a vertex's metric.
   double aspect = 0;
   // The largest variation over an edge, the largest distance from a triangle's sites to their
-  // Voronoi vertex, and the product of both: what the theorem on refinement asks about.
+  // Voronoi vertex, and the product of both, which the theorem on refinement bounds.
   double sigma = 0, eps = 0, sigma_eps = 0;
 };
 
-// Measures a mesh.
+// Returns the statistics of a mesh.
 ASTERISM_EXPORT mesh_statistics measure(const mesh& m);
 
-// Returns all of it by name, as certificates hold it.
+// Returns all statistics by name, as certificates hold them.
 ASTERISM_EXPORT std::map<std::string, double> by_name(const mesh_statistics& s);
 
 }  // namespace asterism

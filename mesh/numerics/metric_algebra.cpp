@@ -15,7 +15,7 @@ namespace {
 
 int exponent_of(const metric_tensor& m) { return std::ilogb(std::max(m.m11, m.m22)); }
 
-// Products of two such entries neither overflow nor vanish.
+// True if products of two entries of the tensor neither overflow nor vanish.
 bool moderate(const metric_tensor& m) {
   return std::max(m.m11, m.m22) < 0x1p400 && std::min(m.m11, m.m22) > 0x1p-400;
 }
@@ -31,7 +31,8 @@ double determinant(const metric_tensor& m) {
   return difference_of_products(m.m11, m.m22, m.m12, m.m12);
 }
 
-// A symmetric matrix is high n n^T + low t t^T, with n = (c, s) and t at right angles.
+// Eigenvalues and directions of a symmetric matrix: high n n^T + low t t^T, with n = (c, s) and t
+// at right angles.
 struct decomposition {
   double high, low, c, s;
 };
@@ -39,7 +40,7 @@ struct decomposition {
 decomposition decompose(double m11, double m12, double m22) {
   const double half = (m11 - m22) / 2, radius = std::sqrt(half * half + m12 * m12),
                mean = (m11 + m22) / 2;
-  // The longer column of M - low I, which is (high - low) n n^T.
+  // Takes the longer column of M - low I, which is (high - low) n n^T.
   double c = half >= 0 ? half + radius : m12, s = half >= 0 ? m12 : radius - half;
   const double length = std::sqrt(c * c + s * s);
   if (length > 0) {
@@ -58,7 +59,7 @@ tensor_logarithm logarithm(const metric_tensor& m) {
   const int exponent = exponent_of(m);
   const metric_tensor unit = times_power_of_two(m, -exponent);
   const decomposition d = decompose(unit.m11, unit.m12, unit.m22);
-  // A determinant that rounding made vanish stands for the least one a double can hold here.
+  // Replaces a determinant that rounding made vanish by the least one that a double can hold here.
   const double low = std::max(determinant(unit) / d.high, std::numeric_limits<double>::min());
   const double shift = exponent * std::numbers::ln2;
   const double high_log = elementary::log(d.high) + shift, low_log = elementary::log(low) + shift;
@@ -67,8 +68,8 @@ tensor_logarithm logarithm(const metric_tensor& m) {
 }
 
 metric_tensor exponential(const tensor_logarithm& l) {
-  // Entries are off by three roundings, so that the determinant is by 2^-51 of the square of the
-  // strong eigenvalue at most: below that a weak one may come out negative.
+  // Raises a weak eigenvalue that may come out negative: entries have errors of three roundings, so
+  // that of the determinant is at most 2^-51 of the square of the strong eigenvalue.
   constexpr double thinnest = 0x1p-48;
   const decomposition d = decompose(l.l11, l.l12, l.l22);
   const double high = elementary::exp(d.high),
@@ -100,8 +101,9 @@ metric_tensor intersection(const metric_tensor& a, const metric_tensor& b) {
   const bool first = da.high >= db.high;
   const metric_tensor &strong = first ? s : t, &weak = first ? t : s;
   const decomposition& d = first ? da : db;
-  // `weak` in the eigenvectors of `strong`. Adding x to the weak eigenvalue of `strong` is enough
-  // if the difference is then positive semidefinite: (high - nn) (low + x - tt) >= nt^2.
+  // Computes the least x for which `strong` covers `weak`, written in the eigenvectors of `strong`.
+  // Adding x to the weak eigenvalue of `strong` is enough if the difference is then positive
+  // semidefinite: (high - nn) (low + x - tt) >= nt^2.
   const double nn = d.c * d.c * weak.m11 + 2 * d.c * d.s * weak.m12 + d.s * d.s * weak.m22;
   const double tt = d.s * d.s * weak.m11 - 2 * d.c * d.s * weak.m12 + d.c * d.c * weak.m22;
   const double nt = d.c * d.s * (weak.m22 - weak.m11) + (d.c * d.c - d.s * d.s) * weak.m12;
@@ -123,7 +125,7 @@ double density_ratio(const metric_tensor& b, const metric_tensor& a) {
 
 unit_displacements unit_circle(const metric_tensor& m) {
   const int exponent = exponent_of(m);
-  // Even, so that its half scales lengths.
+  // Makes the exponent even, so that half of it scales lengths.
   const int even = exponent - exponent % 2;
   const metric_tensor s = times_power_of_two(m, -even);
   const double x = 1 / std::sqrt(s.m11);

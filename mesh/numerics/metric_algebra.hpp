@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// A symmetric matrix, of either sign.
+// A symmetric matrix; eigenvalues may have either sign.
 struct tensor_logarithm {
   double l11 = 0, l12 = 0, l22 = 0;
 };
@@ -22,12 +22,12 @@ struct tensor_logarithm {
 // Fillard, Pennec, Ayache, "Log-Euclidean metrics for fast and simple calculus on diffusion
 // tensors", 2006.
 //
-// An exponential has a condition number of 2^48 at most: what would be thinner, as halfway between
-// a metric of 1e240 and one of 1, is made as thin as doubles surely keep positive definite.
+// An exponential has a condition number of 2^48 at most: a thinner one, as halfway between a metric
+// of 1e240 and one of 1, is limited to a condition that doubles certainly keep positive definite.
 tensor_logarithm logarithm(const metric_tensor& m);
 metric_tensor exponential(const tensor_logarithm& l);
 
-// Adds a term of a weighted mean of logarithms to the sum so far.
+// Adds a tensor's logarithm, times a weight, to a sum of logarithms.
 inline void add_weighted(double weight, const tensor_logarithm& term, tensor_logarithm& sum) {
   sum = {sum.l11 + weight * term.l11, sum.l12 + weight * term.l12, sum.l22 + weight * term.l22};
 }
@@ -40,14 +40,14 @@ double difference(const tensor_logarithm& a, const tensor_logarithm& b);
 bool exceeds(const metric_tensor& b, const metric_tensor& a, double slack);
 
 // Returns a metric at least as long as both in every direction. It has the largest of their four
-// eigenvalues with its eigenvector n, and across n is as short as that allows. The shortest length
-// wanted does not get shorter, so that passing metrics on from point to point ends. (The largest
-// ellipse inside both unit ellipses, the usual intersection, has a smaller tensor, but between two
-// thin ellipses turned against each other it is shorter than both in every direction, and repeated
-// it shrinks without bound.)
+// eigenvalues with its eigenvector n, and across n its lengths are the shortest that this requires.
+// The shortest length does not get shorter, so that passing metrics on from point to point ends.
+// (The largest ellipse inside both unit ellipses, the usual intersection, has a smaller tensor, but
+// between two thin ellipses turned against each other it is shorter than both in every direction,
+// and repeated it shrinks without bound.)
 metric_tensor intersection(const metric_tensor& a, const metric_tensor& b);
 
-// Returns sqrt(det b / det a): how many times as many sites b asks for as a.
+// Returns sqrt(det b / det a), the ratio of the densities of sites: b's to a's.
 double density_ratio(const metric_tensor& b, const metric_tensor& a);
 
 // Returns two displacements of length 1, at right angles as the metric sees them: its unit circle

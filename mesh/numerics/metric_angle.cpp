@@ -14,8 +14,8 @@ namespace asterism::internal {
 
 namespace {
 
-// Returns the direction from p to q with a longest component of 1: no product of two overflows.
-// Halves first, for ends at opposite extremes.
+// Returns the direction from p to q, scaled so that its largest component is 1: no product of two
+// overflows. Halves the coordinates first, for ends at opposite extremes.
 point direction(const point& p, const point& q) {
   const point d{q.x / 2 - p.x / 2, q.y / 2 - p.y / 2};
   const double scale = std::max(std::abs(d.x), std::abs(d.y));

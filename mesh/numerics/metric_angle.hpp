@@ -15,7 +15,7 @@ namespace asterism::internal {
 double angle_in_metric(const metric_tensor& m, const point& corner, const point& p, const point& q);
 
 // Returns the least of a triangle's three angles, in degrees, each as each of its three vertices
-// measures it; for coordinates of any magnitude. The mesher puts triangles in order by a faster one
+// measures it; for coordinates of any magnitude. The mesher ranks triangles by a faster one
 // (numerics/triangle_quality.hpp), for coordinates of ordinary size.
 double smallest_angle(const mesh& m, const triangle& t);
 

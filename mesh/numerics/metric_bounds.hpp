@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds on the sizes a metric asks for, and on how many times as long as wide its triangles are.
+// Bounds the lengths that a metric asks for, and the aspect of its triangles.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct size_bounds {
   double aspect = 1e6;
 };
 
-// Marks of what a bound has changed.
+// Marks of the bounds that changed a tensor.
 enum clipped : std::uint8_t {
   clipped_by_least = 1,
   clipped_by_greatest = 2,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Computes boxes around the points that are near as a metric measures. In doubles, for searches.
+// Computes boxes around the points near a site in its metric. In doubles, for searches.
 #pragma once
 
 #include "asterism/core/site.hpp"
@@ -8,9 +8,9 @@
 
 namespace asterism::internal {
 
-// Returns a box around the points that could encroach on the subsegment between a and b when
-// metrics do not vary beyond all measure within its length: a policy of refinement, nothing
-// certain.
+// Returns a box around the points that could encroach on the subsegment between a and b as
+// long as metrics vary moderately within its length: a heuristic of refinement, without a
+// guarantee.
 bounding_box influence_box(const site& a, const site& b);
 
 // Returns a box around all points within `distance` of the site, as it measures. Not rigorous:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures lengths of edges as the metric sees them. In doubles, for reports.
+// Measures lengths of edges in a metric. In doubles, for reports.
 #pragma once
 
 #include <algorithm>
@@ -13,22 +13,24 @@
 namespace asterism::internal {
 
 // Returns the length of d as the metric measures it, in plain doubles: of a thin metric, where
-// products cancel, it may be 0. metric_distance() is right there, too, and takes longer.
+// products cancel, it may be 0. metric_distance() is accurate there as well, and takes longer.
 inline double plain_length(const metric_tensor& m, const point& d) {
   return std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
 }
 
 // Returns the root of the determinant in plain doubles, 0 where rounding makes it negative.
-// root_of_determinant() of numerics/ill_conditioned_metric.hpp is right for thin tensors, too.
+// root_of_determinant() of numerics/ill_conditioned_metric.hpp is accurate for thin tensors as
+// well.
 inline double plain_root_of_determinant(const metric_tensor& m) {
   return std::sqrt(std::max(0.0, std::fma(m.m11, m.m22, -m.m12 * m.m12)));
 }
 
-// Returns the logarithmic mean of what the two ends of an edge measure: its length in a metric that
+// Returns the logarithmic mean of both ends' lengths of an edge: its length in a metric that
 // changes geometrically along it. `log` returns the natural logarithm.
 template <class Logarithm>
 double logarithmic_mean(double a, double b, const Logarithm& log) {
-  // With x = ratio - 1 the arithmetic mean is too large by x^2 / 12: below 1e-7 there.
+  // Uses the arithmetic mean for nearly equal lengths: with x = ratio - 1 it is too large by x^2 /
+  // 12, below 1e-7 there.
   constexpr double alike = 1e-3;
   const double ratio = a / b;
   return std::abs(ratio - 1) > alike ? (a - b) / log(ratio) : (a + b) / 2;
@@ -39,7 +41,7 @@ inline double metric_distance(const site& from, const point& q) {
   return std::sqrt(squared_distance(from, q));
 }
 
-// Returns the mean of what the two ends of an edge measure.
+// Returns the mean of both ends' lengths of an edge.
 inline double edge_length(const site& p, const site& q) {
   return (metric_distance(p, q.position) + metric_distance(q, p.position)) / 2;
 }

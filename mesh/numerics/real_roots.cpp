@@ -8,8 +8,8 @@ namespace asterism::internal {
 namespace {
 
 // Returns a root of p, which has a sign change in [low, high]: about one step a bit, from the
-// Cauchy bound down. 200 steps leave 2^-200 of that, less than the last bit of any root but one
-// that is zero for all that anybody can tell.
+// Cauchy bound down. 200 steps leave 2^-200 of that, less than the last bit of any root that
+// differs from zero noticeably.
 double bisect(const std::vector<double>& p, double low, double high) {
   constexpr int most_steps = 200;
   const bool low_negative = evaluate(p, low) < 0;
@@ -27,9 +27,9 @@ std::vector<double> derivative(const std::vector<double>& p) {
   return d;
 }
 
-// True if p at its critical point is small against the terms it is summed from. A double root that
-// rounding lifted off zero by a few 2^-52 of the terms passes by far; a point too many costs a few
-// steps of Newton's method, which refuses it.
+// True if p at its critical point is small relative to the terms of its sum: a double root may be
+// there. A double root that rounding lifted off zero by a few 2^-52 of the terms passes by far; a
+// point too many costs a few steps of Newton's method, which refuses it.
 bool nearly_zero(const std::vector<double>& p, double at) {
   constexpr double part = 1e-9;
   double magnitude = 0, power = 1;
@@ -52,8 +52,8 @@ std::vector<double> real_roots(std::vector<double> p) {
   double largest = 0;
   for (const double c : p) largest = std::max(largest, std::abs(c));
   if (!std::isfinite(largest) || largest == 0) return {};
-  // 45 roundings: what is left where the leading terms of a resultant cancel. Its root is at
-  // infinity.
+  // Relative size, 45 roundings, below which a leading coefficient is taken as zero: that is left
+  // where the leading terms of a resultant cancel, and its root is at infinity.
   constexpr double noise = 1e-14;
   while (std::abs(p.back()) <= noise * largest) p.pop_back();
   if (p.size() <= 1) return {};

@@ -13,7 +13,7 @@ namespace asterism::internal {
 template <std::size_t Degree>
 using coefficients = std::array<double, Degree + 1>;
 
-// The number of coefficients is one more than the degree.
+// Coefficients of a polynomial of this degree, which are one more than the degree.
 template <std::size_t P, std::size_t Q>
 std::array<double, P + Q - 1> multiply(const std::array<double, P>& p,
                                        const std::array<double, Q>& q) {

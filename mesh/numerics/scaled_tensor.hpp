@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Multiplies metric tensors by numbers.
+// Multiplies metric tensors by powers of two.
 #pragma once
 
 #include <cmath>

@@ -23,7 +23,7 @@ simultaneous_reduction reduce(const metric_tensor& a, const metric_tensor& b) {
   r.f11 = std::sqrt(a.m11);
   r.f12 = a.m12 / r.f11;
   r.f22 = std::sqrt(std::max(std::fma(a.m11, a.m22, -a.m12 * a.m12), 0.0)) / r.f11;
-  // G = F^-1 = [1/f11, -f12/(f11 f22); 0, 1/f22]; C = G^T B G.
+  // Forms C = G^T B G with G = F^-1 = [1/f11, -f12/(f11 f22); 0, 1/f22].
   const double g11 = 1 / r.f11, g12 = -r.f12 / (r.f11 * r.f22), g22 = 1 / r.f22;
   const double c11 = g11 * g11 * b.m11, c12 = g11 * (g12 * b.m11 + g22 * b.m12),
                c22 = g12 * g12 * b.m11 + 2 * g12 * g22 * b.m12 + g22 * g22 * b.m22;

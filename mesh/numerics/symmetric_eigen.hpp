@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Eigenvalues and eigenvectors of symmetric 2x2 matrices, of either sign. In doubles, for building
-// metrics; decides nothing.
+// Computes eigenvalues and eigenvectors of symmetric 2x2 matrices, of either sign. In doubles, for
+// building metrics; decides nothing.
 #pragma once
 
 #include <cmath>
@@ -16,14 +16,14 @@ struct symmetric_eigen {
   double first = 0, second = 0, c = 1, s = 0;
 };
 
-// The eigenvalue of greater modulus has a relative error of a few units in the last place, the
-// other one an absolute error of that times the condition of the matrix's entries. Entries must be
-// below 1e150 in modulus.
+// Returns the eigenvalues and eigenvectors. The eigenvalue of greater modulus has a relative error
+// of a few units in the last place, the other one an absolute error of that times the condition of
+// the matrix's entries. Entries must be below 1e150 in modulus.
 inline symmetric_eigen eigen_of(const metric_tensor& m) {
   const double half = (m.m11 - m.m22) / 2, mean = (m.m11 + m.m22) / 2;
   const double radius = std::sqrt(half * half + m.m12 * m.m12);
   const double product = m.m12 * m.m12;
-  // With the error of the product given back, so that a thin tensor keeps its weak eigenvalue.
+  // Adds the rounding error of the product, so that a thin tensor keeps its weak eigenvalue.
   const double determinant = std::fma(m.m11, m.m22, -product) + std::fma(-m.m12, m.m12, product);
   symmetric_eigen e;
   const double strong = mean >= 0 ? mean + radius : mean - radius;

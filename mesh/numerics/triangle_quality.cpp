@@ -23,9 +23,9 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 point difference(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
 double cross(const point& a, const point& b) { return a.x * b.y - a.y * b.x; }
 
-// Returns the sum of the magnitudes inner_product adds up. Each term takes three rounded products
-// and two rounded differences of coordinates: 8 epsilon of this sum bounds the error with room to
-// spare.
+// Returns the sum of the magnitudes of inner_product's terms. Each term takes three rounded
+// products and two rounded differences of coordinates: 8 epsilon of this sum exceeds the
+// error.
 double inner_product_magnitude(const metric_tensor& m, const point& a, const point& b) {
   return m.m11 * std::abs(a.x * b.x) +
          std::abs(m.m12) * (std::abs(a.x * b.y) + std::abs(a.y * b.x)) +
@@ -33,8 +33,8 @@ double inner_product_magnitude(const metric_tensor& m, const point& a, const poi
 }
 
 // Returns the tensor times a power of two, so that its determinant stays in the range of doubles:
-// what an angle is does not depend on units. Nothing is lost unless it is much wider than any
-// aspect is.
+// an angle does not depend on units. That is exact unless the tensor is wider than any usual
+// aspect.
 metric_tensor in_range(const metric_tensor& m) {
   const double product = m.m11 * m.m22;
   if (0x1p-900 < product && product < 0x1p900) return m;
@@ -42,7 +42,8 @@ metric_tensor in_range(const metric_tensor& m) {
   return {std::scalbn(m.m11, exponent), std::scalbn(m.m12, exponent), std::scalbn(m.m22, exponent)};
 }
 
-// A metric, in range, and the root of a lower bound on its determinant; 0 where doubles know none.
+// A metric scaled into range, and the root of a lower bound on its determinant; 0 where doubles
+// prove none.
 struct measuring_metric {
   explicit measuring_metric(const metric_tensor& given) : m(in_range(given)) {
     const double product = m.m11 * m.m22, square = m.m12 * m.m12;
@@ -54,7 +55,7 @@ struct measuring_metric {
   double root = 0;
 };
 
-// A corner's sides, and a lower bound on what they span.
+// The two sides at a corner, and a lower bound on the area that they span.
 struct corner_sides {
   corner_sides(const point& first, const point& second)
       : a(first),
@@ -98,7 +99,8 @@ bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& 
 }
 
 // True if all nine angles are certainly above one of this cotangent, which is that of an angle from
-// 0.1 degrees to 60. Leaves thin metrics, and what is nearly as small, to others.
+// 0.1 degrees to 60. Returns false for thin metrics and for angles near the threshold, which other
+// tests decide.
 //
 // Errors. A metric that is not thin has a determinant of 2^-14 of its monomials or more, so that no
 // monomial of the inner product of two sides is more than 2^15 times N, the product of their
@@ -133,7 +135,7 @@ bool all_angles_are_above(const triangle_sites& t, double cotangent) {
   return true;
 }
 
-// An angle as its sine and cosine times one positive number.
+// An angle as its sine and its cosine, both times one positive number.
 struct angle_sides {
   double across = 0, along = 0;
 
@@ -184,7 +186,7 @@ triangle_sites in_round_coordinates(triangle_sites t) {
 
 namespace {
 
-// All angles of a triangle as its metrics see them; three equal metrics are asked once.
+// Measures the angles of a triangle in its metrics; three equal metrics are measured once.
 struct measured_angles {
   explicit measured_angles(const triangle_sites& t) {
     const bool is_one = identical(t[0].metric, t[1].metric) && identical(t[0].metric, t[2].metric);
@@ -214,7 +216,7 @@ struct measured_angles {
   bool all_turn = true;  // no angle is flat or turned over
 };
 
-// Returns measured_angles::greatest of three equal metrics; none where they are not, or an angle is
+// Returns measured_angles::greatest for three equal metrics; none where they differ, or an angle is
 // flat or turned over.
 std::optional<double> greatest_cotangent_in_one_metric(const triangle_sites& t) {
   const metric_tensor& m = t[0].metric;
@@ -231,7 +233,7 @@ std::optional<double> greatest_cotangent_in_one_metric(const triangle_sites& t) 
   return greatest;
 }
 
-// Takes the arctangent of what is within a few roundings of the greatest cotangent.
+// Computes the arctangent only of cotangents within a few roundings of the greatest one.
 double smallest_of(const measured_angles& m) {
   const double nearly = m.greatest - 0x1p-40 * (1 + std::abs(m.greatest));
   double smallest = 180;
@@ -251,8 +253,8 @@ double smallest_angle(const triangle_sites& given) {
 angle_threshold::angle_threshold(double wanted)
     : degrees(wanted), cotangent(1 / elementary::tan(wanted / to_degrees)) {}
 
-// Near the threshold, where roundings of the angle and of its cotangent might tell it differently,
-// the angle itself is compared.
+// Returns for each threshold whether the smallest angle is below it. Computes the angle itself
+// where roundings of the angle and of its cotangent could give different answers.
 std::array<bool, 2> smallest_angle_is_below(const triangle_sites& t,
                                             const std::array<angle_threshold, 2>& thresholds) {
   if (all_angles_are_above(t, std::min(thresholds[0].cotangent, thresholds[1].cotangent)))

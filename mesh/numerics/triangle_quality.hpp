@@ -15,7 +15,7 @@ struct angle_set {
   std::array<std::array<bool, 3>, 3> which{};
 };
 
-// The angle bound, prepared for asking often.
+// The angle bound, prepared for many tests.
 class angle_requirement {
  public:
   // Makes the requirement; 0 <= degrees < 60.
@@ -24,11 +24,11 @@ class angle_requirement {
   double degrees() const { return degrees_; }
   // True if an angle of the triangle is below the bound from the perspective of any of its
   // vertices, that is if a^T M b <= cot(bound) sqrt(det M) (a x b) fails for two edges a, b at a
-  // corner and some M. Errs only towards "low": the doubles carry error terms and the bound a guard
-  // of 1e-9 relative, so that a triangle called good meets the bound exactly. Never low when the
-  // bound is zero. Requires a counter-clockwise triangle.
+  // corner and some M. Errors can only say "low": the doubles carry error terms and the bound a
+  // guard of 1e-9 relative, so that a triangle called good meets the bound exactly. Never low when
+  // the bound is zero. Requires a counter-clockwise triangle.
   bool is_low(const triangle_sites& t) const { return is_low(t, {}); }
-  // True if an angle is low, with some of the angles left out.
+  // True if an angle outside of the set given is low.
   bool is_low(const triangle_sites& t, const angle_set& left_out) const;
 
  private:
@@ -46,15 +46,15 @@ triangle_sites in_round_coordinates(triangle_sites t);
 // for any.
 double smallest_angle(const triangle_sites& t);
 
-// An angle that others are held against, with its cotangent.
+// An angle, in degrees, that others are compared with, and its cotangent.
 struct angle_threshold {
   explicit angle_threshold(double degrees);
 
   double degrees, cotangent;
 };
 
-// Returns of each threshold whether smallest_angle() is below it, at a part of the cost. Requires
-// round coordinates.
+// Returns for each threshold whether smallest_angle() is below it, at a part of the cost. Requires
+// coordinates in which the metrics are round.
 std::array<bool, 2> smallest_angle_is_below(const triangle_sites& t,
                                             const std::array<angle_threshold, 2>& thresholds);
 
@@ -62,20 +62,22 @@ std::array<bool, 2> smallest_angle_is_below(const triangle_sites& t,
 // measures it, in degrees, below 180. Requires orientation(corner, first, last) > 0.
 double corner_angle(const site& corner, const point& first, const point& last);
 
-// The target of size control: the distance from the sites of a triangle to their nearest common
-// Voronoi vertex. Insertions at vertices farther than this leave edges between it and twice it,
-// around metric length 1.
+// Target of size control, in metric length: the distance from the sites of a triangle to their
+// nearest common Voronoi vertex. Insertions at vertices farther than this leave edges between it
+// and twice it, around metric length 1.
 inline constexpr double largest_circumradius = 0.75;
-// Boundary subsegments are split down to this metric length, so that a net of that radius does not
-// encroach on them.
+// Greatest metric length of a boundary subsegment: longer ones are split, so that sites at the
+// distance above do not encroach on them.
 inline constexpr double longest_subsegment = 1.2;
-// Longest subsegment where a domain is filled at once: a little shorter, 1.2 times the radius.
+// Greatest metric length of a subsegment where a domain is filled at once: 1.2 times the radius
+// above, a little shorter.
 inline constexpr double longest_subsegment_of_fill = 0.9;
 
 // Returns the distance from the three sites to the nearest point all three are equally far from;
 // infinite when there is none.
 double metric_circumradius(const triangle_sites& t);
-// The same; requires round coordinates.
+// Returns the distance from three sites to the nearest point equally far from them; requires
+// coordinates in which the metrics are round.
 double circumradius_in_round(const triangle_sites& t);
 
 }  // namespace asterism::internal

@@ -36,7 +36,7 @@ struct double_double {
 
  private:
   double_double(double h, double l) : high(h), low(l) {}
-  // Requires |h| >= |l| or so.
+  // Returns h + l as such a sum. Requires |h| >= |l|, approximately.
   static double_double normalized(double h, double l) {
     const double sum = h + l;
     return {sum, l - (sum - h)};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Gives blocks that fill a large page of the system to what is read all over, as the stars of a
-// fill are: at ten million triangles every star is on another page, and most of the time would go
-// into finding pages. Only aligns the blocks; that they are on large pages is for the program's
-// operator new to ask (apps/run/memory_account.cpp).
+// Allocates blocks that fill a large page of the system, for data read in random order, as the
+// stars of a fill are: at ten million triangles every star is on another page, and most of the time
+// would go into finding pages. Only aligns the blocks; the program's operator new requests the
+// large pages (apps/run/memory_account.cpp).
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 namespace asterism::internal {
 
 inline constexpr std::size_t large_page = std::size_t{2} << 20;
-// The most that a block of one page should hold: allocators keep some bytes beside each block, and
-// two pages would be taken for one.
+// Largest size of a block of one page: allocators keep some bytes beside each block, and a larger
+// block would occupy two pages.
 inline constexpr std::size_t within_large_page = large_page - 64;
 
 template <class T>
@@ -42,7 +42,7 @@ struct large_page_allocator {
   }
 
  private:
-  // Counts pointers, too: a deque allocates the list of its blocks here.
+  // Allocates for pointers, too: a deque allocates the list of its blocks here.
   static constexpr std::size_t bytes_of(std::size_t count) {
     return count * sizeof(T);  // NOLINT(bugprone-sizeof-expression)
   }

@@ -6,7 +6,7 @@
 
 namespace asterism::internal {
 
-// Returns the text as XML and HTML may hold it, between tags and in attributes with double quotes.
+// Returns the text escaped for XML and HTML, between tags and in attributes with double quotes.
 inline std::string escaped_markup(std::string_view text) {
   std::string safe;
   for (const char c : text) {

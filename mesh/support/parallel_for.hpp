@@ -67,7 +67,7 @@ void parallel_for(std::size_t count, const Body& body) {
 
 #endif
 
-// Returns how many threads the caller's arena may have. Nothing that comes out may depend on it.
+// Returns the number of threads that the caller's arena may have. No result may depend on it.
 inline std::size_t thread_count() {
   const auto in_arena = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   return std::min(in_arena,

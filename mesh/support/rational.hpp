@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Names rationals, and whole numbers of any size that share their arithmetic: GMP's, or those of
-// Boost's headers where the predicates use these too (ASTERISM_EXACT=cpp_int). The numbers are the
-// same, and take longer.
+// Boost's headers where the predicates use these too (ASTERISM_EXACT=cpp_int). The values are the
+// same; Boost's take longer.
 #pragma once
 
 #ifdef ASTERISM_EXACT_CPP_INT

@@ -8,7 +8,7 @@
 
 namespace asterism::internal {
 
-// Copies count for themselves, from what was counted so far.
+// A count that several threads add to. A copy starts from the present count, and counts separately.
 class shared_count {
  public:
   shared_count() = default;
@@ -22,7 +22,7 @@ class shared_count {
   void add(std::size_t more) {
     if (more > 0) count_.fetch_add(more, std::memory_order_relaxed);
   }
-  // Returns the count and begins anew.
+  // Returns the count and resets it to 0.
   std::size_t take() { return count_.exchange(0, std::memory_order_relaxed); }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The sizes that a run with a guarantee tries, and a certificate may name.
+// Lists the size factors that a run with a guarantee tries, and a certificate may name.
 #pragma once
 
 namespace asterism::internal {
@@ -8,7 +8,8 @@ namespace asterism::internal {
 // Ratio of one size to the next: the last step takes at most 1.69 times as many sites as the least
 // size factor would.
 inline constexpr double ladder_ratio = 1.3;
-// Bound on the ladder: 1.3^160 is 2^60, and edges so many times shorter are not told apart.
+// Largest step of the ladder: 1.3^160 is 2^60, and edges shorter by that factor have no room among
+// doubles.
 inline constexpr int ladder_steps = 160;
 
 // Returns the factor of a step: ladder_ratio to the power of the step, each product rounded.

@@ -7,7 +7,7 @@
 
 namespace asterism::internal {
 
-// Sorts the items and removes all but one of those that are equal.
+// Sorts the items and removes repetitions.
 template <class Container>
 void sort_unique(Container& items) {
   std::sort(items.begin(), items.end());

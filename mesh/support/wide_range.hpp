@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Defines numbers with the digits of two doubles and an exponent of their own, for products of four
-// or more doubles whose range no double has. A long double would do on one machine and not on the
-// next; these are the same bits everywhere. Nothing certain is built on them.
+// or more doubles that leave the range of doubles. A long double is different on other machines;
+// these have the same bits everywhere. Nothing certain is built on them.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,8 @@ class wide_range {
   wide_range() = default;
   wide_range(double x) : wide_range(double_double(x), 0) {}  // NOLINT(google-explicit-constructor)
 
-  // Converts to infinity, zero or a subnormal number where the value has no double.
+  // Converts to a double: infinity, zero or a subnormal number outside of the range of normal
+  // doubles.
   explicit operator double() const { return std::ldexp(static_cast<double>(mantissa_), exponent_); }
   bool is_positive() const { return mantissa_.high > 0; }
 
@@ -46,7 +47,7 @@ class wide_range {
     return {double_double(r), (a.exponent_ - odd) / 2};
   }
 
-  // The two divided by one power of two, so that the larger is a double near 1.
+  // Two numbers divided by one power of two, so that the larger is a double near 1.
   struct scaled_pair {
     double first = 0, second = 0;
   };

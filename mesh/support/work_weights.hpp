@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists what steps of the mesher and the auditor weigh on an account of work, in one place.
+// Lists the work units of steps of the mesher and the auditor, in one place.
 //
 // The unit is that of kernels/work_units.hpp, which weighs the kernel's answers: about ten
 // microseconds. Each weight was measured as the processor time of runs that do little else (x86_64,
-// Release), with what goes with the step. They bound work and are no clock: what a run does depends
-// on the numbers alone, and so on these weights. Changing one changes which runs are cut off.
+// Release), with everything that belongs to the step. Weights bound work and are no clock: where a
+// run ends depends on them and on counts alone. Changing one changes which runs are cut off.
 #pragma once
 
 #include <cstddef>
 
 namespace asterism::internal::work_weights {
 
-// The domain, while it is repaired (domain/snapping.cpp).
+// Weights of the repair of a domain (domain/snapping.cpp).
 inline constexpr double vertex_beside_edge = 0.0005;  // 5 ns: looked at
 inline constexpr double vertex_near_edge = 0.005;     // 50 ns: looked at closely
 inline constexpr double crossing_entered = 0.3;       // 3 us
 inline constexpr double edge_in_arrangement = 0.05;   // 500 ns: begun with
 
-// The fill (fill/work_meter.hpp).
+// Weights of the fill (fill/work_meter.hpp).
 inline constexpr double approximate_star = 0.2;   // 2 us: made anew
 inline constexpr double plain_candidate = 0.003;  // 30 ns: site or subsegment looked at
 inline constexpr double plain_gap = 0.0003;       // 3 ns: held against a site, or made
 
-// Refinement (refine/refine_state.cpp).
+// Weights of refinement (refine/refine_state.cpp).
 inline constexpr double bad_triangle = 0.2;     // 2 us: tried, where hardly any succeeds
 inline constexpr double site_looked_at = 3e-4;  // 3 ns
 inline constexpr double star_candidate = 3e-3;  // 30 ns
 
-// Local changes. A step that does more with a face counts as several.
+// Weights of local changes. A step that does more with a face counts as several.
 inline constexpr double face_listed = 0.006;            // 60 ns: a face of a list
 inline constexpr std::size_t faces_for_flip = 4;        // 240 ns: a face whose edges may flip
 inline constexpr std::size_t faces_for_count = 3;       // 180 ns: a face counted and measured
@@ -41,7 +41,7 @@ inline constexpr std::size_t faces_for_taking_back =
 inline constexpr double graded_pair = 0.04;        // 400 ns: two nodes of a graph graded
 inline constexpr double node_without_noise = 0.1;  // 1 us: with its neighbours
 
-// The audit (audit/audit_work.hpp), and the theorem on nets.
+// Weights of the audit (audit/audit_work.hpp), and of the theorem on nets.
 inline constexpr double audited_pair = 0.1;        // 1 us: two sites, or an arc and a site
 inline constexpr double audited_exact_pair = 100;  // 1 ms: an arc and a site, exactly
 inline constexpr double audit_decision = 0.003;    // 30 ns: of the auditor's own arithmetic
