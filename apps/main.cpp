@@ -22,7 +22,7 @@ namespace {
 
 using namespace asterism::apps;
 
-// A command by its name. help, completion and man tell of all others.
+// A subcommand by its name. help, completion and man describe all others.
 struct known_command {
   std::string_view name;
   void (*add)(CLI::App& program, command& chosen);
@@ -56,9 +56,9 @@ const known_command* find_command(std::string_view name) {
 
 bool takes_files(const known_command* known) { return known != nullptr && !known->tells_of_others; }
 
-// Adds the command that the first word names to the program and reads the words: a fourth of the
-// time that all commands take, which was a tenth of a small job. Returns whether that is all there
-// is to say. False where a message or help is wanted, or another command is named besides.
+// Adds only the command that the first word names and parses the words: a fourth of the time of
+// adding all commands, which was a tenth of a small job. Returns whether that was enough: false
+// where a message or help is needed, or another command is named as well.
 bool is_read_by_one(CLI::App& program, const std::vector<std::string>& words, command& chosen) {
   const known_command* const named = words.empty() ? nullptr : find_command(words[0]);
   if (!takes_files(named) ||
@@ -93,7 +93,7 @@ int conclude(const command& chosen) {
   return not_reached;
 }
 
-// Reads the words with all commands there, so that help and messages know them.
+// Parses the words with all commands added, so that help and messages list them.
 int run_with_all(const std::vector<std::string>& words) {
   CLI::App program("Anisotropic triangular meshes by star stitching, on exact predicates.");
   describe(program);
@@ -133,7 +133,8 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file that gets too large for a limit on files is an error like a full disk.
+  // Ignores the signal of a limit on files: a file that gets too large is then an error like a full
+  // disk.
   std::signal(SIGXFSZ, SIG_IGN);
   asterism::apps::give_back_large_blocks();
   try {

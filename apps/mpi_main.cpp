@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `asterism-mpi`: meshes in pieces, shared out among the ranks of MPI. Whatever their number, the
-// files are those of `asterism mesh --pieces`.
+// Runs `asterism-mpi`, which makes meshes in pieces on the ranks of MPI. For any number of ranks
+// the files equal those of `asterism mesh --pieces`.
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -80,7 +80,7 @@ int run(int argc, char** argv, mpi_team& team) {
   return not_reached;
 }
 
-// Ends all ranks, since the others wait for this one. Files are whole or not there.
+// Ends all ranks, since the others wait for this one. Each file is then complete or absent.
 void end_all(std::size_t rank, const std::string& why) {
   std::cerr << "asterism-mpi: rank " << rank << ": " << why
             << "; pieces that are finished are whole, and --resume goes on\n";
@@ -92,7 +92,7 @@ void end_all(std::size_t rank, const std::string& why) {
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   asterism::apps::give_back_large_blocks();
-  // Threads of a rank do not call MPI.
+  // Requests the level in which only this thread of a rank calls MPI.
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
   int status = asterism::apps::not_reached;

@@ -14,8 +14,8 @@ class piece_team;  // apps/pieces/piece_team.hpp
 
 void add_eval_command(CLI::App& program, command& chosen);
 void add_challenge_command(CLI::App& program, command& chosen);
-// With a team, which must outlive the command, `mesh` makes pieces alone and `verify` judges them,
-// together with the team's other programs.
+// Adds commands for pieces: with a team, which must outlive the command, `mesh` makes pieces alone
+// and `verify` judges them, together with the team's other programs.
 void add_mesh_command(CLI::App& program, command& chosen, piece_team* team = nullptr);
 void add_verify_command(CLI::App& program, command& chosen, piece_team* team = nullptr);
 void add_certify_command(CLI::App& program, command& chosen);
@@ -29,7 +29,7 @@ void add_deviation_command(CLI::App& program, command& chosen);
 void add_info_command(CLI::App& program, command& chosen);
 void add_completion_command(CLI::App& program, command& chosen);
 void add_help_command(CLI::App& program, command& chosen);
-// Requires that all other commands are there.
+// Adds the command `help`. Requires that all other commands are there.
 void add_man_command(CLI::App& program, command& chosen);
 
 }  // namespace asterism::apps

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Ends a command with a status, and says why.
+// Ends a command with a status, and states the reason.
 #pragma once
 
 #include <iostream>
@@ -10,7 +10,8 @@
 
 namespace asterism::apps {
 
-// 0: done. 1: not reached; what is certain was written. 2: bad usage or input; nothing was written.
+// 0: done. 1: goal not reached; certain results were written. 2: bad usage or input; nothing
+// written.
 enum exit_status : int { done = 0, not_reached = 1, refused = 2 };
 
 // Writes the failure to standard error and returns the status.

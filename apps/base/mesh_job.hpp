@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what the main job is asked: domain, metric, mesh, files.
+// Holds the options of the main job: domain, metric, mesh, files.
 #pragma once
 
 #include <cstddef>
@@ -50,11 +50,11 @@ struct mesh_job {
   bool strict = false;  // what readers change is refused
   bool json = false;    // the summary for programs
 
-  // The metric, in place of the one that `metric` names, divided by the square of a size; empty but
-  // where a program brings one along.
+  // Metric field in place of the one that `metric` names, divided by the square of a size; set only
+  // by programs that bring a field along.
   field_in_box field;
 
-  // True if lines for people go to standard output.
+  // True if lines of text go to standard output.
   bool tells() const { return !quiet && !json; }
 };
 

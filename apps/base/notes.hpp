@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says what readers and repairs changed of the input, or refuses it.
+// States what readers and repairs changed of the input, or refuses the input for that.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Takes other words for the values of an option: older ones, and those of other interfaces. Help
-// shows the one name alone (docs/manual/names.md).
+// Accepts other words for the values of an option: older ones, and those of other interfaces. Help
+// shows only the one name (docs/manual/names.md).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,7 @@
 
 namespace asterism::apps {
 
-// Returns what reads `other` as `name`. Words that are neither pass as they are.
+// Returns a transformer that reads `other` as `name`, and leaves all other words unchanged.
 inline CLI::Validator also(const std::string& other, const std::string& name) {
   return CLI::Transformer(std::map<std::string, std::string>{{other, name}}).description("");
 }

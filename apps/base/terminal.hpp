@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Colours words for people at a terminal, and for nobody else.
+// Colours words at a terminal, and nowhere else.
 #pragma once
 
 #include <string>

@@ -88,7 +88,7 @@ Examples:
 const std::map<std::string, keep_rule> keep_rules = {
     {"auto", keep_rule::automatic}, {"never", keep_rule::never}, {"always", keep_rule::always}};
 
-// Mesh, metric, solution and reports, before they are written.
+// The mesh, metric, solution and reports of a run, before they are written.
 struct adapted {
   requested_metric wanted;
   adapted_mesh next;
@@ -96,7 +96,7 @@ struct adapted {
   std::optional<std::size_t> vertices_wanted;  // none where the metric alone says how many
   proof_output proof = {};
   std::vector<side_node> curved = {};  // of triangles of second order
-  // With frozen regions: the rest with its metric, and what is written.
+  // The part outside frozen regions, with its metric, and the whole mesh that is written.
   mesh rest = {}, together = {};
   frozen_facts frozen = {};
   std::size_t border_split = 0;  // edges, where no way was found to leave them whole
@@ -123,7 +123,7 @@ std::vector<fs::path> files_read_by(const adapt_job& job) {
   return read;
 }
 
-// Returns where the files of the run go.
+// Returns the files of the run.
 run_files files_written_by(const adapt_job& job) {
   run_files files{job.outputs,
                   {},
@@ -155,7 +155,7 @@ std::optional<error> take_domain(adapt_job& job) {
   return std::nullopt;
 }
 
-// Makes the next mesh, of all or of what is not frozen.
+// Makes the next mesh, of the whole mesh or of its part outside frozen regions.
 std::optional<error> make_next(const marked_mesh& from, const adapt_job& job,
                                const mesh_adaptation_options& options, adapted& made) {
   progress_line line(!job.quiet);
@@ -224,22 +224,23 @@ std::optional<error> curve(const adapt_job& job, adapted& made) {
   return say_notes(notes_of_order(job.outputs, sides.value().report), {job.quiet});
 }
 
-// Returns the fields of the solution alone, without those that are carried along.
+// Returns the fields of the solution alone, without those that are only transferred.
 solution own_fields(const solution& all, std::size_t own) {
   solution shown{all.vertices, all.fields};
   if (shown.fields.size() > own) shown.fields.resize(own);
   return shown;
 }
 
-// Puts the mesh before and the solution on both onto the page. Where no transfer was asked for, the
-// one shown is the interpolated.
+// Puts the mesh before the adaptation, and the solution on both meshes, onto the page. Shows the
+// interpolated solution where no transfer was asked for.
 void show_solution(const adapt_job& job, const adapted& made, report_facts& facts) {
   const solution& old = made.wanted.values;
   const std::size_t own = made.wanted.own_fields;
   facts.label = "Adapted";
   facts.before = {{"Before", made.wanted.background, own_fields(old, own), {}}};
   if (old.fields.empty()) return;
-  // A page has one vertex at each place, and values of both sides of a slit have none there.
+  // Leaves out values on a mesh with slits: a page has one vertex at each place, and values of the
+  // two sides may differ.
   if (made.values && made.next.cracks.empty()) {
     facts.fields = own_fields(made.values->values, own);
     return;
@@ -266,7 +267,8 @@ report_facts facts_of_page(const adapt_job& job, const fs::path& certificate_pat
   return facts;
 }
 
-// Returns the fields of the solution, and those that were carried, as their files name them.
+// Returns the fields of the solution, and those that were only transferred, by the names in their
+// files.
 std::pair<solution, solution> parted(const adapted& made) {
   std::pair<solution, solution> parts;
   if (!made.values) return parts;
@@ -303,7 +305,7 @@ std::optional<error> write_all(const adapt_job& job, const run_files& files, con
   return write_files(files, contents);
 }
 
-// Says whether the mesh given stays, where that is not plain from what was asked.
+// Writes a line on whether the given mesh stays, where the options do not determine that.
 void say_kept(const adapt_job& job, const adapted& made) {
   const bool always = job.options.keep == keep_rule::always;
   if (made.next.kept)

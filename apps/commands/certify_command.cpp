@@ -93,7 +93,7 @@ Examples:
   asterism certify bamg.mesh -o bamg.html
   asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
 
-// Returns where the files of the run go. There is a certificate with the mesh alone.
+// Returns the files of the run. A certificate is written only with the mesh.
 run_files files_written_by(const certify_options& options) {
   run_files files{options.outputs, {}, options.proof, {}};
   if (!options.outputs.empty()) files.certificate = certificate_beside(options.outputs);
@@ -128,7 +128,7 @@ std::optional<error> write_result(const certify_options& options, const mesh& m,
   return write_files(files, {m, claim, how, proof});
 }
 
-// The command that judges the same mesh again.
+// Returns the command line that judges the same mesh again.
 std::string command_of(const certify_options& options) {
   std::vector<std::string> words = {"asterism", "certify", options.mesh.string()};
   if (options.metric)
@@ -141,7 +141,7 @@ std::string command_of(const certify_options& options) {
   return shell_words(words);
 }
 
-// Adds to the certificate what only the command knows: how the job was worded.
+// Adds to the certificate what only the command knows: the words of the options.
 void describe(certificate& claim, const certify_options& options) {
   const fs::path& metric = options.solution.empty() ? options.mesh : options.solution;
   claim.metric = options.metric.value_or("of " + metric.string());
@@ -188,7 +188,7 @@ int write_as_it_is(const certify_options& options, const adopted_mesh& adopted,
   return proof.conclude(status);
 }
 
-// A mesh that is not certified has no file but the pages about it, which show why.
+// Writes only pages for a mesh that is not certified: they show the findings.
 int show_what_was_found(const certify_options& options, const adopted_mesh& adopted,
                         const certify_report& report) {
   std::vector<fs::path> pages;
@@ -257,7 +257,7 @@ int repair(const certify_options& options, const adopted_mesh& adopted, const me
 
 using made_field = result<std::unique_ptr<metric_field>>;
 
-// Makes the field of --metric: a formula's, or one on another mesh.
+// Makes the field that --metric names: a formula's, or one on another mesh.
 made_field field_named(const certify_options& options, const mesh& m) {
   if (!is_metric_on_mesh(*options.metric))
     return make_metric_field(*options.metric, box_of_sites(m.sites), options.size);
@@ -266,7 +266,8 @@ made_field field_named(const certify_options& options, const mesh& m) {
   return make_interpolated_field(background.value().subject, options.size);
 }
 
-// Returns the field of --metric, placed in the box of the vertices, and their tensors from it.
+// Makes the field that --metric names, placed in the box of the vertices, and takes the tensors at
+// these from it.
 made_field measure_by_formula(const certify_options& options, mesh& m) {
   if (m.sites.empty())
     return error{options.mesh.string() + ": there are no vertices", error_code::invalid_mesh};
@@ -287,7 +288,7 @@ struct measured_mesh {
   std::unique_ptr<metric_field> field;
 };
 
-// A mesh without a metric is judged in the plane one, as if that had been asked for.
+// Judges a mesh without a metric in the plane one, as if that had been asked for.
 result<measured_mesh> read_measured(certify_options& options) {
   medit_read_options how;
   how.solution = options.solution;

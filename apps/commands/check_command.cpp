@@ -59,7 +59,7 @@ struct check_options {
   std::optional<double> metric_tolerance, chord_tolerance;
 };
 
-// Returns why the question cannot be asked yet.
+// Returns an error if an option names a file of another kind.
 std::optional<error> check_kind(const check_options& options) {
   if (!has_ending(options.metric, ".sol"))
     return error{options.metric +
@@ -98,7 +98,7 @@ int refuse(const error& why) {
   return not_reached;
 }
 
-// Reads the mesh with the metric of a file; without a name, with its own.
+// Reads the mesh with the metric of a file; if no file is named, with its own metric.
 result<mesh> read_subject(const check_options& options, const fs::path& metric) {
   medit_read_options how;
   how.solution = metric;
@@ -106,7 +106,7 @@ result<mesh> read_subject(const check_options& options, const fs::path& metric) 
   return read_medit(options.mesh, how);
 }
 
-// Returns the question, but for the domain and the metric, which are read.
+// Returns the question of the check, without the domain and the metric, which are read later.
 result<proof_question> question_of(const check_options& options, const mesh& subject,
                                    const std::optional<domain>& shape) {
   proof_question asked{subject, shape ? &*shape : nullptr, options.angle_bound,

@@ -71,7 +71,7 @@ Examples:
   asterism convert crossing.poly repaired.poly --repair-domain
   asterism convert lake.mesh asked.mesh --metric swirl:24 --size 0.1)";
 
-// A folder for what comes from standard input or goes to standard output, removed in the end.
+// A temporary folder for data from standard input or to standard output, removed at the end.
 class passing_folder {
  public:
   passing_folder() = default;
@@ -92,7 +92,7 @@ class passing_folder {
     return std::nullopt;
   }
   const fs::path& path() const { return path_; }
-  // Returns the text without the folder's name, which means nothing to anybody.
+  // Removes the temporary folder's name from a text: it means nothing to users.
   std::string without_it(std::string text) const {
     const std::string prefix = path_.string() + "/";
     for (std::size_t at = text.find(prefix); !path_.empty() && at != std::string::npos;
@@ -105,7 +105,7 @@ class passing_folder {
   fs::path path_;
 };
 
-// The files of a job, with those in the folder in the place of '-'.
+// Files of a job; '-' is replaced by files in the temporary folder.
 struct places {
   fs::path in, out;
   bool from_standard_input = false, to_standard_output = false;
@@ -143,7 +143,7 @@ bool is_medit(mesh_format format) {
   return format == mesh_format::medit || format == mesh_format::medit_binary;
 }
 
-// Returns what a format has no place for, a sentence each.
+// Returns a sentence for each thing that the format has no place for.
 std::vector<std::string> losses(const mesh_file& read, const solution& fields, mesh_format format,
                                 const std::string& out) {
   const mesh& m = read.content;
@@ -167,7 +167,7 @@ std::vector<std::string> losses(const mesh_file& read, const solution& fields, m
   return all;
 }
 
-// Writes the first of the files, which has the mesh.
+// Writes the first file, which contains the mesh.
 std::optional<error> put_to_standard_output(const output_file& file) {
   const byte_sink put = [](std::string_view bytes) {
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -203,7 +203,7 @@ struct conversion {
   std::vector<output_file> files;
 };
 
-// Fills in `made` where the file to write is one of a domain.
+// Converts a domain to a file of a domain, and fills in `made`.
 std::optional<error> convert_domain(const convert_job& job, const places& where, conversion& made) {
   if (job.order != 1 || !job.metric.empty())
     return error{where.out.string() +
@@ -217,7 +217,7 @@ std::optional<error> convert_domain(const convert_job& job, const places& where,
   return std::nullopt;
 }
 
-// Fills in `made`, of whose mesh and fields the files are made while they are written.
+// Converts and fills in `made`; files of meshes and fields are rendered while they are written.
 std::optional<error> convert(const convert_job& job, const places& where,
                              const passing_folder& folder, conversion& made) {
   auto read = read_mesh_file(where.in, {.identity_without_solution = true});

@@ -102,7 +102,7 @@ void write_json(const deviation_job& job, const deviation_report& report) {
   std::cout << object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-// Refuses the mesh in the surface's place, which nothing but a name tells.
+// Refuses a mesh in the place of the surface: only its file's name shows that.
 std::optional<error> check_order_of_names(const deviation_job& job) {
   if (!internal::is_space_mesh_file(job.of) || internal::is_space_mesh_file(job.mesh))
     return std::nullopt;

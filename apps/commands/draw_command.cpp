@@ -56,7 +56,8 @@ const std::map<std::string, picture_by> known_colours = {{"angle", picture_by::a
                                                          {"region", picture_by::region},
                                                          {"marker", picture_by::marker}};
 
-// Collects what a page about the mesh says: with a certificate its claims, not proved again here.
+// Collects the facts for a page about the mesh: with a certificate its claims, not proved again
+// here.
 result<report_facts> facts_of_page(const draw_options& options, const std::string& thing) {
   report_facts facts;
   facts.title = thing;
@@ -75,7 +76,7 @@ result<report_facts> facts_of_page(const draw_options& options, const std::strin
   return facts;
 }
 
-// Finds the kind of picture by its name, and whether it can be written there.
+// Finds the kind of picture by its name, and checks whether it can be written there.
 result<mesh_format> picture_format(const fs::path& picture) {
   const auto format = mesh_format_of(picture);
   if (format && (is_picture(format.value()) || format.value() == mesh_format::html))
@@ -85,7 +86,7 @@ result<mesh_format> picture_format(const fs::path& picture) {
                "format"};
 }
 
-// Refuses what does not go together, before anything is read.
+// Refuses options that contradict each other, before any file is read.
 std::optional<error> check(const draw_options& options, mesh_format format) {
   const bool is_page = format == mesh_format::html;
   if (!is_page && !options.certificate.empty())
@@ -120,7 +121,7 @@ std::string listed(const solution& fields) {
   return names.empty() ? "and there are no fields" : "and fields: " + names;
 }
 
-// Takes what the colours tell: one of the words, or the name of a scalar field.
+// Takes what --colour names: one of the words, or a scalar field.
 std::optional<error> take_colours(const draw_options& options, const drawn_thing& thing,
                                   picture_options& style) {
   if (options.colours.empty()) return std::nullopt;
@@ -147,7 +148,7 @@ std::optional<error> take_colours(const draw_options& options, const drawn_thing
   return std::nullopt;
 }
 
-// Puts everything onto the page: the last thing is its own, the others come before.
+// Puts all meshes onto the page: it is about the last one; the others are shown before it.
 result<report_facts> facts_of_things(const draw_options& options,
                                      std::vector<drawn_thing>& things) {
   auto facts = facts_of_page(options, options.things.back());

@@ -15,7 +15,8 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// The outline of a domain as its author wrote it: it is not checked, so that faults can be seen.
+// Returns the outline of a domain as its author wrote it: it is not checked, so that faults can be
+// seen.
 result<drawn_thing> read_domain(const std::string& name) {
   const auto loaded = load_domain(name);
   if (!loaded) return loaded.failure();

@@ -12,7 +12,7 @@
 
 namespace asterism::apps {
 
-// A mesh, or a domain as a mesh without triangles.
+// Something to be drawn: a mesh, or a domain as a mesh without triangles.
 struct drawn_thing {
   mesh content;
   solution fields = {};
@@ -22,9 +22,9 @@ struct drawn_thing {
 // True if the name is that of a domain: a built-in one, or a file that is no mesh.
 bool is_drawn_as_domain(const std::string& name);
 
-// Reads a mesh, in the plane metric where it has none, with the fields that it comes with, or those
-// of `solution_file`, where that is not empty; or a domain, its curves as many chords. Says what
-// their readers note.
+// Reads a mesh, in the plane metric where it has none, with its own fields, or those of
+// `solution_file`, where that is not empty; or a domain, its curves divided into many chords.
+// Writes the notes of the readers.
 result<drawn_thing> read_drawn(const std::string& name, const std::filesystem::path& solution_file);
 
 }  // namespace asterism::apps

@@ -64,8 +64,8 @@ std::optional<error> refuse_other_kind(const std::string& file, std::ifstream& i
                "); a record is a predicate and its numbers, see 'asterism help eval'"};
 }
 
-// Answers the files. Every one is opened before anything is answered, so that a wrong name spoils
-// no output.
+// Answers the questions of all files. Opens every file before anything is answered, so that a wrong
+// name leaves no partial output.
 int run_eval(const eval_options& options) {
   std::vector<std::ifstream> streams;
   for (const std::string& file : options.files) {

@@ -129,8 +129,8 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       ->type_name("T");
 }
 
-// Adds the option that chooses the size itself; whatever else chooses how a mesh is made excludes
-// it.
+// Adds the option that chooses the size itself; it excludes every other option about how the mesh
+// is made.
 void add_guarantee_option(CLI::App& app, mesh_job& job) {
   auto* const guarantee =
       app.add_flag("--guarantee", job.guarantee,
@@ -142,7 +142,7 @@ void add_guarantee_option(CLI::App& app, mesh_job& job) {
     guarantee->excludes(other);
 }
 
-// Adds the limits on a run, and what its course depends on besides.
+// Adds the limits on a run, and the options that its course depends on.
 void add_run_options(CLI::App& app, mesh_job& job) {
   mesh_options& options = job.refinement;
   add_count(
@@ -168,8 +168,8 @@ void add_run_options(CLI::App& app, mesh_job& job) {
       ->type_name("N");
 }
 
-// Raises the default limit where more sites are asked for in numbers, with room for what boundaries
-// and angles take besides.
+// Raises the default limit where more sites are asked for by number, with room for the sites that
+// boundaries and angles need.
 void make_room(mesh_job& job) {
   constexpr double most = 1e8, times = 3, more = 1000, vertices_of_complexity = 1.2;
   const double asked = job.refinement.vertices
@@ -180,7 +180,7 @@ void make_room(mesh_job& job) {
   job.refinement.max_sites = std::max(job.refinement.max_sites, room);
 }
 
-// Adds what is asked of a mesh in pieces.
+// Adds the options of a mesh in pieces.
 void add_piece_options(CLI::App& app, mesh_job& job) {
   auto* const pieces = add_count(
       app, "--pieces", 1, 1000000,
@@ -212,7 +212,7 @@ void add_output_options(CLI::App& app, mesh_job& job) {
   add_proof_option(app, job.proof);
   app.add_flag("--voronoi", job.refinement.prove_voronoi,
                "Prove it the dual of the anisotropic Voronoi diagram, or end with status 1");
-  // The older spelling, which help does not show.
+  // Accepts the older spelling, which help does not show.
   app.add_option_function<std::string>(
          "--certify",
          [&job](const std::string& what) { job.refinement.prove_voronoi = what == "voronoi"; })

@@ -73,7 +73,7 @@ std::vector<fs::path> written_files(const metric_job& job) {
   return all;
 }
 
-// A window stands for the solution in the checks of what is refused and what is a default.
+// Checks refusals and defaults of a series as if the window were the solution.
 std::optional<error> take_series(metric_job& job) {
   if (job.series.empty()) return std::nullopt;
   const metric_request& request = job.request;
@@ -95,7 +95,8 @@ std::optional<error> check_files(const metric_job& job) {
   std::vector<fs::path> read = files_of(job.request);
   read.insert(read.end(), job.series.begin(), job.series.end());
   const std::vector<fs::path> written = written_files(job);
-  // A window that is given twice would weigh twice; the mesh's own file may be one of them.
+  // Refuses a window that is given twice, which would weigh twice; the mesh's own file may be one
+  // of the windows.
   std::vector<fs::path> once = written;
   for (const std::string& window : job.series)
     if (window != job.request.mesh) once.emplace_back(window);
@@ -106,7 +107,7 @@ std::optional<error> check_files(const metric_job& job) {
   return std::nullopt;
 }
 
-// A metric for each file that is written.
+// Holds one metric for each file that is written.
 result<metric_series> metrics_for(const metric_job& job) {
   if (!job.series.empty()) return answer_series(job.request, job.series);
   auto made = answer(job.request);

@@ -112,7 +112,7 @@ result<std::string> page_of(const surface_job& job, const space_mesh& mesh,
   return space_page(mesh, facts);
 }
 
-// Says what the run is written to, in the words of the other commands.
+// Lists the files that the run wrote, in the words of the other commands.
 void tell_files(const surface_job& job, std::chrono::steady_clock::time_point start) {
   if (job.json || job.quiet) return;
   std::vector<fs::path> files = job.outputs;

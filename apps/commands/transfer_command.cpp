@@ -52,8 +52,8 @@ std::optional<error> check_files(const transfer_job& job) {
   return check_distinct({job.from, job.values, job.to}, {job.output});
 }
 
-// Returns the solution with zeros at the vertices that were left out of the mesh, so that it has a
-// row for each vertex of the file.
+// Returns the solution with zeros at the vertices that the reader left out of the mesh, so that it
+// has a row for each vertex of the file.
 solution with_rows(const solution& s, const std::vector<vertex_index>& left_out) {
   if (left_out.empty()) return s;
   solution whole{s.vertices + left_out.size(), {}};

@@ -8,18 +8,18 @@
 namespace asterism::apps {
 namespace {
 
-// The parser appends the names of checks to the type: "HOW:{darts,fill,voronoi}".
+// Removes the names of checks that the parser appends to the type: "HOW:{darts,fill,voronoi}".
 std::vector<std::string> choices_in(const std::string& type) {
   std::vector<std::string> choices;
   const std::size_t open = type.find('{'), close = type.find('}');
   if (open == std::string::npos || close == std::string::npos) return choices;
-  // With several checks there is a map, "{a->0,b->1}".
+  // Removes the map that the parser appends for several checks: "{a->0,b->1}".
   for (const std::string& item : CLI::detail::split(type.substr(open + 1, close - open - 1), ','))
     choices.push_back(item.substr(0, item.find("->")));
   return choices;
 }
 
-// Domains and metrics have names, and may be files or formulas as well.
+// Lists the names that a domain or a metric may have; each may be a file or formula as well.
 std::vector<std::string> names_of_values(const std::string& value) {
   if (value == "DOMAIN") return {"square", "airfoil"};
   std::vector<std::string> names;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads the commands and their options out of the parser, so that completions and manual pages say
-// what the program takes and nothing else.
+// Reads the commands and their options out of the parser, so that completions and manual pages list
+// exactly what the program accepts.
 #pragma once
 
 #include <string>

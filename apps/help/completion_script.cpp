@@ -18,7 +18,7 @@ std::string commands_of(const std::vector<command_entry>& tree) {
   return joined(names, " ");
 }
 
-// True if the value is a number, or a name that only the reader knows: no file has it.
+// True if the value is a number, or a name that only the user knows: no file has it.
 bool is_no_file(const option_entry& option) {
   const std::string& v = option.value;
   return v.size() == 1 || v == "BETA" || v == "DEG" || v == "MB" || v == "SECONDS" || v == "NAME";
@@ -73,7 +73,7 @@ std::string bash_script(const std::vector<command_entry>& tree) {
          "complete -o filenames -F _asterism asterism\n";
 }
 
-// Text in single quotes, with a backslash before what `special` has.
+// Returns the text in single quotes, with a backslash before the characters in `special`.
 std::string quoted(const std::string& text, const std::string& special) {
   std::string safe = "'";
   for (const char c : text) {
@@ -104,7 +104,7 @@ std::string zsh_argument(const option_entry& option) {
                        quoted((option.repeats ? "*:" : ":") + option.names[0] + ":" + action, ""));
   std::string lines;
   for (const std::string& name : option.names) {
-    // "=": the value follows in the next word or, after that sign, in the same one.
+    // Marks with "=" that the value is the next word or, after that sign, in the same one.
     const bool joins = !option.value.empty() && name.rfind("--", 0) == 0;
     std::string spec = fmt::format("*{}{}[", name, joins ? "=" : "");
     for (const char c : option.text)

@@ -10,7 +10,7 @@
 
 namespace asterism::apps {
 
-// Returns a completion script: of "bash", "zsh" or "fish".
+// Returns the completion script of a shell: "bash", "zsh" or "fish".
 std::string completion_script(const std::vector<command_entry>& tree, const std::string& shell);
 
 }  // namespace asterism::apps

@@ -44,7 +44,7 @@ constexpr std::array<heading, 5> headings = {{
 // Column at which CLI11 begins descriptions.
 constexpr std::size_t description = 30;
 
-// Returns how far the lines are indented that a broken line goes on with.
+// Returns the number of columns by which continuation lines are indented.
 std::size_t indent_of(std::string_view line) {
   const std::size_t words = line.find_first_not_of(' ');
   const bool is_entry = words == 2 && line.size() > description && line[description - 1] == ' ';
@@ -68,14 +68,14 @@ void append_wrapped(std::string& out, std::string_view line, std::size_t columns
   out.append(line).append("\n");
 }
 
-// Tells whether a line goes on with the paragraph of the line before: neither is indented or empty.
+// True if a line continues the paragraph of the line before: neither is indented or empty.
 bool goes_on(std::string_view before, std::string_view line) {
   const auto is_text = [](std::string_view text) { return !text.empty() && text.front() != ' '; };
   return is_text(before) && is_text(line) && line.find("Usage:") != 0;
 }
 
-// Splits help into lines, and joins the lines of each paragraph into one: they were broken for a
-// width other than the one at hand.
+// Splits help into lines, and joins the lines of each paragraph into one: they were broken for
+// another width.
 std::vector<std::string> paragraphs_of(const std::string& help) {
   std::vector<std::string> lines;
   std::istringstream text(help);

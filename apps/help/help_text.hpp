@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lays out what --help and `asterism help` print.
+// Lays out the text of --help and `asterism help`.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ class App;
 
 namespace asterism::apps {
 
-// Puts the options of every command under headings: what is wanted, the domain, files and words,
-// limits. An option that has no heading of its own stays under "Options".
+// Groups the options of every command under headings: mesh wanted, domain, files and words, limits.
+// An option that has no heading of its own stays under "Options".
 void group_options(CLI::App& program);
 
-// Returns the columns that lines may take: those of COLUMNS, else of the terminal that standard
+// Returns the number of columns of a line: that of COLUMNS, else of the terminal that standard
 // output is, else 100.
 std::size_t help_columns();
 

@@ -10,7 +10,7 @@
 namespace asterism::apps {
 namespace {
 
-// Text as roff takes it: no line begins a request, and a hyphen stays one.
+// Returns the text escaped for roff: no line begins a request, and a hyphen stays one.
 std::string roff(const std::string& text) {
   std::string safe;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -11,7 +11,7 @@
 
 namespace asterism::apps {
 
-// Returns the manual page, in the macros of man(7), of the entry `which`.
+// Returns the manual page of the entry `which`, in the macros of man(7).
 std::string manual_page(const std::vector<command_entry>& tree, std::size_t which);
 
 }  // namespace asterism::apps

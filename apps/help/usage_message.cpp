@@ -14,8 +14,8 @@
 namespace asterism::apps {
 namespace {
 
-// Returns how many letters must be changed, added, taken away or exchanged with their neighbour to
-// make one word of the other (optimal string alignment).
+// Returns the number of letters that must be changed, added, removed or exchanged with their
+// neighbour to turn one word into the other (optimal string alignment).
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   std::iota(rows[0].begin(), rows[0].end(), std::size_t{0});
@@ -48,8 +48,8 @@ std::string completed(const std::string& word, const std::vector<std::string>& n
   return word.size() >= least && is_one ? shortest : "";
 }
 
-// "; did you mean --size?" where a name was begun, or is at most two letters off, and less than
-// half of it.
+// Returns a clause such as "; did you mean --size?" if a name was begun, or differs in at most two
+// letters and less than half of them.
 std::string meant(const std::string& word, const std::vector<std::string>& names) {
   const std::string whole = completed(word, names);
   if (!whole.empty()) return "; did you mean " + whole + "?";
@@ -75,7 +75,7 @@ struct foreign_option {
   std::string_view ours, what;
 };
 
-// Options of other meshers, and what they are called here.
+// Names of options in other meshers, and the options here that mean the same.
 constexpr std::array<foreign_option, 40> foreign_options = {{
     {"hmax", "--size", "the length of an edge of metric length 1"},
     {"hsiz", "--size", "the length of an edge of metric length 1"},
@@ -120,8 +120,8 @@ constexpr std::array<foreign_option, 40> foreign_options = {{
     {"chord", "--at-most", "the distance that is to be proved"},
 }};
 
-// Returns what an unknown option is called here, as the end of a message; empty if that is not
-// known. Triangle and others write a value right behind the letter: -q30.
+// Returns, as the end of a message, the option here that an unknown one corresponds to; empty if
+// there is none known. Triangle and others write a value right behind the letter: -q30.
 std::string hint_for(const std::string& word, const std::vector<std::string>& known) {
   std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
   if (word[1] != '-' && name.size() > 1 && std::isalpha(static_cast<unsigned char>(name[1])) == 0)
@@ -136,14 +136,15 @@ std::string hint_for(const std::string& word, const std::vector<std::string>& kn
   return "";
 }
 
-// The first word that looks like an option and is none of them; empty if all are.
+// Returns the first word that looks like an option and is none of those known; empty if there is
+// none.
 std::string unknown_option(const std::vector<std::string>& words,
                            const std::vector<std::string>& known) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     const std::string name = words[i].substr(0, words[i].find('='));
     const bool looks_so = name.size() > 1 && name[0] == '-' &&
                           (name[1] == '-' || std::isalpha(static_cast<unsigned char>(name[1])));
-    // -oFILE
+    // Recognises an option with its value in one word: -oFILE
     if (looks_so && name.size() > 2 && name[1] != '-' && name[1] != 'h' &&
         std::find(known.begin(), known.end(), name.substr(0, 2)) != known.end())
       continue;
@@ -152,7 +153,8 @@ std::string unknown_option(const std::vector<std::string>& words,
   return "";
 }
 
-// "usage: asterism check MESH PROOF --angle-bound B --metric SOL": what cannot be left out.
+// Returns the shortest usage, with required arguments alone: "usage: asterism check MESH PROOF
+// --angle-bound B --metric SOL".
 std::string shortest_use(const CLI::App& app) {
   std::string arguments, options;
   for (const CLI::Option* option : app.get_options()) {
@@ -191,7 +193,7 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   const std::string help = "\n'asterism " + app->get_name() + " --help' lists the options.";
   const std::vector<std::string> known = options_of(*app);
   const std::string unknown = unknown_option(words, known);
-  // A required argument may have been given under a wrong name.
+  // Looks for a required argument that may have been given under a wrong name.
   const bool may_be_name = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
                            dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
   if (!may_be_name) return failure.what() + help;
@@ -199,7 +201,7 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   return no_such_option(*app, unknown);
 }
 
-// Commands of other programs, and what they are called here.
+// Names of commands in other programs, and the commands here that do the same.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 14> foreign_commands = {
     {{"plot", "draw"},
      {"view", "draw"},

@@ -13,10 +13,10 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// Columns of a manual page, which does not break lines of examples.
+// Width in columns of a manual page, which does not break lines of examples.
 constexpr std::size_t columns = 100;
 
-// Returns an entry: help breaks a long one below its sentence.
+// Returns an entry of a list, its name and sentence; help breaks a long one below the sentence.
 std::string entry(std::string_view what, std::string_view sentence) {
   return fmt::format("  {:<27} {}\n", what, sentence);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists for help what a domain, a metric and a file of a mesh may be.
+// Lists for help the possible values of a domain, a metric and a file of a mesh.
 #pragma once
 
 #include <string>

@@ -31,7 +31,7 @@ std::string text_of(const bounding_box& box) {
                      number_text(box.low.y), number_text(box.high.y));
 }
 
-// "1 (12), 5 (3)": each number and how often it is there; the first ten.
+// Returns each number with its count, "1 (12), 5 (3)", for the first ten numbers.
 std::string text_of(const std::map<int, std::size_t>& counts,
                     const std::map<int, std::string>& names = {}) {
   std::string text;
@@ -162,7 +162,7 @@ std::string text_of(const solution_field& field) {
                      number_text(*least), number_text(*most));
 }
 
-// Numbers at vertices mean nothing without the mesh, which is looked for beside them.
+// Reads numbers at vertices with the mesh beside them: without one they mean nothing.
 result<file_facts> facts_of_solution(const fs::path& path) {
   std::error_code ignored;
   for (const char* const ending : {".mesh", ".meshb", ".msh"}) {
@@ -218,7 +218,7 @@ result<file_facts> facts_of_file(const fs::path& path) {
   const std::string name = path.string();
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return error{name + ": is a directory, not a file"};
-  // A .vtu file is a mesh, a solution on one, or both.
+  // Finds whether a .vtu file is a mesh, a solution on one, or both.
   if (is_mesh_file(name)) {
     auto facts = facts_of_mesh(path);
     if (facts || !has_ending(name, ".vtu")) return facts;
@@ -241,7 +241,8 @@ result<file_facts> facts_of_file(const fs::path& path) {
                  what_it_is(name)};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());
-  // A certificate may have any name; a domain's message is the one to tell otherwise.
+  // Tries a certificate, which may have any name; if the file is none either, the message about
+  // domains is shown.
   if (has_ending(name, ".json"))
     if (auto facts = facts_of_certificate(path)) return facts;
   return loaded.failure();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says what a file holds, without judging it.
+// Lists the contents of a file, without judging it.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace asterism::apps {
 
-// Facts in the order in which they are told: a name such as "vertices", and a count, or words.
+// Facts in order: a name such as "vertices", and a count, or words.
 using file_facts = std::vector<std::pair<std::string, std::variant<std::string, std::size_t>>>;
 
 // Reads a domain, a mesh (with what is beside it), a solution or metric (with the mesh beside it)

@@ -47,7 +47,7 @@ result<field_in_box> metric_of(const mesh_job& job) {
       });
 }
 
-// Adds to a refusal that an option mends it, or may mend it, if there is such an option.
+// Adds to a refusal the option that mends or may mend it, if there is one.
 error with_remedy(const error& refusal, const domain& d) {
   const repair_hint hint = try_repair(d);
   switch (hint.answer) {
@@ -74,8 +74,8 @@ error without_repair(const error& refusal) {
           refusal.code};
 }
 
-// Returns the domain put in order, its curves divided. A domain with curves is not repaired, even
-// if that is asked for.
+// Returns the domain put in order, with its curves divided. A domain with curves is not repaired,
+// even if that is asked for.
 result<domain> checked_domain(const mesh_job& job, const domain& loaded, domain_repairs& repairs) {
   const bool has_curves = !loaded.curves.empty();
   if (job.repair && !has_curves) return repair_domain(loaded, job.repair_distance, &repairs);
@@ -88,9 +88,9 @@ result<domain> checked_domain(const mesh_job& job, const domain& loaded, domain_
   return job.repair ? without_repair(checked.failure()) : with_remedy(checked.failure(), loaded);
 }
 
-// Takes the areas that the domain wants of triangles in its regions as sizes there. A triangle is
-// too large when its corners are farther than 0.75 from its centre, so that none has more than 3/4
-// sqrt(3) 0.75^2 = 0.7308 of the square of the size.
+// Converts the areas that a domain asks of the triangles in its regions to sizes there. A triangle
+// is too large when its corners are farther than 0.75 from its centre, so that none has more than
+// 3/4 sqrt(3) 0.75^2 = 0.7308 of the square of the size.
 std::optional<error> take_areas(domain& d, size_wishes& sizes) {
   constexpr double greatest_area = 0.7308;
   std::map<int, double> known;
@@ -135,8 +135,8 @@ result<domain> load_and_check(const mesh_job& job, domain& loaded, domain_repair
   return put_in_order(job, loaded, repairs, sizes);
 }
 
-// Returns what a mesh covers, with its vertices, boundary edges and regions; its metric is not
-// used.
+// Returns the domain that a mesh covers, with the mesh's vertices, boundary edges and regions; its
+// metric is not used.
 result<domain> domain_of_mesh(const mesh_job& job, mesh read, crack_markers& cracks) {
   if (job.repair)
     return error{"--repair-domain: " + job.domain + " is a mesh, whose edges are kept as they are"};
@@ -153,8 +153,8 @@ result<domain> domain_of_mesh(const mesh_job& job, mesh read, crack_markers& cra
   return std::move(adopted.value().shape);
 }
 
-// Reads the domain of a mesh file: what its triangles cover, or what its edges bound where it has
-// no triangles.
+// Reads the domain of a mesh file: the area its triangles cover, or that its edges bound where it
+// has no triangles.
 result<domain> read_mesh_domain(const mesh_job& job, domain& loaded, prepared_input& prepared) {
   auto read = read_mesh_file(job.domain, {.without_solution = true});
   if (!read) return read.failure();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads what a mesh job starts from: its domain, checked, and its metric.
+// Reads the input of a mesh job: its domain, checked, and its metric.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@
 
 namespace asterism::apps {
 
-// Domain and metric of a job, with what is known of where they come from.
+// Domain and metric of a job, with their files and notes.
 struct prepared_input : mesh_input {
-  // For meshes of other densities. None where no number of vertices is met, since it may hold a
-  // large mesh with the metric.
+  // Source of meshes of other densities. None where no number of vertices is wanted, since it may
+  // hold a large mesh with the metric.
   std::optional<mesh_source> source = {};
   domain_repairs repairs = {};  // of the domain; distance 0: none were asked for
   size_wishes sizes = {};       // of the job, and of the domain's file where they are asked for

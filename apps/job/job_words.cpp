@@ -14,7 +14,7 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// Returns every place where the domain was changed, each as a word and two coordinates.
+// Returns all places where the domain was repaired, each as a word and two coordinates.
 std::string text_of_places(const domain_repairs& repairs) {
   std::string text;
   for (const repair_place& place : repairs.places)
@@ -23,7 +23,7 @@ std::string text_of_places(const domain_repairs& repairs) {
   return text.empty() ? "none" : text;
 }
 
-// Returns the size the mesh was made for; "none", too, where it was made without demands.
+// Returns the size for which the mesh was made; "none" also where it was made without demands.
 std::string text_of_size_delivered(const mesh_job& job, const mesh_outcome& outcome) {
   const bool demanded = !outcome.one_metric || outcome.one_metric->has_demands;
   return job.size && demanded ? number_text(*job.size * outcome.ended.length_factor) : "none";

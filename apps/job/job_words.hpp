@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Words what a mesh job was asked and what came of it, as certificates hold it.
+// Returns the words of a mesh job in its certificate: options and outcome.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@
 
 namespace asterism::apps {
 
-// Returns the options of the certificate, by name.
+// Returns the options for the certificate, by name.
 std::map<std::string, std::string> options_of(const mesh_job& job, const prepared_input& input,
                                               const mesh_outcome& outcome);
 
-// Returns what a comment in the mesh's files says: nothing of a certified mesh, else what is
-// missing.
+// Returns the comment for the mesh's files: empty for a certified mesh, else the reason why it is
+// none.
 std::string file_note_of(const certificate& claim);
 
 }  // namespace asterism::apps

@@ -14,7 +14,7 @@ namespace asterism::apps {
 namespace {
 using internal::format_number;
 
-// Bound that refinement is known to reach in every domain without sharp corners that was tried.
+// Angle bound, in degrees, that refinement reached in all tested domains without sharp corners.
 constexpr double safe_bound = 20;
 
 // Returns the number rounded up to two digits.
@@ -23,8 +23,8 @@ double in_two_digits(double x) {
   return std::ceil(x / unit) * unit;
 }
 
-// Without a size a bound that cannot be met takes any number of sites. With one, a fifth more than
-// are wanted, since that is an estimate.
+// Returns a limit on sites to try. Without a size a bound that cannot be met takes any number of
+// sites. With one, a fifth more than the estimated number is suggested.
 std::string more_sites(const mesh_job& job, const mesh_outcome& outcome) {
   const std::size_t limit = job.refinement.max_sites;
   if (!job.refinement.limit_size && job.refinement.angle_bound > safe_bound)
@@ -37,7 +37,8 @@ std::string more_sites(const mesh_job& job, const mesh_outcome& outcome) {
   return fmt::format("--max-sites {:.0f}, or a larger --size", in_two_digits(wanted));
 }
 
-// Each step of a guarantee takes up to 1.69 times the sites of the one before.
+// Returns a limit on sites for some more steps of a guarantee: each step takes up to 1.69 times the
+// sites of the one before.
 std::string more_steps(const mesh_job& job) {
   constexpr std::size_t some_steps = 4;
   return fmt::format("--max-sites {}, or --gradation {:.3g}", some_steps * job.refinement.max_sites,
@@ -50,8 +51,8 @@ std::string smoother(const mesh_job& job) {
 }
 
 // Returns a bound to try. Narrow places that cannot be mended for one bound often can for half of
-// it (water.poly: 70 triangles left at 20 degrees, none at 10); below the worst angle nothing is
-// left. A mesh without a triangle tells of no angle.
+// it (water.poly: 70 triangles left at 20 degrees, none at 10); a bound below the worst angle
+// leaves no bad triangle. A mesh without triangles has no worst angle.
 std::string lower_bound(const mesh_job& job, const certified_mesh& made, const std::string& other) {
   const double bound =
       std::max(std::floor(job.refinement.angle_bound / 2), std::floor(made.report.worst().degrees));
@@ -59,8 +60,8 @@ std::string lower_bound(const mesh_job& job, const certified_mesh& made, const s
   return fmt::format("--angle-bound {:.0f}, or {}", bound, other);
 }
 
-// Returns the option that joins vertices a rounding apart; empty where there are none, and where
-// the domain is of a kind that is not repaired.
+// Returns the option that joins vertices a rounding apart; empty where there are none, or where
+// domains of this kind are not repaired.
 std::string repair(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
   if (job.repair || input.of_mesh || !input.shape.curves.empty()) return "";
   const auto edge = internal::shortest_given_edge(outcome.result);
@@ -74,8 +75,8 @@ bool has_one_metric(const mesh& m) {
                      [&m](const site& s) { return s.metric == m.sites.front().metric; });
 }
 
-// Returns what to do about bad triangles for which there are no places: first what was asked for
-// that keeps sites away, then the domain, and the metric only if it varies.
+// Returns the remedies for bad triangles that have no places for sites: first the options that keep
+// sites away, then the domain, and the metric only if it varies.
 std::string more_places(const mesh_job& job, const certified_mesh& made) {
   const mesh_options& asked = job.refinement;
   const mesh_outcome& outcome = made.outcome;
@@ -120,7 +121,7 @@ std::string next_step(const mesh_job& job, const prepared_input& input,
     case ending::stopped:
       return more_time_or_memory(job, outcome);
     case ending::intolerable:
-      // Rounded up, as the metric delivered depends a little on the tolerance.
+      // Rounds up, as the delivered metric depends a little on the tolerance.
       return fmt::format("--metric-tolerance {:g}, a smaller --size, or --gradation",
                          in_two_digits(outcome.intolerable->greatest));
     case ending::stuck:

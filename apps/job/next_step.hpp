@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says what to try after a run that did not end as wanted.
+// Suggests what to try after a run that did not reach its goal.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 namespace asterism::apps {
 
 // Returns options to add or to replace, those likeliest to help first and with their numbers, then
-// other ways; empty where none would help. Goes by what kept the run from its end, not by how it
-// ended. The table of docs/manual/statuses.md has a run for each.
+// other ways; empty where none would help. The suggestion depends on what prevented the goal, not
+// on how the run ended. The table of docs/manual/statuses.md has a run for each.
 std::string next_step(const mesh_job& job, const prepared_input& input, const certified_mesh& made);
 
 }  // namespace asterism::apps

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Brings what a mesh was asked for into the forms that checkers of proofs read: a domain of
-// segments and points, and a metric of tensors at the vertices of the mesh.
+// Converts the question of a mesh into the forms that checkers of proofs read: a domain of segments
+// and points, and a metric of tensors at the vertices of the mesh.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,16 @@
 
 namespace asterism::apps {
 
-// Asks for the repair of a domain, within a distance (mesh/domain/repair_domain.hpp) or, without
+// Options of the repair of a domain, within a distance (mesh/domain/repair_domain.hpp) or, without
 // one, the least that suffices.
 struct domain_repair {
   bool is_asked = false;
   std::optional<double> distance = {};
 };
 
-// Returns the domain that `asterism mesh NAME` takes, as segments, hole points and region points
-// say it: its vertices are the first ones of every mesh of it. What had to be put in order is said.
-// Fails for curves, which are divided for each mesh anew.
+// Returns the domain that `asterism mesh NAME` takes, as segments, hole points and region points:
+// its vertices are the first ones of every mesh of it. Writes notes on what was put in order. Fails
+// for curves, which are divided for each mesh anew.
 result<domain> plain_domain(const std::string& name, const note_options& notes,
                             const domain_repair& repair = {});
 

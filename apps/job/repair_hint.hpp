@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds out for a hint whether --repair-domain would mend a domain that is refused.
+// Finds whether --repair-domain would mend a domain that is refused, for a hint.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace asterism::apps {
 
-// Answer of a repair that was tried.
+// Result of a tried repair.
 enum class repair_answer {
   mends,
   fails,

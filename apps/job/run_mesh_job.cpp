@@ -62,7 +62,7 @@ std::vector<fs::path> files_read_by(const mesh_job& job) {
   return used;
 }
 
-// Adds to the certificate what only the command knows: how the job was worded.
+// Adds to the certificate what only the command knows: the words of the options.
 void describe(certified_mesh& made, const mesh_job& job, const prepared_input& input) {
   made.claim.metric = job.metric;
   made.claim.options = options_of(job, input, made.outcome);
@@ -98,7 +98,7 @@ result<std::vector<side_node>> curve(const mesh_job& job, const prepared_input& 
   return std::move(sides.value().nodes);
 }
 
-// Returns how the mesh is to be written.
+// Returns the options for writing the mesh.
 write_options how_to_write(const mesh_job& job, const fs::path& certificate_path,
                            const prepared_input& input, const certified_mesh& made,
                            std::vector<side_node> curved) {
@@ -116,15 +116,15 @@ write_options how_to_write(const mesh_job& job, const fs::path& certificate_path
   return how;
 }
 
-// Says how many vertices came out, and, where these are not near those wanted, that nothing nearer
-// was found.
+// Writes the number of vertices and, if it is not near the one wanted, that no nearer one was
+// found.
 std::string vertex_count_text(std::size_t wanted, std::size_t delivered) {
   const double more = 100 * (static_cast<double>(delivered) / static_cast<double>(wanted) - 1);
   return fmt::format("vertices: {} wanted, {} delivered ({:+.1f} %{})", wanted, delivered, more,
                      is_count_near(wanted, delivered) ? "" : ": none nearer to that were found");
 }
 
-// Says how near the mesh is to what was asked of its size in all.
+// Writes how near the mesh is to the size or number that was asked for.
 void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_outcome& outcome) {
   if (!input.metric.complexity) return;
   if (job.refinement.vertices)
@@ -135,8 +135,8 @@ void tell_scale(const mesh_job& job, const prepared_input& input, const mesh_out
   std::cout << ", size " << number_text(*job.size) << '\n';
 }
 
-// Tells of the mesh: the verdict, then what was asked beside what was delivered, and what was done
-// on the way.
+// Writes the summary of the mesh: the verdict, then the options beside the measures, and notes on
+// the run.
 void tell(const mesh_job& job, const prepared_input& input, const certified_mesh& made) {
   if (!job.tells()) return;
   const mesh_outcome& outcome = made.outcome;
@@ -158,7 +158,7 @@ void tell(const mesh_job& job, const prepared_input& input, const certified_mesh
     std::cout << "improvement: " << text_of(*outcome.improved, outcome.sites) << '\n';
 }
 
-// Returns the status of the run, and says on standard error what was not reached.
+// Returns the status of the run, and writes to standard error what was not reached.
 int conclude(const mesh_job& job, const certified_mesh& made) {
   const mesh_outcome& outcome = made.outcome;
   const audit_report& report = made.report;
@@ -178,8 +178,9 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
 result<certified_mesh> mesh_with_progress(const mesh_job& job, const mesh_input& input,
                                           const mesh_options& options, run_limits& limits) {
   progress_line line(!job.quiet);
-  // From so many sites on freed blocks go back to the system: sooner in a fill, in which blocks of
-  // all sizes come and go before it is at its largest (3 % of all at a million triangles).
+  // Number of sites from which freed blocks are given back to the system: lower for a fill, in
+  // which blocks of all sizes are freed before it is at its largest (3 % of the memory at a million
+  // triangles).
   const std::size_t many = options.limit_size ? 100'000 : 300'000;
   bool keeps_blocks = !job.max_megabytes;
   const auto show = [&](const mesh_progress& progress) {
@@ -195,8 +196,8 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const mesh_input&
                       job.periodic);
 }
 
-// Makes the mesh. If that takes more memory than there may be, all of it is given back, and the
-// mesh of the run is what there is without a step of the mesher: the domain's vertices and
+// Makes the mesh. If that exceeds the memory limit, all memory is given back, and the
+// result is a mesh without any step of the mesher: the domain's vertices and
 // segments.
 result<certified_mesh> mesh_within_memory(const mesh_job& job, const mesh_input& input,
                                           const mesh_options& options, run_limits& limits) {
@@ -208,8 +209,8 @@ result<certified_mesh> mesh_within_memory(const mesh_job& job, const mesh_input&
   return mesh_with_progress(job, input, options, limits);
 }
 
-// Makes the mesh of a job, with as many vertices as are wanted, if any are, and changes the input
-// to what it was made of.
+// Makes the mesh of a job, with the number of vertices wanted, if one is, and replaces the input by
+// that of this mesh.
 result<certified_mesh> make(const mesh_job& job, prepared_input& input, run_limits& limits) {
   mesh_options options = job.refinement;
   options.keep_if_complete = input.of_mesh;
@@ -240,8 +241,8 @@ int run_within_limits(const mesh_job& asked) {
     return complain(*failure, refused);
   std::optional<memory_account> account;
   if (job.max_megabytes) account.emplace(*job.max_megabytes * 1e6);
-  // Until all is written: an interrupt during the audit must not lose the mesh, nor one between two
-  // files the second.
+  // Holds signals until all is written: an interrupt during the audit must not lose the mesh, nor
+  // one between two files the second file.
   run_limits limits(job.max_seconds, job.max_megabytes);
   if (!job.max_megabytes) keep_freed_blocks();
   auto input = prepare(job);

@@ -13,7 +13,7 @@ namespace {
   throw CLI::ValidationError(name, what);
 }
 
-// "; did you mean 0.1?" for 0,1: the point of some countries is read nowhere here.
+// Returns the clause "; did you mean 0.1?" for 0,1: decimal commas are not read.
 std::string meant_number(std::string text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) return "";

@@ -32,11 +32,11 @@ inline constexpr real_range sizes = {1e-150, 1e150, true, true, "positive, from 
 // Range of --gradation.
 inline constexpr real_range gradations = {1, 1e100, false, true, "above 1, at most 1e100"};
 
-// Returns the number that the text of an option is. Throws CLI::ValidationError, as an option's
-// reader may, where it is none or out of range.
+// Returns the number in the text of an option. Throws CLI::ValidationError, as an option's reader
+// may, where it is none or out of range.
 double real_of(const std::string& name, const std::string& text, const real_range& range);
 
-// Adds an option with a real number. `assign` gets the value once it is accepted.
+// Adds an option with a real number. Calls `assign` with a valid value.
 CLI::Option* add_real(CLI::App& app, const std::string& name, const real_range& range,
                       const std::function<void(double)>& assign, const std::string& description);
 
@@ -52,7 +52,7 @@ void add_seconds_option(CLI::App& app, std::optional<double>& seconds,
 // Adds --quiet and --json of a command that ends with a summary.
 void add_summary_flags(CLI::App& app, bool& quiet, bool& json, const std::string& without);
 
-// Adds the flags of every command that judges a mesh.
+// Adds the flags that all commands which judge a mesh have in common.
 void add_judging_flags(CLI::App& app, bool& all_findings, bool& all_edges);
 
 }  // namespace asterism::apps

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The option --periodic of `mesh` and `adapt`, and what is told of it.
+// Adds the option --periodic of `mesh` and `adapt`, and writes its results.
 #pragma once
 
 #include <CLI/CLI.hpp>

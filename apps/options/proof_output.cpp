@@ -13,7 +13,8 @@ using namespace internal;
 
 namespace {
 
-// A checker is given a domain with polygons in its plain form, whose points the proof places.
+// Makes the proof with the plain form of a domain with polygons: checkers read that form, whose
+// points the proof places.
 result<mesh_proof> proof_of(const mesh& subject, const domain* shape) {
   if (shape == nullptr) return make_proof(subject, nullptr);
   const auto plain = plain_form(*shape);

@@ -18,13 +18,13 @@ namespace asterism::apps {
 // Adds --proof.
 void add_proof_option(CLI::App& app, std::filesystem::path& proof);
 
-// A proof that was asked for, and why there is none.
+// The proof that --proof asks for, or the reason why there is none.
 struct proof_output {
   std::optional<internal::mesh_proof> proof;
   std::optional<error> missing;
 
-  // Returns the status of the run, which was `status` without this: a proof that is missing is
-  // told, and is nothing that was reached.
+  // Returns the status of the run, which would be `status` without a proof: a missing proof is
+  // reported, and counts as a goal not reached.
   int conclude(int status) const;
 };
 
@@ -32,7 +32,7 @@ struct proof_output {
 proof_output find_proof(const std::filesystem::path& path, const mesh& subject, const domain* shape,
                         bool is_certified);
 
-// Returns the file, which refers to both.
+// Returns the file of the proof; it refers to proof and mesh.
 internal::output_file proof_file(const std::filesystem::path& path, const mesh& subject,
                                  const internal::mesh_proof& proof);
 

@@ -15,7 +15,7 @@ bool can_hold(const fs::path& output) {
   return format && holds_second_order(format.value());
 }
 
-// Pictures and pages are drawn of straight sides whatever the mesh is.
+// Skips pictures and pages, which show straight sides for every mesh.
 bool is_drawn(const fs::path& output) {
   const auto format = mesh_format_of(output);
   return format && (is_picture(format.value()) || format.value() == mesh_format::html);

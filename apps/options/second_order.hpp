@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The option that makes triangles of second order, and what is noted of outputs.
+// Adds the option that makes triangles of second order, and notes on its outputs.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -20,8 +20,8 @@ CLI::Option* add_order_option(CLI::App& app, int& order);
 // Refuses an order that no file of the output can hold.
 std::optional<error> check_order(int order, const std::vector<std::filesystem::path>& outputs);
 
-// Returns a note for each mesh of the output that has straight sides though others are asked for,
-// and one on the sides of all that are kept straight.
+// Returns a note for each output whose format holds straight sides alone though second order is
+// asked for, and one on sides kept straight in all outputs.
 std::vector<std::string> notes_of_order(const std::vector<std::filesystem::path>& outputs,
                                         const second_order_report& report);
 

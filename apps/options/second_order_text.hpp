@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Words the report on triangles of second order.
+// Returns the text of the report on triangles of second order.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace asterism::apps {
 
-// Returns "second order: 812 triangles, none folds; ...".
+// Returns a line such as "second order: 812 triangles, none folds; ...".
 std::string text_of(const second_order_report& report);
 
 }  // namespace asterism::apps

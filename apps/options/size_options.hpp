@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Describes the options for sizes at places and bounds on all sizes.
+// Adds the options for local sizes and bounds on all sizes.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,7 +12,8 @@
 
 namespace asterism::apps {
 
-// Sizes as the command line has them: names of regions and markers are not numbers yet.
+// Sizes as written on the command line: names of regions and markers are not yet replaced by
+// numbers.
 struct worded_size {
   std::string option, kind, text;
 };

@@ -141,7 +141,7 @@ void add_solution_options(CLI::App& app, metric_request& request) {
   add_bound_options(app, request);
 }
 
-// A mesh in a file that holds fields, too, is adapted to these where nothing else is named.
+// Adapts to the fields in the mesh's own file where no other source is named.
 void set_defaults(metric_request& request) {
   const bool has_source = is_of_fields(request) || !request.metric.empty() || request.implied;
   if (!has_source && holds_fields(request.mesh)) request.solution = request.mesh;
@@ -154,7 +154,7 @@ std::optional<error> refuse(std::string what) {
   return error{std::move(what), error_code::bad_option};
 }
 
-// Refuses a relative error that cannot be what was meant.
+// Refuses a relative error so large that it was probably not intended.
 std::optional<error> check_relative(const metric_request& request) {
   const solution_metric_options& w = request.wishes;
   if (w.relative && !w.error) return refuse("--relative is of an --error, and there is none");
@@ -168,7 +168,7 @@ std::optional<error> check_relative(const metric_request& request) {
   return std::nullopt;
 }
 
-// Refuses what is said of fields where there are none.
+// Refuses options about fields if there are no fields.
 std::optional<error> check_fields(const metric_request& request) {
   const solution_metric_options& w = request.wishes;
   const std::pair<bool, const char*> of_fields[] = {{!request.fields.empty(), "--field"},

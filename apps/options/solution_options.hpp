@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Options that make a metric of a solution, which several commands have.
+// Adds the options that make a metric from a solution, for several commands.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,13 +13,13 @@
 
 namespace asterism::apps {
 
-// Adds MESH, --solution and the wishes.
+// Adds MESH, --solution and the options of the metric.
 void add_solution_options(CLI::App& app, internal::metric_request& request);
 
-// Sets what was not named and depends on the source: the gradation.
+// Sets defaults that depend on the source of the metric: the gradation.
 void set_defaults(internal::metric_request& request);
 
-// Refuses requests that contradict themselves. Empty if this one does not.
+// Returns an error for options that contradict each other; empty if none do.
 std::optional<error> check_request(const internal::metric_request& request);
 
 // Returns the files that the request reads.

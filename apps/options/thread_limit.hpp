@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Limits the number of threads that work.
+// Limits the number of threads.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -15,11 +15,12 @@ class App;
 
 namespace asterism::apps {
 
-// Adds --threads, one alone in a program that was built without oneTBB. `what` is the same for any
-// number: "the mesh is".
+// Adds --threads, one alone in a program that was built without oneTBB. `what` names the result
+// that does not depend on the number: "the mesh is".
 void add_threads_option(CLI::App& app, std::size_t& threads, const std::string& what);
 
-// Limits the number of threads that work while it lives. 0 sets no limit: there is one a processor.
+// Limits the number of threads during its lifetime. 0 sets no limit: there is one thread a
+// processor.
 class thread_limit {
  public:
   explicit thread_limit(std::size_t threads) {

@@ -19,15 +19,15 @@
 
 namespace asterism::apps {
 
-// The index of the folder.
+// The index of the folder of a mesh in pieces.
 std::filesystem::path index_in(const std::filesystem::path& folder);
 
-// Refuses endings that no mesh is written with.
+// Refuses file endings for which there is no writer of meshes.
 std::optional<error> check_piece_formats(const std::vector<std::string>& endings);
-// Refuses a folder that is something else, or whose parent is not there.
+// Refuses a folder with other contents, or without a parent folder.
 std::optional<error> check_piece_places(const mesh_job& job);
 
-// Tells of all pieces, in one line.
+// Writes one line about all pieces.
 std::string text_of_pieces(const internal::pieces_index& index);
 
 // A piece as its files hold it; `digest` is of the certificate's bytes.
@@ -42,24 +42,25 @@ class piece_files {
   piece_files(const mesh_job& job, const prepared_input& input);
 
   std::filesystem::path index_path() const { return index_in(folder_); }
-  // Makes the folder, and takes away an index that is there: what follows is not its mesh.
+  // Makes the folder, and removes an old index: the pieces that follow belong to another mesh.
   std::optional<error> prepare_folder() const;
   // Writes all files of a piece, together or not at all. Returns the digest of its certificate.
   result<std::uint64_t> write_piece(internal::piece_index p, const certified_mesh& made) const;
-  // Returns the piece if all its files are there, belong together and answer this question.
+  // Returns the piece if all its files exist, belong together and answer this question.
   std::optional<stored_piece> read_piece(internal::piece_index p,
                                          const std::string& question) const;
   std::optional<error> write_rounds(const internal::rounds_done& done) const;
   std::optional<internal::rounds_done> read_rounds(std::size_t edges, std::size_t pieces) const;
-  // Write and read the part of a metric on a mesh that a piece wants.
+  // Write and read the part of a metric on a mesh that a piece needs.
   std::optional<error> write_metric(internal::piece_index p,
                                     const internal::metric_part& part) const;
   result<std::unique_ptr<metric_field>> read_metric(internal::piece_index p) const;
-  // Writes the index, which ends the run: what only a run that goes on needs is taken away.
+  // Writes the index, which ends the run, and removes the files that only a continued run would
+  // need.
   std::optional<error> write_index(const internal::pieces_index& index) const;
 
  private:
-  // Writes one file of gmsh's with all pieces, where .msh is asked for.
+  // Writes one gmsh file with all pieces, where .msh is asked for.
   std::optional<error> write_partitioned(const internal::pieces_index& index) const;
   std::filesystem::path file_of(internal::piece_index p, const std::string& ending) const;
 

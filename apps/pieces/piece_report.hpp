@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what became of a piece in one round, as the members of a team tell each other.
+// Holds the result of a piece in one round, as the members of a team exchange it.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ struct piece_report {
   internal::piece_entry entry;
   std::vector<internal::seam_in_mesh> asked;
   std::vector<std::pair<std::size_t, std::uint64_t>> digests;  // of seams: edge, digest
-  // Why there is no mesh of it; empty where there is one.
+  // Reason why the piece has no mesh; empty where it has one.
   std::string failure;
 };
 
-// Returns the reports as one text, in which numbers are told exactly.
+// Returns the reports as one text, in which numbers are exact.
 std::string text_of(const std::vector<piece_report>& reports);
 // Reads what text_of wrote.
 std::vector<piece_report> reports_of(const std::string& text);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The programs that share one run in pieces out among them: one alone, or the ranks of MPI.
+// Defines the team of programs that share a run in pieces: one program alone, or the ranks of MPI.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace asterism::apps {
 
-// One member's view of a team. This one is a team of one; a team of several derives from it.
+// Interface of one member to its team. This base class is a team of one; a team of several derives
+// from it.
 class piece_team {
  public:
   piece_team() = default;
@@ -20,8 +21,8 @@ class piece_team {
   // Returns this member's number, from 0.
   virtual std::size_t rank() const { return 0; }
   virtual std::size_t size() const { return 1; }
-  // Gives what each member brings, in the order of their numbers, to all of them. All must call it
-  // equally often.
+  // Gives the texts of all members, in the order of their numbers, to each of them. All members
+  // must call it equally often.
   virtual std::vector<std::string> gather(const std::string& mine) { return {mine}; }
 
   bool is_first() const { return rank() == 0; }

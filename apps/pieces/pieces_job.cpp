@@ -40,16 +40,16 @@ using namespace internal;
 namespace fs = std::filesystem;
 namespace {
 
-// Rounds in which pieces may ask for more on their seams. Each adds a site, so that they end by
-// themselves (docs/math/pieces.md); of the jobs that were tried none took more than five.
+// Largest number of rounds in which pieces add points on their seams. Each round adds a site, so
+// that they end (docs/math/pieces.md); no job that was tried took more than five.
 constexpr std::size_t most_rounds = 100;
 
-// Names the options that tell what came of a run, and are not part of its question.
+// Names of options in certificates that are results of a run, and not part of its question.
 constexpr std::array answers = {"size-delivered", "tol-at-end", "improve-done"};
 
 std::optional<error> refuse(const std::string& why) { return error{why, error_code::bad_option}; }
 
-// Refuses what cannot be asked of a mesh in pieces.
+// Refuses options that meshes in pieces do not support.
 std::optional<error> check_job(const mesh_job& job) {
   const mesh_options& asked = job.refinement;
   if (job.pieces == 0) return refuse("--pieces is wanted: asterism-mpi makes meshes in pieces");
@@ -80,14 +80,14 @@ std::optional<error> check_job(const mesh_job& job) {
   return check_piece_formats(job.piece_formats);
 }
 
-// Has all members know whether one failed.
+// Returns to all members the first failure of any of them.
 std::optional<error> agreed(piece_team& team, const std::optional<error>& failure) {
   for (const std::string& told : team.gather(failure ? "!" + failure->message : ""))
     if (!told.empty()) return error{told.substr(1)};
   return std::nullopt;
 }
 
-// Returns the names of what was asked, without what came of it.
+// Returns the names of the options asked for, without those that are results.
 std::map<std::string, std::string> question_of(const mesh_job& job, const prepared_input& input) {
   std::map<std::string, std::string> words = options_of(job, input, mesh_outcome());
   for (const char* answer : answers) words.erase(answer);
@@ -99,12 +99,12 @@ std::string box_text(const bounding_box& box) {
                      number_text(box.high.x), number_text(box.high.y));
 }
 
-// True if one member alone reads the metric, and gives each piece its part.
+// True if one member alone reads the metric, and gives each piece its part of it.
 bool has_metric_in_parts(const mesh_job& job) {
   return !job.field && is_metric_on_mesh(job.metric) && job.sizes.is_empty();
 }
 
-// Returns the job without its metric: for members that only take part in a run.
+// Returns the job without its metric, for members that do not read it.
 mesh_job without_metric(mesh_job job) {
   job.metric = "identity";
   job.size = 1;
@@ -165,8 +165,8 @@ class pieces_run {
     return std::nullopt;
   }
 
-  // Has the first member write each piece's part of the metric, which it then forgets, and all take
-  // the cut from it: the others never have the whole metric.
+  // Makes the first member write each piece's part of the metric, after which it frees the metric;
+  // all members read the partition from it and never hold the whole metric.
   std::optional<error> take_parts() {
     std::optional<error> failed;
     for (piece_index p = 0; team_.is_first() && !failed && p < job_.pieces; ++p) {
@@ -191,7 +191,7 @@ class pieces_run {
     question_ = digest_text(digest_of(index_text(index_)));
   }
 
-  // Takes up the rounds of a run that was cut off.
+  // Continues with the rounds of an interrupted run.
   void resume_rounds() {
     if (!job_.resume) return;
     const auto done = files_.read_rounds(index_.cut.edges.size(), job_.pieces);
@@ -202,7 +202,7 @@ class pieces_run {
     next_ = done->next;
   }
 
-  // Makes the pieces of one round that are this member's, and has all told what came of them.
+  // Makes this member's pieces of one round, and exchanges the results of all members.
   std::optional<error> round() {
     if (++index_.rounds > most_rounds)
       return error{
@@ -224,7 +224,7 @@ class pieces_run {
     return take(all);
   }
 
-  // Returns the pieces of the round, and, where a run goes on, those that are to be looked up.
+  // Returns the pieces of the round and, in a continued run, those whose files are to be read.
   std::vector<piece_index> pieces_wanted() const {
     std::set<piece_index> wanted(next_.begin(), next_.end());
     for (piece_index p = 0; p < entries_.size(); ++p)
@@ -284,7 +284,8 @@ class pieces_run {
     return report(p, shape, made.value().outcome.result, made.value().claim, digest.value());
   }
 
-  // Words what was asked of the piece; `question` tells it from the same piece of another run.
+  // Enters the options of the piece into its certificate; `question` distinguishes it from the same
+  // piece of another run.
   void describe(piece_index p, const std::string& question, certified_mesh& made) const {
     made.claim.metric = job_.metric;
     made.claim.options = index_.options;
@@ -332,7 +333,7 @@ class pieces_run {
     return made;
   }
 
-  // Counts the whole: sites on seams belong to several pieces.
+  // Counts vertices and triangles of the whole mesh: sites on seams belong to several pieces.
   void finish_index() {
     std::set<std::pair<vertex_index, piece_index>> at_ends;
     std::set<vertex_index> ends;

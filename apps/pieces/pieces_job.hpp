@@ -9,8 +9,8 @@
 
 namespace asterism::apps {
 
-// Returns the exit status, the same for all members of the team; null: a team of one. What is
-// written does not depend on the team.
+// Returns the exit status, the same for all members of the team; a null team stands for a team of
+// one. The files do not depend on the team.
 int run_pieces_job(const mesh_job& job, piece_team* team);
 
 }  // namespace asterism::apps

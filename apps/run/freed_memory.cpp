@@ -11,7 +11,8 @@ namespace asterism::apps {
 
 namespace {
 
-// Sets the size in bytes from which a block is given back to the system when it is freed.
+// Sets the size in bytes of the smallest blocks that are given back to the system when they are
+// freed.
 void give_back_from([[maybe_unused]] int bytes) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, bytes);

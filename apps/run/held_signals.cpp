@@ -4,7 +4,7 @@
 namespace asterism::apps {
 namespace {
 
-// A signal handler can reach nothing else.
+// Global variable, since a signal handler can reach nothing else.
 volatile std::sig_atomic_t held = 0;
 
 extern "C" void note_held(int signal) {
@@ -21,7 +21,7 @@ held_signals::held_signals() {
   sigemptyset(&noted.sa_mask);
   for (std::size_t i = 0; i < held_.size(); ++i) {
     sigaction(held_[i], nullptr, &before_[i]);
-    // A signal that is ignored, as by nohup, stays so.
+    // Leaves an ignored signal ignored, as by nohup.
     if (before_[i].sa_handler != SIG_IGN) sigaction(held_[i], &noted, nullptr);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps a signal from ending the program between two files of a run.
+// Delays signals so that none ends the program between two files of a run.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace asterism::apps {
 
-// While it lives, signals that would end the program and can be held are only noted. The first that
-// came is raised again at the end, to whatever was set before.
+// During its lifetime, signals that would end the program are only noted, if they can be. At its
+// end the first noted signal is raised again, with the former handler.
 class held_signals {
  public:
   held_signals();

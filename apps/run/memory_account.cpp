@@ -21,17 +21,17 @@ namespace {
 
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 
-// `operator new` can reach nothing else.
+// Global variables, since `operator new` can reach nothing else.
 std::atomic<bool> is_counting = false;
 std::atomic<std::int64_t> held = 0, most = no_limit;
 std::atomic<std::int64_t> next_look = no_limit;  // when this much is held
 
-// Says what is resident, in bytes; 0 where the system does not tell.
+// Reads how much memory is resident, in bytes; 0 where the system does not tell.
 struct residence {
   double all = 0, of_files = 0;  // of files: code, and constants of the program and its libraries
 };
 
-// Allocates nothing: `operator new` calls it.
+// Reads without an allocation, since `operator new` calls it.
 residence read_residence() {
   const int status = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   if (status < 0) return {};
@@ -45,9 +45,9 @@ residence read_residence() {
   return {static_cast<double>(pages) * page, static_cast<double>(shared) * page};
 }
 
-// Bounds what may be held by what is resident besides, which differs between machines: code, as it
-// comes to be used, and blocks that were given back and the allocator keeps. Looks each time that
-// another megabyte is held.
+// Computes how much may be allocated, from the other resident memory, which differs between
+// machines: code, as it is first used, and blocks that the allocator keeps after they were freed.
+// Reads it again after each further megabyte.
 class allowance {
  public:
   void begin(double bytes) {
@@ -59,14 +59,16 @@ class allowance {
 
  private:
   void renew(const residence& now) {
-    // Code that is not resident yet, and the stacks of threads. Measured; 3 to 4 megabytes.
+    // Bytes reserved for code that is not resident yet, and the stacks of threads. Measured: 3 to 4
+    // megabytes.
     constexpr double to_come = 4e6, at_least = 1e6;
-    // Under a limit that the program alone goes beyond, it can still say so.
+    // Least allowance in bytes: under a limit below the program's own size it can still report
+    // that.
     constexpr double least = 2e6, largest = 0x1p62;
     constexpr std::int64_t between_looks = 1 << 20;
     const std::int64_t then = held.load(std::memory_order_relaxed);
     const double spare = std::max(at_least, to_come - (now.of_files - start_.of_files));
-    // Memory that is held need not be resident yet: parts of it were never written.
+    // Takes account of allocated memory that is not resident yet: parts of it were never written.
     const double kept =
         std::max(now.all - now.of_files - static_cast<double>(then), start_.all - start_.of_files);
     most =
@@ -87,17 +89,18 @@ bool may_hold(std::size_t more) {
   return then <= most.load(std::memory_order_relaxed);
 }
 
-// Asks the system for large pages, where it has them for those who ask: each page that is touched
-// first takes it one to ten microseconds, and what is read all over has a page to be found for each
-// read. Asks for all of a block that is aligned to such pages (mesh/support/large_page_allocator),
-// and for the first half of another large one: the other half of a list that has grown may never be
-// touched, and the page in which it begins would be resident, which is 2 % of all at a million
-// triangles. Of still larger ones it is little. A system that does not know of such pages says so,
-// and nothing is different then.
+// Asks the system for large pages, where it has them on request: the first access to each page
+// takes one to ten microseconds, and data read in random order needs a page to be found for each
+// access. Asks for all of a block that is aligned to such pages
+// (mesh/support/large_page_allocator), and for the first half of another large one: the other half
+// of a list that has grown may never be touched, and the page in which it begins would be resident,
+// which is 2 % of all at a million triangles. Of still larger ones it is little. A system that does
+// not know of such pages says so, and nothing is different then.
 void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size,
                          [[maybe_unused]] std::size_t alignment) {
 #ifdef MADV_HUGEPAGE
-  // Smaller ones are kept when they are freed (apps/run/freed_memory.hpp).
+  // Size in bytes of the smallest block that is given back when it is freed
+  // (apps/run/freed_memory.hpp).
   constexpr std::size_t large = 4 << 20, very_large = 32 << 20;
   constexpr std::uintptr_t page = 4096;
   const bool is_for_pages = alignment >= asterism::internal::large_page;
@@ -109,8 +112,8 @@ void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::siz
 #endif
 }
 
-// Allocates no more than asked for: aligned_alloc() wants multiples of the alignment, which would
-// take two large pages for one.
+// Allocates exactly the size asked for: aligned_alloc() wants multiples of the alignment, which
+// would take two large pages for one.
 void* allocate(std::size_t size, std::size_t alignment) {
   if (alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__) return std::malloc(size);
   void* block = nullptr;
@@ -136,8 +139,8 @@ void* take_or_throw(std::size_t size, std::size_t alignment) {
   return block;
 }
 
-// A block from before the account was opened is counted as given back, too: the count may become
-// negative, by what the program held then.
+// Counts a freed block from before the account was opened as given back, too: the count may become
+// negative, by the memory that the program held then.
 void give_back(void* block) {
   if (block != nullptr && is_counting.load(std::memory_order_relaxed))
     held.fetch_sub(static_cast<std::int64_t>(malloc_usable_size(block)), std::memory_order_relaxed);
@@ -148,8 +151,8 @@ constexpr std::size_t ordinary = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
 
 }  // namespace
 
-// All forms are replaced: those left out would call these where nothing else replaces them, but the
-// run-time library of a sanitizer brings its own, whose blocks are not ours to free.
+// Replaces all forms of `operator new`: by default the other forms call these, but the run-time
+// library of a sanitizer has its own, whose blocks cannot be freed here.
 void* operator new(std::size_t size) { return take_or_throw(size, ordinary); }
 void* operator new[](std::size_t size) { return take_or_throw(size, ordinary); }
 void* operator new(std::size_t size, std::align_val_t alignment) {

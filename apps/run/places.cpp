@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// True if a file can be made there: a file system may forbid what the rights of the folder allow.
+// True if a file can be created there: a file system may forbid what the permissions of the folder
+// allow.
 bool takes_files(const fs::path& folder) {
   std::string name = (folder / ".asterism-XXXXXX").string();
   const int made = mkstemp(name.data());

@@ -11,15 +11,15 @@
 
 namespace asterism::apps {
 
-// Returns why no regular file could be created or replaced there; empty if one could.
+// Returns the reason why no regular file could be created or replaced there; empty if one could.
 std::optional<error> check_place(const std::filesystem::path& path);
 
-// Returns the files that reading `mesh` opens: itself, and of Medit's formats the metric beside it,
-// where there is one.
+// Returns the files that are read for `mesh`: the file itself, and for Medit's formats the metric
+// beside it, if there is one.
 std::vector<std::filesystem::path> files_read_with(const std::filesystem::path& mesh);
 
-// Refuses a file that would be written twice, or is read too, however it is spelled. One file may
-// be read for several things.
+// Refuses a file that would be written twice, or that is also read, however its path is spelled.
+// One file may be read for several purposes.
 std::optional<error> check_distinct(const std::vector<std::filesystem::path>& read,
                                     const std::vector<std::filesystem::path>& written);
 

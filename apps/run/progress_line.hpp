@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shows how far refinement has come on one line of a terminal, written over and wiped at the end.
+// Shows the progress of refinement on one line of a terminal, which is overwritten and finally
+// cleared.
 #pragma once
 
 #include <chrono>
@@ -17,7 +18,7 @@ class progress_line {
   progress_line(const progress_line&) = delete;
   progress_line& operator=(const progress_line&) = delete;
 
-  // Wipes the line; what is written next begins at its start.
+  // Clears the line; the next output begins at its start.
   void clear();
 
   // Shows the state, at most ten times a second.

@@ -24,7 +24,7 @@ struct run_files {
   std::filesystem::path proof = {}, certificate = {};
 };
 
-// Holds the contents of these files. `solutions` are files with their contents.
+// Contents of the files of a run. `solutions` are files with their contents.
 struct run_contents {
   const mesh& made;
   const certificate& claim;
@@ -34,7 +34,7 @@ struct run_contents {
   const mesh* proved = nullptr;  // what the proof is of, if not all that is written
 };
 
-// Returns the first output with the extension .certificate.json.
+// Returns the name of the certificate: the first output with the extension .certificate.json.
 std::filesystem::path certificate_beside(const std::vector<std::filesystem::path>& outputs);
 
 // Checks that every file that is written is a different one and none of those `read`, and can be
@@ -45,9 +45,9 @@ std::optional<error> check_files(const run_files& files,
 // Returns the files that were written, in order.
 std::vector<std::filesystem::path> written_files(const run_files& files, const proof_output& proof);
 
-// Writes all files before the first gets its name, the certificate last: where it is, everything
-// else is too. Each is written as soon as it is made, since all of them together may take more room
-// than the mesh.
+// Writes all files under temporary names before the first is renamed, the certificate last: where
+// it exists, all other files do too. Each is written as soon as it is made, since all of them
+// together may take more room than the mesh.
 std::optional<error> write_files(const run_files& files, const run_contents& contents);
 
 }  // namespace asterism::apps

@@ -14,7 +14,7 @@
 namespace asterism::apps {
 namespace {
 
-// A signal handler can reach nothing else.
+// Global variable, since a signal handler can reach nothing else.
 volatile std::sig_atomic_t interrupt_noted = 0;
 
 extern "C" void note_interrupt(int signal) {
@@ -42,7 +42,7 @@ run_limits::~run_limits() {
 
 bool run_limits::interrupted() { return interrupt_noted != 0; }
 
-// Returns the reason to end that is not about memory.
+// Returns the reason to end, other than memory.
 std::optional<std::string> run_limits::reason_to_hurry() const {
   if (interrupted()) return "interrupted";
   const double seconds = std::chrono::duration<double>(clock::now() - start_).count();
@@ -67,8 +67,8 @@ void run_limits::conclude() {
   concluded_.notify_all();
 }
 
-// Returns the seconds that a run told to end may take until it writes: the audit of what there is,
-// but for its stars, and its measures take up to twenty microseconds a site.
+// Returns the seconds that a run which is told to end may take until it writes: the audit of the
+// present mesh, without its stars, and its measures take up to twenty microseconds a site.
 double run_limits::patience() const {
   constexpr double at_least = 0.7, for_a_site = 2e-5;
   return at_least + for_a_site * static_cast<double>(sites_.load(std::memory_order_relaxed));
@@ -82,9 +82,9 @@ double run_limits::seconds_worked() const {
   return std::chrono::duration<double>(clock::now() - start_).count();
 }
 
-// Ends the program where a run that is told to end does not. Patience is measured by the time that
-// the run has worked, so that a busy machine does not lose it its mesh; one that waits, for a file
-// or a pipe, has a few times as long.
+// Ends the program if a run that is told to end does not. The wait is measured in processor time of
+// the run, so that a busy machine does not lose its mesh; a run that waits, for a file or a pipe,
+// has a few times as long in wall time.
 void run_limits::watch() {
   constexpr double times_waiting = 4;
   constexpr std::chrono::milliseconds between{20};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Ends a run early: at an interrupt from the keyboard, or at a limit on time or on memory. The run
-// then writes what is certain.
+// then writes the results that are certain.
 //
-// A run is asked to end where it polls, which is often but for what nobody has thought of. So that
-// none goes on for minutes all the same, a thread watches it: a run that is told to end and has not
-// come to write its files within the time that a conclusion takes is ended there, with status 1,
-// and nothing is written.
+// A run ends where it polls, which is often. So that no unforeseen loop goes on for
+// minutes, a thread watches it: a run that is told to end and has not begun to write its
+// files within the time that a conclusion takes is ended there, with status 1, and nothing
+// is written.
 #pragma once
 
 #include <pthread.h>
@@ -32,15 +32,15 @@ class run_limits {
   run_limits(const run_limits&) = delete;
   run_limits& operator=(const run_limits&) = delete;
 
-  // Returns why to end now, in half a sentence, or nothing.
+  // Returns the reason to end now, in half a sentence, or nothing.
   std::optional<std::string> reason() const;
   static bool interrupted();
 
-  // Tells how many sites there are, for what it will take to conclude the run.
+  // Sets the number of sites, from which the time to conclude the run is estimated.
   void expect(std::size_t sites) { sites_.store(sites, std::memory_order_relaxed); }
-  // Ends the watch: files are being written, and what is begun there is brought to its end.
+  // Ends the watch: files are being written, and writing is not interrupted.
   void conclude();
-  // Makes `reason` say from now on that there is not enough memory.
+  // Makes `reason` return, from now on, that there is not enough memory.
   void note_want_of_memory() { lacks_memory_ = true; }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Says for programs how metric, transfer and adapt ended: one JSON object, as json_summary.hpp has
-// it for the others. Names stay as they are; others may be added.
+// Describes the outcome of metric, transfer and adapt for programs: one JSON object, as
+// json_summary.hpp does for the other commands. Names stay as they are; others may be added.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ namespace asterism::apps {
 
 using written_paths = std::vector<std::filesystem::path>;
 
-// Returns the object of `metric`; `windows` are the complexities of a series, if it is one.
+// Returns the object of `metric`; `windows` are the complexities of the windows, for a series.
 std::string metric_json(const solution_metric_report& report, int status,
                         const written_paths& files, const std::vector<double>& windows = {});
 
 // Returns the object of `transfer`.
 std::string transfer_json(const transfer_report& report, int status, const written_paths& files);
 
-// Holds what a run of `adapt` has to tell; no vertices wanted where the metric says how many, no
-// transfer where no values were asked for.
+// Results of a run of `adapt`; no number of vertices where the metric determines it, no transfer
+// where no fields were transferred.
 struct adapt_facts {
   const solution_metric_report& metric;
   const adapted_mesh& next;
@@ -34,7 +34,7 @@ struct adapt_facts {
   std::optional<std::size_t> vertices_wanted = {};
 };
 
-// Returns the object of `adapt`: that of `mesh`, and more.
+// Returns the object of `adapt`: that of `mesh` with further members.
 std::string adapt_json(const adapt_facts& facts, int status, const written_paths& files);
 
 }  // namespace asterism::apps

@@ -17,14 +17,15 @@ std::string text_of(const json& object) {
   return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-// Null where no angle is of the kind.
+// Returns an angle in degrees; null where no angle is of the kind.
 json angle(const audited_angle& least) {
   return least.degrees < 180 ? json(least.degrees) : json();
 }
 
 json number(double x) { return std::isfinite(x) ? json(x) : json(); }
 
-// Null where there is no such area. Before is in the mesh that was adapted, else in the domain.
+// Returns the areas of regions; null for an area that does not exist. The area before is that in
+// the mesh that was adapted, else that in the domain.
 json regions_of(const std::vector<region_area>& regions) {
   json all = json::array();
   for (const region_area& r : regions) {
@@ -37,7 +38,7 @@ json regions_of(const std::vector<region_area>& regions) {
   return all;
 }
 
-// Adds what an audit found, the same for all commands.
+// Adds the findings of an audit, in the same form for all commands.
 void add_audit(json& object, const audit_report& audit, const std::vector<region_area>& regions) {
   object["vertices"] = audit.sites;
   object["triangles"] = audit.triangles;
@@ -60,7 +61,7 @@ void add_audit(json& object, const audit_report& audit, const std::vector<region
   object["witnesses"] = witnesses;
 }
 
-// Adds how sides match, where that was asked.
+// Adds how periodic sides match, where that was asked.
 void add_periodic(json& object, const std::vector<periodic_match>& matches) {
   if (!matches.empty()) object["periodic"] = internal::json_of(matches);
 }
@@ -74,8 +75,8 @@ void add_second_order(json& object, const std::optional<second_order_report>& r)
       {"least_jacobian", r->least_jacobian}};
 }
 
-// Adds whether the theorem on nets applies to the mesh, and how far its hypotheses hold; null where
-// that was not asked.
+// Adds whether the theorem on nets applies to the mesh, and the measures of its hypotheses; null
+// where that was not asked.
 void add_theorem(json& object, const std::optional<theorem_hypotheses>& measured) {
   object["theorem"] = json();
   if (!measured) return;
@@ -124,7 +125,7 @@ namespace {
 
 json word(const std::string& text) { return text.empty() ? json() : json(text); }
 
-// Returns each part of what was asked, and who asked it.
+// Returns each part of the question, and whether an option or the certificate asked it.
 json question_of(const judgement& judged) {
   const asked_domain& shape = judged.shape;
   const metric_answer& metric = judged.metric;
@@ -143,8 +144,8 @@ json question_of(const judgement& judged) {
           {"metric_tolerance_by", word(name_of(metric.tolerance_by))}};
 }
 
-// Returns how far the metric of the mesh is from the one asked for; null where it is the same, or
-// nothing is known.
+// Returns the distance of the mesh's metric from the one asked for; null where both are equal, or
+// it is unknown.
 json distance_of(const metric_answer& metric) {
   if (!metric.apart) return json();
   const delivered_report& apart = *metric.apart;

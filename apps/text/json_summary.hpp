@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Says for programs how a command ended: one JSON object, UTF-8, in place of the lines for people.
-// Names stay as they are; others may be added.
+// Describes the outcome of a command for programs: one JSON object, UTF-8, in place of lines of
+// text. Names stay as they are; others may be added.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace asterism::apps {
 std::string summary_json(const certified_mesh& made, int status,
                          const std::vector<std::filesystem::path>& files, const std::string& next);
 
-// Returns the object of `verify`. `scope` is what was checked, and against what, in words.
+// Returns the object of `verify`. `scope` states in words what was checked against what.
 std::string summary_json(const judgement& judged, int status, const std::string& scope);
 
 // Returns the object of `certify`.

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 using internal::has_ending;
 namespace {
 
-// Quotes a word for a POSIX shell: in single quotes where anything in it has a meaning of its own.
+// Quotes a word for a POSIX shell: in single quotes where any character has a special meaning.
 std::string quoted(const std::string& word) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+,:@%";

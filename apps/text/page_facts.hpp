@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Collects what a command knows for a page about a mesh (mesh/draw/report.hpp).
+// Collects the facts that a command shows on a page about a mesh (mesh/draw/report.hpp).
 #pragma once
 
 #include <filesystem>

@@ -31,7 +31,7 @@ void write_triangles(std::ostream& out, const certify_report& report, const mesh
         << " more (--all-findings lists them)\n";
 }
 
-// Returns the verdict on what a run made, in the first words of its line.
+// Returns the verdict on the result of a run: the first words of its line.
 std::string verdict_of(const certified_mesh& made) {
   if (made.certified()) return in_colour("certified", ink::green, 1);
   if (made.outcome.delivered && made.report.certified)
@@ -53,7 +53,7 @@ std::string text_of(const domain_repairs& done) {
 std::string text_of(const gradation_report& done) {
   std::string text = std::to_string(done.changed) + " of " + std::to_string(done.nodes) +
                      " nodes changed, density at most times " + number_text(done.largest_growth);
-  // The nodes of a mesh have no cells.
+  // Leaves out sizes of cells for a gradation on the nodes of a mesh, which has none.
   if (done.largest_cell > 0)
     text += fmt::format(", cells from {:.4g} to {:.4g}", done.smallest_cell, done.largest_cell);
   text += ", " + std::to_string(done.sweeps) + " sweeps";

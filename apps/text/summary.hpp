@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells about a run in lines for people; certificates hold some of them too.
+// Writes summaries of a run in lines of text; certificates hold some of them too.
 #pragma once
 
 #include <chrono>
@@ -23,32 +23,32 @@
 
 namespace asterism::apps {
 
-// Tells what was repaired in a domain, in one line.
+// Returns one line on the repairs of a domain.
 std::string text_of(const domain_repairs& done);
-// Tells what gradation did, in one line.
+// Returns one line on the effect of gradation.
 std::string text_of(const gradation_report& done);
-// Tells what the passes over the finished mesh did, in one line; `sites` are there now.
+// Returns one line on the passes that improved the finished mesh; `sites` is the present number.
 std::string text_of(const improvement_report& done, std::size_t sites);
 
-// Tells what a guarantee says, in one line.
+// Returns one line on a guarantee.
 std::string text_of(const guarantee_claim& kept, const theorem_hypotheses& measured);
 
-// Returns a line on the slits whose vertices are there twice in the files; empty without any.
+// Returns a line on the slits whose vertices the files contain twice; empty without any.
 std::string cracks_text(const crack_markers& cracks);
 
-// Tells how far the metric of the mesh is from the one wanted, in one line.
+// Returns one line on the distance of the mesh's metric from the one wanted.
 std::string text_of(const delivered_report& done);
 
 // Writes the line that a mesh job is judged by, its verdict first, to standard output or as if to
-// it, and a line of the regions' areas where there are several. `unit_edges` is their part of all,
-// if it is asked about.
+// it, and a line of the regions' areas where there are several. `unit_edges` is their share of all
+// edges, where that is to be shown.
 void write_summary(std::ostream& out, const certified_mesh& made, std::optional<double> unit_edges);
 
 // Writes the names of the files written, and the seconds of wall time since `start`.
 void write_files_written(std::ostream& out, const std::vector<std::filesystem::path>& files,
                          std::chrono::steady_clock::time_point start);
 
-// Writes what was found about a mesh that came from elsewhere.
+// Writes the results for a mesh that came from elsewhere.
 void write_report(std::ostream& out, const certify_report& report, const mesh& m,
                   double angle_bound, bool all_findings);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Words of what was proved of a mesh of a surface.
+// Returns texts on what was proved of a mesh of a surface.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace asterism::apps {
 
-// "142 vertices, 250 triangles; every point ... ". One line, without its end.
+// Returns one line, without its end, such as "142 vertices, 250 triangles; every point ... ".
 std::string text_of(const internal::shell_report& report, const internal::shell_question& asked);
 
 // Returns the summary as pairs of a name and a value, for pages.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The option that says how a solution is transferred, and words about what was done.
+// Adds the option of how a solution is transferred, and returns texts on the transfer.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what `verify` is asked, part by part, and where each part is from: an option, or, where
+// Holds the question of `verify`, part by part, and the source of each part: an option, or, where
 // that is not given, the certificate.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace asterism::apps {
 
-// The options as given.
+// Options of the command line, as given.
 struct verify_options {
   std::filesystem::path mesh, certificate;
   std::optional<double> angle_bound;
@@ -37,24 +37,25 @@ struct verify_options {
 
 enum class asked_by { nobody, option, certificate };
 
-// The name of who asked, for programs; empty for nobody.
+// Returns the source of a part as a word for programs; empty if there is none.
 std::string name_of(asked_by who);
 
-// Returns ", by the certificate" where it was the certificate.
+// Returns ", by the certificate" for a part that came from the certificate; else an empty text.
 std::string by_text(asked_by who);
 
-// The domain that a mesh is held against.
+// The domain with which a mesh is compared.
 struct asked_domain {
   std::optional<domain> shape;  // that --domain names; none: the certificate's, or the mesh's own
   asked_by by = asked_by::nobody;
   std::string name;  // of --domain
-  // The distance of a repair, and the greatest move of it, measured again.
+  // Distance within which the domain was repaired, and the greatest move of a vertex, measured
+  // again.
   asked_by repaired_by = asked_by::nobody;
   double distance = 0, greatest_move = 0;
   std::vector<std::string> contradictions;
 };
 
-// Holds what was found about the metric of a mesh.
+// Results on the metric of a mesh.
 struct metric_answer {
   asked_by by = asked_by::nobody;
   std::string name;
@@ -62,8 +63,8 @@ struct metric_answer {
   bool made = false;      // the metric asked for could be made again
   bool is_taken = false;  // the file has none, and the mesh is judged in the one asked for
   std::string why_not;    // else
-  // How far the tensors are from the metric asked for; measured again where that was made, and else
-  // what the certificate says. None where they are the same.
+  // Distance of the tensors from the metric asked for: measured again if that metric was made, else
+  // as the certificate states. None where they are equal.
   std::optional<delivered_report> apart;
   asked_by tolerance_by = asked_by::nobody;  // also where what was asked is that there is none
   std::optional<double> tolerance;
@@ -73,7 +74,7 @@ struct metric_answer {
   bool is_refused() const { return !contradictions.empty() || !refusals.empty(); }
 };
 
-// Everything that was asked, and the verdict.
+// All parts of the question, and the verdict.
 struct judgement {
   asked_domain shape;
   metric_answer metric;

@@ -10,7 +10,7 @@
 
 namespace asterism::apps {
 
-// A built-in name is never a file; files end in .json.
+// Reads the surface. A built-in name is never a file; files end in .json.
 result<internal::surface> find_surface(const std::string& name);
 
 }  // namespace asterism::apps

@@ -70,7 +70,7 @@ Examples:
   asterism verify part.mesh --domain part.poly --repair-distance 0.01 --angle-bound 20 \
                   --metric swirl:3 --size 0.1 --metric-tolerance 0.5)";
 
-// Reads the certificate that was named, or the one beside the mesh, or none.
+// Reads the certificate that is named, or the one beside the mesh, or none.
 result<std::optional<certificate>> find_certificate(const verify_options& options) {
   fs::path path = options.certificate;
   if (path.empty()) {
@@ -95,7 +95,7 @@ std::string bound_text(const judgement& judged) {
   return fmt::format("bound {} degrees{}", judged.bound, by_text(judged.bound_by));
 }
 
-// Returns what is said of sizes: that they were not checked.
+// Returns a clause that sizes were not checked.
 std::string size_text(const std::optional<certificate>& claim) {
   if (!claim) return "";
   const auto size = claim->options.find("size");
@@ -107,14 +107,14 @@ std::string size_text(const std::optional<certificate>& claim) {
   return text;
 }
 
-// Returns of which metric the theorem on nets speaks: the mesh's own.
+// Returns the words for the metric in which the theorem on nets was measured: the mesh's own.
 std::string theorem_metric_text(const metric_answer& metric) {
   if (metric.apart) return "in the metric delivered, ";
   return metric.made ? "in the metric asked for, " : "in the metric of the file, ";
 }
 
-// Returns what is claimed, what was checked, and against what.
-// Returns that the guarantee of the certificate holds, and what it is.
+// Returns a sentence on the guarantee of the certificate, which holds; empty where it has
+// none.
 std::string guarantee_text(const verify_report& verdict, const std::optional<certificate>& claim) {
   if (!claim || !claim->guarantee || !verdict.theorem || !verdict.verified) return "";
   if (!verdict.theorem->applies) return "";  // at the bound asked now, which is another
@@ -163,7 +163,7 @@ void write_verdict(const judgement& judged, const std::string& scope) {
   write_findings(std::cout, audit);
 }
 
-// Judges a mesh that comes without certificate and domain, as `certify` judges it.
+// Judges a mesh that comes without certificate and domain, as `certify` does.
 verify_report verify_alone(adopted_mesh& adopted, const audit_options& asked) {
   audit_options questions = questions_for(adopted);
   questions.angle_bound = asked.angle_bound;
@@ -192,7 +192,7 @@ void judge_claimed(const mesh& subject, const std::optional<certificate>& claim,
   contradict(contradictions_in_outcome(*claim), judged.verdict);
 }
 
-// How the sides match that options name.
+// Results of matching the periodic sides that options name.
 struct side_answer {
   std::vector<periodic_match> matches;
   std::vector<std::string> refusals;
@@ -210,7 +210,7 @@ side_answer match_sides(const std::vector<periodic_pair>& pairs, const mesh& sub
   return found;
 }
 
-// Adds it to the verdict. Sides that do not match are refused as what was asked.
+// Adds the match of sides to the verdict. Refuses the mesh for sides that do not match.
 void take_sides(side_answer found, judgement& judged) {
   std::vector<periodic_match>& known = judged.verdict.periodic;
   for (const periodic_match& one : found.matches)
@@ -219,7 +219,7 @@ void take_sides(side_answer found, judgement& judged) {
   judged.side_refusals = std::move(found.refusals);
 }
 
-// Judges the mesh. Its own boundary is its domain where nobody says what that is.
+// Judges the mesh. Takes its own boundary as the domain where no option or certificate names one.
 result<judgement> judge(const verify_options& options, judged_mesh read,
                         const std::optional<certificate>& claim, asked_domain shape,
                         std::vector<std::string> of_file, const cancellation& stop) {
@@ -276,8 +276,8 @@ int tell(const verify_options& options, const std::optional<certificate>& claim,
   return status;
 }
 
-// Reads the domain, and completes a mesh whose format has no place for its segments: by the
-// certificate's domain, or else by that.
+// Reads the domain, and completes a mesh whose format has no place for its segments: from the
+// certificate's domain, or else from the one named.
 result<asked_domain> find_shape(const verify_options& options, judged_mesh& subject,
                                 const std::optional<certificate>& claim) {
   std::optional<std::string> contradiction;
@@ -295,7 +295,7 @@ result<asked_domain> find_shape(const verify_options& options, judged_mesh& subj
   return shape;
 }
 
-// Adds to a refusal what judges a mesh that no run of ours wrote.
+// Adds to a refusal the command that judges meshes of other programs.
 error with_way_out(const error& refusal, const fs::path& mesh) {
   const std::string name = mesh.string();
   std::error_code ignored;

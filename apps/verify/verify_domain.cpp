@@ -25,7 +25,8 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// Returns the distance at which the certificate says the domain was repaired; none if it was not.
+// Returns the distance within which the domain was repaired, by the certificate; none if it was
+// not.
 result<std::optional<double>> repair_claimed(const std::optional<certificate>& claim) {
   if (!claim) return std::optional<double>();
   const auto found = claim->options.find("repair-distance");
@@ -35,7 +36,7 @@ result<std::optional<double>> repair_claimed(const std::optional<certificate>& c
   return std::optional(distance.value());
 }
 
-// Divides the curves of the domain as the certificate says they were.
+// Divides the curves of the domain as the certificate states.
 result<domain> divided_as_claimed(const domain& d, const std::optional<certificate>& claim) {
   if (!claim || !claim->original || d.curves.empty()) return divide_curves(d);
   std::vector<std::vector<double>> parameters;
@@ -43,7 +44,7 @@ result<domain> divided_as_claimed(const domain& d, const std::optional<certifica
   return divide_curves_at(d, parameters);
 }
 
-// Takes the domain as repaired within the distance.
+// Takes the domain repaired within the distance.
 std::optional<error> take_repaired(const domain& d, double distance, asked_by who,
                                    asked_domain& asked) {
   domain_repairs repairs;
@@ -56,7 +57,7 @@ std::optional<error> take_repaired(const domain& d, double distance, asked_by wh
   return std::nullopt;
 }
 
-// Contradicts a certificate of a domain that was repaired without need, where that made another.
+// Contradicts a certificate whose domain was repaired without need, if the repair changed it.
 void contradict_repair(const domain& d, double distance, asked_domain& asked) {
   domain_repairs repairs;
   const auto repaired = repair_domain(d, distance, &repairs);

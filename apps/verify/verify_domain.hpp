@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the domain that `verify` holds a mesh against.
+// Reads the domain with which `verify` compares a mesh.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@ namespace asterism::apps {
 
 // Reads the domain that --domain names, if any. Vertices given to the mesh beyond the domain's own,
 // as random points are, belong to it when they lie inside. Curves are divided as the certificate
-// says they were: it is measured how far the chords are from them.
+// states, and the distance of the chords from them is measured.
 //
-// The domain is repaired where --repair-distance asks for it. Without that it is taken as it
-// stands, if it can be: then a certificate of another, repaired domain is contradicted. A domain
-// that cannot be taken as it stands is repaired as the certificate says.
+// The domain is repaired where --repair-distance asks for it. Otherwise it is taken as it is, if it
+// is valid: then a certificate of another, repaired domain is contradicted. A domain that is not
+// valid is repaired as the certificate states.
 result<asked_domain> find_domain(const verify_options& options, const mesh& subject,
                                  const std::optional<certificate>& claim);
 

@@ -23,8 +23,8 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// True of the formats that are written, and list the sides of the boundary, by numbers or names of
-// a solver's, and no metric.
+// True for formats that have writers, list the sides of the boundary, by numbers or by a solver's
+// names, and have no metric.
 bool is_of_solver(std::string_view name) {
   const file_kind* const kind = kind_of_file(name);
   return kind != nullptr && is_mesh_kind(*kind) && is_written_kind(*kind) && !kind->keeps.metric;
@@ -34,7 +34,7 @@ bool is_written_alone(const std::filesystem::path& path) {
   return mesh_format_of(path).ok() && !is_mesh_file(path.string());
 }
 
-// Takes the tensors of a field at the vertices.
+// Sets the tensors at the vertices to those of a field.
 std::optional<error> measure_by(const metric_field& field, mesh& m) {
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     const auto metric = field.at(m.sites[v].position);
@@ -44,7 +44,7 @@ std::optional<error> measure_by(const metric_field& field, mesh& m) {
   return std::nullopt;
 }
 
-// Returns the nodes of sides in the numbers of a mesh whose cracks are joined.
+// Returns the nodes of sides by the vertex numbers of a mesh whose cracks are joined.
 std::vector<side_node> nodes_of_joined(const joined_cracks& joined, std::vector<side_node> nodes) {
   if (joined.number.empty()) return nodes;
   std::map<std::pair<vertex_index, vertex_index>, point> made;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads the mesh that `verify` judges, in any format that is written and read.
+// Reads the mesh that `verify` judges, in any format that has a reader and a writer.
 #pragma once
 
 #include <cstddef>
@@ -17,29 +17,29 @@
 
 namespace asterism::apps {
 
-// A mesh, and what its file had no place for.
+// A mesh, and the parts that its file had no place for.
 struct judged_mesh {
   mesh content;
   bool has_metric = true;    // else the identity stands for one that is still to be found
   bool has_segments = true;  // else the format has no place for given vertices and inner segments
   std::size_t second_order = 0;   // elements of it
   std::vector<side_node> curved;  // nodes of their sides that are not the middles
-  // The mesh as read, where frozen triangles were taken out of `content`.
+  // The mesh as read, if frozen triangles were removed from `content`.
   std::optional<mesh> together = {};
   std::string frozen = {};  // what is said of them
-  // Parts of the mesh that its file has not, and that were taken from elsewhere.
+  // Parts of the mesh that are not in its file, and were taken from elsewhere.
   bool took_metric = false, took_segments = false, took_regions = false;
 
   const mesh& whole() const { return together ? *together : content; }
 };
 
-// Reads the mesh. Medit's formats are taken as they are listed; others are put in order by their
-// readers, with notes. Slits are joined. Refuses what is written alone: pictures, pages, .node.
+// Reads the mesh. Medit's formats are taken unchanged; others are put in order by their readers,
+// with notes. Slits are joined. Refuses formats without a reader: pictures, pages, .node.
 result<judged_mesh> read_judged(const verify_options& options);
 
 // Takes subsegments, markers and regions from the domain for a mesh whose format has no place for
-// them. Returns why they cannot be those of this mesh; none where nothing contradicts them, or the
-// file has them.
+// them. Returns the reason if they cannot be those of this mesh; none if nothing contradicts them,
+// or the file has them.
 std::optional<std::string> complete_segments(judged_mesh& subject, const domain& shape);
 
 // Takes the metric of --metric, or else the certificate's, for a mesh whose file has none. Fails

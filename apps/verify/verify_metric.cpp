@@ -16,7 +16,7 @@ namespace asterism::apps {
 using namespace internal;
 namespace {
 
-// Returns the tolerance that the certificate says was asked for; none if there was none.
+// Returns the tolerance that was asked for, by the certificate; none if there was none.
 std::optional<double> tolerance_in(const certificate& claim) {
   const auto found = claim.options.find("metric-tolerance");
   if (found == claim.options.end()) return std::nullopt;
@@ -24,7 +24,7 @@ std::optional<double> tolerance_in(const certificate& claim) {
   return number ? std::optional(number.value()) : std::nullopt;
 }
 
-// Returns the domain of the sites, for a metric that is placed in its box.
+// Returns the box of the sites as a domain, for a metric that is placed in it.
 domain around(const mesh& subject) {
   domain d;
   for (const site& s : subject.sites) d.vertices.push_back(s.position);
@@ -63,8 +63,8 @@ void take(field_check check, metric_answer& answer) {
   for (std::string& said : check.contradictions) answer.contradictions.push_back(std::move(said));
 }
 
-// Holds the mesh against the metric of --metric. The tolerance of the certificate is for the metric
-// that it names; any other has to be met.
+// Compares the mesh with the metric of --metric. The certificate's tolerance applies only to the
+// metric that it names; any other must be met exactly.
 std::optional<error> judge_named(const verify_options& options, const mesh& subject,
                                  const std::optional<certificate>& claim, const domain* shape,
                                  metric_answer& answer) {
@@ -82,7 +82,8 @@ std::optional<error> judge_named(const verify_options& options, const mesh& subj
   return std::nullopt;
 }
 
-// Says what is too far off for whoever asks. What the certificate says was asked is for verify().
+// Refuses a distance beyond the tolerance if an option gave the metric or the tolerance. verify()
+// judges the certificate's own.
 void judge_distance(metric_answer& answer) {
   const bool is_asked = answer.by == asked_by::option || answer.tolerance_by == asked_by::option;
   if (!is_asked || !answer.apart) return;

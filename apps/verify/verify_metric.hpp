@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Judges the metric of a mesh for `verify`: is it the one asked for, or near enough?
+// Judges the metric of a mesh for `verify`: whether it is the one asked for, or near enough.
 #pragma once
 
 #include <memory>
@@ -23,9 +23,9 @@ result<std::unique_ptr<metric_field>> field_named(const verify_options& options,
 
 // Judges the tensors of a mesh. The metric is that of --metric, of the size and gradation given or
 // else the certificate's, placed in `shape`; without --metric it is the certificate's. Tensors that
-// are others have to be within --metric-tolerance. Without that they may be as far off as the
-// certificate says was asked, where it is of the same metric, and otherwise not at all. Fails where
-// the metric named cannot be made.
+// differ must be within --metric-tolerance. Without it they may differ by the certificate's
+// tolerance, if it names the same metric, and otherwise not at all. Fails where the metric named
+// cannot be made.
 result<metric_answer> judge_metric(const verify_options& options, const mesh& subject,
                                    const std::optional<certificate>& claim, const domain* shape);
 

@@ -38,7 +38,7 @@ namespace {
 
 using sentences = std::vector<std::string>;
 
-// Holds what all pieces together are judged by: the bound and the metric.
+// The angle bound and the metric by which all pieces are judged.
 struct pieces_question {
   double bound = 0;                     // degrees
   std::unique_ptr<metric_field> field;  // null where it could not be made again
@@ -50,8 +50,8 @@ std::string read_bytes(const fs::path& path) {
   return std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
 }
 
-// Returns the domain with its segments and curves in an order that depends on what they are alone:
-// divided curves may come in another.
+// Returns the domain with segments and curves in an order that depends on their values alone:
+// dividing curves may change their order.
 domain in_order(domain d) {
   std::sort(d.segments.begin(), d.segments.end(), [](const segment& s, const segment& t) {
     return std::pair(s.a, s.b) < std::pair(t.a, t.b);
@@ -61,7 +61,7 @@ domain in_order(domain d) {
   return d;
 }
 
-// Holds the domain of the index against the one that is named, if one is.
+// Compares the domain of the index with the one that is named, if one is.
 std::optional<error> compare_domain(const verify_options& options, const pieces_index& index,
                                     sentences& faults) {
   if (options.domain.empty()) return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<error> compare_domain(const verify_options& options, const pieces_
   return std::nullopt;
 }
 
-// Makes the metric that is named, or else the one that the index names.
+// Makes the metric that is named, or else the one named by the index.
 std::optional<error> ask_metric(const verify_options& options, const pieces_index& index,
                                 pieces_question& asked) {
   certificate words;  // of the question alone
@@ -101,7 +101,7 @@ std::optional<error> ask_metric(const verify_options& options, const pieces_inde
   return std::nullopt;
 }
 
-// Returns what is wrong with the answer of one piece.
+// Returns the contradictions in the results of one piece.
 sentences judge_piece(const verify_options& options, const pieces_index& index, piece_index p,
                       const pieces_question& asked, const mesh& subject, const certificate& claim,
                       const cancellation& stop) {
@@ -144,7 +144,7 @@ sentences check_piece(const verify_options& options, const pieces_index& index, 
   return judge_piece(options, index, p, asked, subject.value(), claim.value(), stop);
 }
 
-// Judges the pieces that are this member's, and returns what is wrong with all, in their order.
+// Judges this member's pieces, and returns the contradictions of all pieces, in their order.
 sentences check_pieces(const verify_options& options, const pieces_index& index,
                        const pieces_question& asked, piece_team& team, const run_limits& limits) {
   const cancellation stop = [&limits] { return limits.reason(); };
@@ -194,7 +194,7 @@ int tell(const verify_options& options, const pieces_index& index, const pieces_
   return status;
 }
 
-// Returns what is wrong with the numbers of the whole.
+// Returns the contradictions in the numbers of the whole.
 void compare_totals(const pieces_index& index, sentences& faults) {
   std::size_t triangles = 0;
   bool certified = true;

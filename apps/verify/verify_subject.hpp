@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Judges the parts of a mesh that nothing is certified of: frozen triangles, and sides of second
+// Judges the parts of a mesh that are not certified: frozen triangles, and sides of second
 // order.
 #pragma once
 
@@ -14,16 +14,17 @@
 
 namespace asterism::apps {
 
-// Takes the triangles of regions out that the certificate says were frozen, and compares them with
+// Removes the triangles of regions that were frozen, by the certificate, and compares them with
 // those of the mesh that was adapted.
 std::optional<error> take_frozen(const std::optional<certificate>& claim, judged_mesh& subject,
                                  std::vector<std::string>& contradictions);
 
-// Numbers the segments of a mesh whose file has no place for that by those of the domain.
+// Numbers the boundary edges of a mesh by the segments of the domain, for files without a place for
+// that.
 void number_segments(const verify_options& options, const domain& shape, judged_mesh& m);
 
-// Judges the triangles of second order that the file holds, and what the certificate says of them.
-// Nothing where the file holds none.
+// Judges the triangles of second order in the file, and the certificate's claims about them.
+// Nothing where the file has none.
 std::optional<second_order_report> judge_second_order(const judged_mesh& subject,
                                                       const std::optional<certificate>& claim,
                                                       const domain* shape,

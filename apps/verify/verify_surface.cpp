@@ -37,7 +37,7 @@ bool same_surface(const surface& a, const surface& b) {
   return same;
 }
 
-// Holds the triangles of the file against those of the certificate.
+// Compares the triangles of the file with those of the certificate.
 std::vector<std::string> differences(const space_mesh& file, const space_mesh& claimed) {
   if (file.triangles.size() != claimed.triangles.size())
     return {fmt::format("the mesh has {} triangles, the certificate {}", file.triangles.size(),
@@ -45,14 +45,14 @@ std::vector<std::string> differences(const space_mesh& file, const space_mesh& c
   for (std::size_t t = 0; t < file.triangles.size(); ++t) {
     if (file.triangles[t] != claimed.triangles[t])
       return {fmt::format("triangle {} has other vertices than the certificate says", t + 1)};
-    // Some formats have no place for the numbers of faces.
+    // Compares no numbers of faces where the format has no place for them.
     if (!file.faces.empty() && file.faces[t] != claimed.faces[t] + 1)
       return {fmt::format("triangle {} is of another face than the certificate says", t + 1)};
   }
   return {};
 }
 
-// Holds what was proved now against what the certificate says.
+// Compares the results of the proof with those that the certificate states.
 std::vector<std::string> contradictions(const shell_report& now, const shell_certificate& c) {
   std::vector<std::string> all;
   const auto hold = [&](const char* what, auto found, auto claimed) {
@@ -135,7 +135,7 @@ int judge(const verify_options& options, const std::string& text, const fs::path
   return tell(options, c, found.value(), against);
 }
 
-// True for files that hold no plane meshes: .stl and the others may.
+// True for .obj and .ply, which contain no plane meshes; .stl and others may.
 bool is_mesh_in_space(const fs::path& file) {
   return has_ending(file.string(), ".obj") || has_ending(file.string(), ".ply");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Proves again what the certificate of a mesh of a surface says.
+// Proves the certificate of a mesh of a surface again.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace asterism::apps {
 struct verify_options;
 
 // Returns the status if the certificate named, or the one beside the mesh, is of a surface; nothing
-// if it is not, or there is none.
+// otherwise.
 std::optional<int> verify_surface(const verify_options& options);
 
 }  // namespace asterism::apps

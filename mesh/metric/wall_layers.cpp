@@ -90,8 +90,8 @@ struct wall_corner {
 wall_corner corner_between(const spoke& leaving, const spoke& arriving) {
   // Length of the difference of two unit vectors at 30 degrees, from which a turn is sharp.
   constexpr double sharp = 0.5176380902050415;
-  // Cosine of 100 degrees: beyond that turn the wall ends at one across it, which limits no
-  // edge.
+  // Cosine of 100 degrees: in a corner below that angle a layer ends at a wall, without
+  // limits.
   constexpr double across = -0.17364817766693033;
   wall_corner made;
   const point onward{-arriving.direction.x, -arriving.direction.y};
