@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whether arithmetic can be told to round upward. ASTERISM_DIRECTED_ROUNDING is 1 where
+// Defines whether arithmetic can be set to round upward. ASTERISM_DIRECTED_ROUNDING is 1 where
 // floating_point_scope sets the rounding mode, and 0 where every operation rounds to nearest: there
 // each bound of an interval that was rounded inward is moved outward by one unit in its last place
 // (core/upward_arithmetic.hpp), which gives the same bounds, slower.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pairs of doubles that stand for their sum, and what is exact of sums and products.
+// Defines pairs of doubles that stand for their sum, and exact sums and products as pairs.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace asterism::internal::elementary {
 
-// head + tail, the tail at most about a unit in the last place of the head.
+// A sum head + tail, the tail at most about a unit in the last place of the head.
 struct double_pair {
   double head = 0, tail = 0;
 };

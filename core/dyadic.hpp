@@ -74,7 +74,7 @@ inline dyadic::dyadic(double value) {
 }
 
 inline dyadic dyadic::sum(const dyadic& a, const dyadic& b, bool subtract) {
-  // The exponent of a zero means nothing: nobody is aligned to it.
+  // Ignores the exponent of a zero, which means nothing.
   if (b.is_zero()) return a;
   if (a.is_zero()) return subtract ? -b : b;
   dyadic result;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Each function reduces its argument, sums a Taylor polynomial for what is left, and adds the
-// largest term last with its rounding error: so little but the last rounding is lost. A constant
-// with more digits than a double holds is a sum of doubles; the tests compute them again.
+// largest term last with its rounding error: so the error is little more than the last rounding. A
+// constant with more digits than a double holds is a sum of doubles; the tests compute them again.
 #include "asterism/core/elementary.hpp"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ double_pair natural_logarithm(double x) {
   return exact_sum_of_ordered(sum.head, sum.tail + (exponent * ln2_short.tail + of_mantissa.tail));
 }
 
-// The arguments of a logarithm that have no mantissa; empty for others.
+// Returns the logarithm of arguments that have no mantissa; empty for all others.
 struct special_value {
   bool is_special = false;
   double value = 0;
@@ -108,14 +108,14 @@ double scaled_exponential(const double_pair& r, double power) {
 
 // Returns x - k ln 2 for the nearest integer k.
 double_pair reduced_by_ln2(double x, double k) {
-  // The first difference is exact: x and k ln2 agree to within a factor of two, or k is 0.
+  // Subtracts exactly: x and k ln2 agree to within a factor of two, or k is 0.
   const double_pair r = exact_sum(x - k * ln2_short.head, -(k * ln2_short.tail));
   return r;
 }
 
 bool is_odd(double y) { return std::abs(y) < 0x1p53 && std::fmod(y, 2) != 0 && std::trunc(y) == y; }
 
-// The powers with an argument that has no logarithm; empty for others. Requires y != 0, x != 1.
+// Returns powers whose argument has no logarithm; empty for others. Requires y != 0, x != 1.
 special_value special_power(double x, double y) {
   if (std::isnan(x) || std::isnan(y)) return {true, not_a_number};
   const double base = std::abs(x);
@@ -259,8 +259,8 @@ double hypot(double x, double y) {
   if (std::isnan(a) || std::isnan(b)) return not_a_number;
   if (a < b) std::swap(a, b);
   if (b == 0) return a;
-  // In the middle of the range every step commutes with scaling by a power of two, so that leaving
-  // the scaling out changes no bit.
+  // Skips scaling in the middle of the range, where every step commutes with scaling by a power of
+  // two, so that no bit changes.
   if (a <= 0x1p400 && b >= 0x1p-400 && b >= a * 0x1p-59) return root_of_squares(a, b);
   const int exponent = std::ilogb(a);
   if (exponent - std::ilogb(b) > 60) return a + b;

@@ -2,14 +2,14 @@
 //
 // Provides elementary functions whose results are the same bits on every machine with IEEE doubles:
 // made of additions, multiplications, divisions and square roots of doubles alone, in a fixed
-// order. What a C library returns differs in the last place from one to the next, and decisions of
-// the mesher depend on it.
+// order. Results of C libraries differ in the last place between libraries, and decisions of the
+// mesher depend on it.
 //
 // Errors, in units in the last place of the result, rounding to nearest: log, log10, atan2, hypot
 // 0.6; exp, exp2 0.65; sin, cos 0.85; log2 1; tan 1.6; tanh 6; pow 1.5 where the result is between
-// 2^-64 and 2^64 or the power an integer, else 20; results that are subnormal one unit more. Held
-// against MPFR by tests/core/elementary_test.cpp. In another rounding mode some units more, and
-// other bits. Special arguments are answered as by the C library.
+// 2^-64 and 2^64 or the power an integer, else 20; results that are subnormal one unit more.
+// Compared with MPFR by tests/core/elementary_test.cpp. In another rounding mode some units more,
+// and other bits. Special arguments have the results of the C library.
 #pragma once
 
 namespace asterism::internal::elementary {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sines, cosines, tangents and angles, made like the functions of elementary.cpp.
+// Computes sines, cosines, tangents and angles, by the methods of elementary.cpp.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -16,13 +16,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// pi / 2 in parts of which an integer below 2^20 times each but the last is exact.
+// Parts of pi / 2; products with an integer below 2^20 are exact, except for the last part.
 constexpr std::array<double, 4> half_pi_parts = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34,
                                                  0x1.3198a2e000000p-69, 0x1.b839a252049c1p-104};
 constexpr double_pair half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
 constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
 
-// x = quarter pi / 2 + rest, |rest| at most about pi / 4; the quarter modulo 4.
+// An argument as quarter pi / 2 + rest, |rest| at most about pi / 4; the quarter modulo 4.
 struct reduced_angle {
   int quarter = 0;
   double_pair rest;
@@ -37,7 +37,7 @@ reduced_angle reduced_moderate(double x) {
           exact_sum_of_ordered(second.head, tail)};
 }
 
-// The bits of 2 / pi after the point, 64 to a word.
+// Bits of 2 / pi after the point, 64 to a word.
 constexpr std::array<std::uint64_t, 19> two_over_pi_bits = {
     0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041, 0xfe5163abdebbc561,
     0xb7246e3a424dd2e0, 0x06492eea09d1921c, 0xfe1deb1cb129a73e, 0xe88235f52ebb4484,
@@ -62,17 +62,17 @@ reduced_angle reduced_huge(double x) {
   const double fraction = std::frexp(std::abs(x), &exponent);
   const auto integer = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
   exponent -= 53;  // |x| = integer 2^exponent
-  // Bits of 2 / pi worth 2^-(place + 1) and less; those before make multiples of 4 of x 2 / pi.
+  // Skips the bits of 2 / pi worth more than 2^-(place + 1): they make multiples of 4 of x 2 / pi.
   const int place = exponent - 2;
   __extension__ using wide = unsigned __int128;
   const std::array words = {bits_from(place), bits_from(place + 64), bits_from(place + 128)};
-  // integer (words 2^-64 ...), modulo 1, in units of four quarters.
+  // Multiplies the integer by the words, modulo 1, in units of four quarters.
   const wide low = static_cast<wide>(integer) * words[2];
   const wide middle = static_cast<wide>(integer) * words[1] + static_cast<std::uint64_t>(low >> 64);
   const std::uint64_t high = integer * words[0] + static_cast<std::uint64_t>(middle >> 64);
   std::uint64_t after = static_cast<std::uint64_t>(middle), last = static_cast<std::uint64_t>(low);
   int quarter = static_cast<int>(high >> 62);
-  // The fraction of a quarter, 190 bits long, as a signed one of at most a half.
+  // Takes the fraction of a quarter, 190 bits long, as a signed one of at most a half.
   std::uint64_t top = (high << 2) | (after >> 62);
   after = (after << 2) | (last >> 62);
   last <<= 2;
@@ -116,7 +116,7 @@ double_pair cosine_of_small(const double_pair& x) {
   static constexpr std::array<double, 8> series = {
       1.0 / 24,        -1.0 / 720,         1.0 / 40320,          -1.0 / 3628800,
       1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
-  // A square that underflows is far below what counts beside 1.
+  // Ignores a square that underflows: it is far below 1.
   const double_pair square =
       std::abs(x.head) > 0x1p-400 ? exact_product(x.head, x.head) : double_pair{};
   const double_pair first = exact_sum_of_ordered(1, -square.head / 2);
@@ -130,7 +130,7 @@ double_pair sine_of(const reduced_angle& angle) {
   return angle.quarter < 2 ? s : double_pair{-s.head, -s.tail};
 }
 
-// arctan(k / 8)
+// Values of arctan(k / 8).
 constexpr std::array<double_pair, 9> arc_tangents = {{
     {0, 0},
     {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
@@ -143,7 +143,7 @@ constexpr std::array<double_pair, 9> arc_tangents = {{
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 }};
 
-// Returns a + f b, f an eighth or so: all products exact but for the last place of the tail.
+// Returns a + f b for f of about an eighth: products are exact but for the tail's last place.
 double_pair sum_with_product(double a, double f, double b) {
   const double_pair p = exact_product(f, b), sum = exact_sum(a, p.head);
   return exact_sum_of_ordered(sum.head, sum.tail + p.tail);
@@ -167,7 +167,7 @@ double_pair arc_tangent_of_share(double n, double d) {
 double_pair arc_tangent_of_quotient(double n, double d) {
   int exponent = 0;
   const double unit = std::frexp(d, &exponent);
-  // Far apart: the tangent itself, which may be subnormal.
+  // Returns the tangent itself where n is far below d; it may be subnormal.
   if (std::ilogb(n) - exponent < -60) return {n / d, 0};
   return arc_tangent_of_share(std::ldexp(n, 1 - exponent), 2 * unit);
 }

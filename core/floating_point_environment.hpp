@@ -2,7 +2,7 @@
 //
 // Opens a scope with a known floating-point environment: all exceptions masked, no flush-to-zero,
 // no denormals-are-zero, the rounding mode asked for. The caller's environment, status flags
-// included, is put back at the end of the scope. Costs a few nanoseconds.
+// included, is restored at the end of the scope. Costs a few nanoseconds.
 //
 // The compiler does not order arithmetic against a change of the environment: do the arithmetic in
 // a function that is not inlined into the one that holds the scope.
@@ -12,7 +12,7 @@
 // nothing there.
 #pragma once
 
-// Clang tells of parts of -ffast-math only when all are on.
+// Refuses -ffast-math in all its parts; Clang defines a macro only when all are on.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #error "asterism: exact predicates cannot be compiled with -ffast-math"

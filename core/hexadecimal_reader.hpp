@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads hexadecimal doubles, such as 1.8p-3 for 0.1875, without the standard library's help.
+// Reads hexadecimal doubles, such as 1.8p-3 for 0.1875, without the standard library.
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// Digits of a hexadecimal number: bits 2^power, and whether more that is not zero came after them.
+// Digits of a hexadecimal number: bits 2^power, and whether a later digit was not zero.
 struct hexadecimal_digits {
   std::uint64_t bits = 0;
   long long power = 0;
@@ -46,8 +46,8 @@ inline hexadecimal_digits read_digits(const char*& at, const char* last) {
   return read;
 }
 
-// Reads "p-12", and moves `at` beyond it; 0 where there is none. Beyond 2^60 no number of digits
-// makes up for it.
+// Reads "p-12", and moves `at` beyond it; 0 where there is none. Stops at 2^60, for which no number
+// of digits compensates.
 inline long long read_power(const char*& at, const char* last) {
   constexpr long long beyond_any_text = 1LL << 60;
   if (at == last || (*at != 'p' && *at != 'P')) return 0;
@@ -71,7 +71,7 @@ inline double nearest_double(hexadecimal_digits read) {
   const std::uint64_t bits = read.bits << unused;  // the first bit is one: 2^63 times its worth
   const long long lowest = read.power - unused, highest = lowest + 63;
   if (highest > 1023) return HUGE_VAL;
-  // 53 bits of it, or those from 2^-1074 on.
+  // Keeps 53 bits of the number, or those from 2^-1074 on.
   const long long dropped = highest < -1022 ? -1074 - lowest : 11;
   if (dropped > 64) return 0;
   const auto count = static_cast<int>(dropped);

@@ -12,7 +12,7 @@
 namespace asterism::internal {
 namespace {
 
-// Cost of a call, in products of limbs.
+// Cost of a function call, in units of products of two limbs.
 constexpr std::uint64_t a_call = 40;
 
 // Counts a product of so many limbs by so many. Beyond some forty limbs it is made of smaller ones,
@@ -64,7 +64,7 @@ void integer::set_long_sum(const integer& a, unsigned long shift, const integer&
     to[n] = limbs::shift_left(to + whole, a.data(), a.size_, part);
     n += to[n] != 0;
   }
-  // |a| 2^shift stands in n limbs of `to`.
+  // Writes |a| 2^shift into n limbs of `to`.
   if (m == 0) {
     negative_ = a.negative_;
     size_ = n;
@@ -134,7 +134,7 @@ integer exact_quotient(const integer& a, const integer& b) {
 
 integer greatest_common_divisor_of_odd(const integer& a, const integer& b) {
   assert(a.trailing_zeros() == 0 && b.trailing_zeros() == 0);
-  // Both are overwritten.
+  // Copies both magnitudes, which are overwritten.
   integer longer = a.bit_length() >= b.bit_length() ? a : b,
           shorter = a.bit_length() >= b.bit_length() ? b : a;
   limb_products_done += a_call + 8 * longer.size_ * shorter.size_;

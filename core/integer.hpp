@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Defines integers of any size, as a sign and a magnitude of 64-bit limbs. Up to `inline_limbs`
-// limbs live inside the object, so that arithmetic of numbers of this size asks nobody for memory;
+// limbs live inside the object, so that arithmetic of numbers of this size allocates nothing;
 // longer ones own an array. Short operands are treated in place, long ones by the functions of
 // core/limbs_gmp.hpp or core/limbs_cpp_int.hpp.
 //
@@ -30,8 +30,8 @@ class integer {
  public:
   using limb = std::uint64_t;
   static constexpr unsigned limb_bits = 64;
-  // The norms of an edge test in smooth metrics have up to 23; with 20, one in six asked for
-  // memory.
+  // Number of limbs inside the object: norms of an edge test in smooth metrics have up to 23; with
+  // 20, one in six allocated memory.
   static constexpr std::size_t inline_limbs = 24;
 
   integer() = default;
@@ -86,7 +86,7 @@ class integer {
 
   // Sets *this to a * 2^shift + b, or - b. It must be neither.
   void set_sum(const integer& a, unsigned long shift, const integer& b, bool subtract) {
-    // Both below 2^126: the sum is one of __int128.
+    // Adds numbers below 2^126, whose sum fits into an __int128.
     if (a.size_ <= 1 && b.size_ <= 1 && shift <= largest_short_shift) {
       const wide left = a.size_ == 0 ? 0 : wide{a.data()[0]} << shift,
                  right = b.size_ == 0 ? 0 : b.data()[0];
@@ -142,7 +142,7 @@ class integer {
     size_ = std::exchange(other.size_, 0);
     negative_ = other.negative_;
   }
-  // Limbs to be overwritten: the old ones are lost when there was no room.
+  // Returns limbs to be overwritten: their old values are lost when there was no room.
   limb* room_for(std::size_t limbs) {
     if (limbs <= inline_limbs) return data();  // an array has more
     return room_on_heap(limbs);

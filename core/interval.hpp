@@ -9,7 +9,7 @@
 // An overflow gives an infinite or meaningless bound; no comparison with those is ever certain.
 #pragma once
 
-// First: it refuses -ffast-math, for which nothing below would be rigorous.
+// Included first, as it refuses -ffast-math, for which nothing below would be rigorous.
 #include "asterism/core/floating_point_environment.hpp"
 
 #ifdef ASTERISM_SELF_CHECK
@@ -34,7 +34,7 @@ using interval = rounded_interval;
 
 inline uncertain_sign sign_of(const interval& x) {
   constexpr double largest = std::numeric_limits<double>::max();
-  // Written so that a NaN bound falls through to "undecided".
+  // Compares so that a NaN bound leads to "undecided".
   if (!(x.inf() >= -largest && x.sup() <= largest)) return {};
   if (x.inf() > 0) return sign::positive;
   if (x.sup() < 0) return sign::negative;

@@ -55,7 +55,7 @@ inline bool is_less(const limb* a, const limb* b, std::size_t n) {
   return n > 0 && a[n - 1] < b[n - 1];
 }
 
-// Works from the top, because `to` may lie above a.
+// Works from the top down, because `to` may lie above a.
 inline limb shift_left(limb* to, const limb* a, std::size_t n, unsigned bits) {
   const limb out = a[n - 1] >> (64 - bits);
   for (std::size_t k = n; k-- > 0;) to[k] = (a[k] << bits) | (k > 0 ? a[k - 1] >> (64 - bits) : 0);
@@ -73,7 +73,7 @@ inline cpp_int to_cpp_int(const limb* a, std::size_t n) {
   return value;
 }
 
-// Writes all of the `room` limbs; the number of those that are not leading zeros is returned.
+// Writes all `room` limbs; returns the number of limbs without leading zeros.
 inline std::size_t from_cpp_int(const cpp_int& value, limb* to, std::size_t room) {
   limb* const end = value == 0 ? to : export_bits(value, to, 64, false);
   std::fill(end, to + room, limb{0});

@@ -17,7 +17,7 @@ std::string quoted_token(std::string_view token) {
   return text + (token.size() > longest ? "...'" : "'");
 }
 
-// Has words for what is no number: it comes of numbers that are too large.
+// Returns words for infinity and NaN, which come from numbers that are too large.
 std::string format_number(double value) {
   if (std::isnan(value)) return "unknown";
   if (std::isinf(value)) return value > 0 ? "too large" : "too far below 0";
@@ -43,7 +43,7 @@ bool is_huge(std::string_view digits, int base) {
   if (!exponent.empty() && (negative || exponent.front() == '+')) exponent.remove_prefix(1);
   long long power = 0;
   const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
-  // No text is long enough to make up for an exponent like that.
+  // Bounds the exponent: no text is long enough to compensate for it.
   constexpr long long beyond_any_text = 1LL << 60;
   if (read.ec == std::errc::result_out_of_range || power > beyond_any_text) return !negative;
   const std::size_t dot = std::min(mantissa.find('.'), mantissa.size());
@@ -52,7 +52,7 @@ bool is_huge(std::string_view digits, int base) {
 }
 
 std::string with_buffer(const auto& write) {
-  // The longest: sign, point, exponent and 17 digits.
+  // Length of the longest text: sign, point, exponent and 17 digits.
   std::array<char, 32> text{};
   return {text.data(), write(text.data(), text.data() + text.size()).ptr};
 }
@@ -73,16 +73,16 @@ result<double> parse_number(std::string_view token) {
   if (!digits.empty() && (negative || digits.front() == '+')) digits.remove_prefix(1);
   const bool hexadecimal = digits.starts_with("0x") || digits.starts_with("0X");
   if (hexadecimal) digits.remove_prefix(2);
-  // from_chars would take a second sign here.
+  // Refuses a second sign, which from_chars would accept here.
   if (digits.empty() || digits.front() == '-' || digits.front() == '+') return no_number();
 
   double value = 0;
   const char* const end = digits.data() + digits.size();
   const auto read = read_double(digits.data(), end, value, hexadecimal);
   if (read.ec == std::errc::invalid_argument || read.ptr != end) return no_number();
-  // "0xinf" is not C99's; plain "inf" and "nan" are numbers, but not finite ones.
+  // Refuses "0xinf", which is not C99's; plain "inf" and "nan" are numbers, but not finite ones.
   if (hexadecimal && !std::isfinite(value)) return no_number();
-  // from_chars gives no value here and does not tell overflow from underflow.
+  // Finds whether a number overflowed: from_chars does not distinguish overflow from underflow.
   if (read.ec == std::errc::result_out_of_range)
     value = is_huge(digits, hexadecimal ? 16 : 10) ? HUGE_VAL : 0;
   if (!std::isfinite(value))

@@ -32,7 +32,7 @@ displacement<Number> between(const basic_point<Number>& a, const basic_point<Num
   return {b.x - a.x, b.y - a.y};
 }
 
-// Squares a number. The square of an interval that straddles zero does not.
+// Squares a number. For an interval that straddles zero the lower end is not zero.
 inline interval square(const interval& x) { return squared(x); }
 template <class Number>
 Number square(const Number& x) {

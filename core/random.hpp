@@ -31,21 +31,21 @@ class splitmix64 {
  public:
   constexpr explicit splitmix64(std::uint64_t seed) : state_(seed) {}
 
-  // A generator made from it goes on where this one is.
+  // A generator with its state. A copy continues where this one is.
   constexpr std::uint64_t state() const { return state_; }
 
   constexpr std::uint64_t bits() { return mixed_bits(state_ += 0x9e3779b97f4a7c15U); }
-  // Uniform on the multiples of 2^-53 in [0, 1).
+  // Returns a multiple of 2^-53, uniform in [0, 1).
   constexpr double real() { return unit_fraction(bits()); }
   constexpr double real(double low, double high) { return low + (high - low) * real(); }
-  // In [0, n). The bias is below n / 2^64.
+  // Returns an integer, uniform in [0, n) up to a bias below n / 2^64.
   constexpr std::uint64_t below(std::uint64_t n) { return bits() % n; }
-  // Both ends included.
+  // Returns an integer, uniform from low to high, both included.
   constexpr int integer(int low, int high) {
     const auto count = static_cast<std::uint64_t>(std::int64_t{high} - low) + 1;
     return low + static_cast<int>(below(count));
   }
-  // True once in `one_in` times.
+  // Returns true with the probability 1 / one_in.
   constexpr bool chance(int one_in) { return integer(1, one_in) == 1; }
 
  private:

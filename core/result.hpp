@@ -25,7 +25,7 @@ enum class error_code {
   invalid_mesh      // indices out of range, or not a triangulation
 };
 
-// Failure because of input. It can be made of a sentence alone.
+// A failure because of input. It can be made from a sentence alone.
 struct error {
   std::string message;  // for a person; names file, line, vertex or number where there is one
   error_code code = error_code::invalid_input;

@@ -19,7 +19,7 @@
 // the one NaN that can arise is zero times infinity in a product, which is dealt with there.
 #pragma once
 
-// First: it refuses -ffast-math, for which nothing below would be rigorous.
+// Included first, as it refuses -ffast-math, for which nothing below would be rigorous.
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/two_lanes.hpp"
 
@@ -56,8 +56,8 @@ class rounded_interval {
   two_lanes ends_;  // {-low, high}
 };
 
-// The upper end is the greatest of the four products of ends, and minus the lower end is the
-// greatest of their negatives.
+// Computes the upper end as the greatest of the four products of ends, and minus the lower end is
+// the greatest of their negatives.
 //
 // A product of an end zero and an infinite end is NaN and stands for zero, since every number of an
 // interval is finite. `greatest` gives its second operand when one is NaN. The second operands are
@@ -81,7 +81,7 @@ inline rounded_interval operator*(const rounded_interval& a, const rounded_inter
 inline rounded_interval squared(const rounded_interval& a) {
   const two_lanes ends = opaque_here(a.ends_), swapped = ends.swapped();
   const two_lanes most = greatest(ends, swapped);  // the greatest modulus, in both lanes
-  // Minus the least modulus, in both lanes; zero where the interval straddles zero.
+  // Takes minus the least modulus, in both lanes; zero where the interval straddles zero.
   const two_lanes least = smallest(smallest(ends, swapped), two_lanes(0.0, 0.0));
   const two_lanes factor = first_then_second(least, most);
   return rounded_interval(opaque_here(product(factor, factor.first_negated())));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Adds to rounded intervals their quotients by positive numbers, and hulls. Both stand in a
+// Adds to rounded intervals their quotients by positive numbers, and hulls. Both require a
 // floating_point_scope(rounding::upward), as core/rounded_interval.hpp says.
 #pragma once
 

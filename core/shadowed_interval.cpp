@@ -84,7 +84,7 @@ shadowed_interval::shadowed_interval(const char* operation, const enclosure& box
 
 void shadowed_interval::check(const char* operation) const {
   if (!shadow_) return;
-  // An infinite end encloses everything on its side; a NaN promises nothing.
+  // Checks an end: an infinite end encloses everything on its side; a NaN promises nothing.
   const bool below = !is_number(inf()) || !(shadow_->least.high < dyadic(inf()));
   const bool above = !is_number(sup()) || !(dyadic(sup()) < shadow_->greatest.low);
   if (below && above) return;
@@ -137,7 +137,7 @@ shadowed_interval squared(const shadowed_interval& a) {
   if (a.shadow_) {
     const auto& p = *a.shadow_;
     const dyadic_range first = p.least * p.least, second = p.greatest * p.greatest;
-    // Zero is a value only where it certainly lies between the ends.
+    // Includes zero only where it certainly lies between the ends.
     const bool straddles = p.least.high.sign_value() != sign::positive &&
                            p.greatest.low.sign_value() != sign::negative;
     shadow = {straddles ? exactly(dyadic(0)) : least(first, second), greatest(first, second),

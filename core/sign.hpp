@@ -26,7 +26,7 @@ constexpr sign to_sign(int value) {
   return value > 0 ? sign::positive : value < 0 ? sign::negative : sign::zero;
 }
 
-// Holds an answer, or the knowledge that there is none.
+// An answer, or the knowledge that there is none.
 template <class T>
 class uncertain {
  public:
@@ -46,11 +46,11 @@ class uncertain {
   bool certain_ = false;
 };
 
-// A sign that may be undecided.
+// Sign of a real number, or undecided.
 using uncertain_sign = uncertain<sign>;
-// A yes or no that may be undecided.
+// Yes or no, or undecided.
 using uncertain_bool = uncertain<bool>;
-// A count that may be undecided.
+// Number of points, or undecided.
 using uncertain_int = uncertain<int>;
 
 // Returns Kleene's three-valued "not".

@@ -29,7 +29,7 @@ struct basic_metric_tensor {
   friend bool operator==(const basic_metric_tensor&, const basic_metric_tensor&) = default;
 };
 
-// A point with its own metric: how it measures lengths and angles everywhere.
+// A point with its own metric, by which it measures lengths and angles everywhere.
 template <class Number>
 struct basic_site {
   basic_point<Number> position;
@@ -37,11 +37,11 @@ struct basic_site {
   friend bool operator==(const basic_site&, const basic_site&) = default;
 };
 
-// A point of input or output.
+// A point in doubles, as in input and output.
 using point = basic_point<double>;
-// A metric tensor of input or output.
+// A metric tensor in doubles, as in input and output.
 using metric_tensor = basic_metric_tensor<double>;
-// A site of input or output.
+// A site in doubles, as in input and output.
 using site = basic_site<double>;
 
 // True if the tensors are equal bit for bit, whatever the floating-point environment: to a

@@ -46,7 +46,7 @@ class two_lanes {
   friend two_lanes product(const two_lanes& a, const two_lanes& b) {
     return two_lanes(_mm_mul_pd(a.lanes_, b.lanes_));
   }
-  // These two return the second of two numbers if one is NaN or both are zeros.
+  // Return the second of two numbers if one is NaN or both are zeros.
   friend two_lanes greatest(const two_lanes& a, const two_lanes& b) {
     return two_lanes(_mm_max_pd(a.lanes_, b.lanes_));
   }
@@ -112,7 +112,7 @@ class two_lanes {
   friend two_lanes product(const two_lanes& a, const two_lanes& b) {
     return {lane_product(a.first_, b.first_), lane_product(a.second_, b.second_)};
   }
-  // These two return the second of two numbers if one is NaN or both are zeros.
+  // Return the second of two numbers if one is NaN or both are zeros.
   friend two_lanes greatest(const two_lanes& a, const two_lanes& b) {
     return {a.first_ > b.first_ ? a.first_ : b.first_,
             a.second_ > b.second_ ? a.second_ : b.second_};
@@ -141,7 +141,7 @@ class two_lanes {
 
 #endif
 
-// One number at a time.
+// Work on the two numbers one at a time.
 #if ASTERISM_DIRECTED_ROUNDING
 inline double rounded_sum(double a, double b) {
   return opaque_here(opaque_here(a) + opaque_here(b));

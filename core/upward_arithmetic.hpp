@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <limits>
 
-// First: it refuses -ffast-math, for which nothing below would be rigorous.
+// Included first, as it refuses -ffast-math, for which nothing below would be rigorous.
 #include "asterism/core/floating_point_environment.hpp"
 
 namespace asterism::internal::upward {
@@ -55,7 +55,7 @@ inline std::int64_t product_excess(double a, double b, double p) {
   int of_a = 0, of_b = 0;
   const double a_scaled = std::frexp(a, &of_a), b_scaled = std::frexp(b, &of_b);
   const double product = a_scaled * b_scaled;
-  // Exact: p is at most 1 in these units, and a multiple of 2^-1074 in its own.
+  // Subtracts exactly: p is at most 1 in these units, and a multiple of 2^-1074 in its own.
   const double target = std::ldexp(p, -(of_a + of_b));
   if (product != target) return product > target ? 1 : -1;
   if (product == 0) return 0;
@@ -72,9 +72,9 @@ inline int compare_product(double a, double b, double c) {
 
 inline bool is_finite(double x) { return std::abs(x) <= std::numeric_limits<double>::max(); }
 
-// The error of a rounded sum is a double, and with the greater operand first this is that double
-// (Dekker, "A floating-point technique for extending the available precision", 1971). Where the sum
-// is infinite it says where rounding upward stops: above minus infinity.
+// Computes the error of a rounded sum, which is a double, and with the greater operand first this
+// is that double (Dekker, "A floating-point technique for extending the available precision",
+// 1971). Where the sum is infinite it says where rounding upward stops: above minus infinity.
 inline double sum(double a, double b) {
   const double nearest = a + b;
   const bool ordered = std::abs(a) >= std::abs(b);
@@ -104,7 +104,7 @@ inline double quotient(double a, double b) {
   return (b > 0 ? excess < 0 : excess > 0) ? next_above(nearest) : nearest;
 }
 
-// Returns NaN for a negative number.
+// Returns the root rounded upward; NaN for a negative number.
 inline double root(double x) {
   const double nearest = std::sqrt(x);
   if (!is_finite(x) || !is_finite(nearest)) return nearest;
