@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Owns file descriptors, which it closes, and makes pipes of them.
+// Owns file descriptors, which it closes, and makes pipes from them.
 #pragma once
 
 #include <fcntl.h>
@@ -10,7 +10,7 @@
 
 namespace asterism::challenge {
 
-// A descriptor that is closed when it goes.
+// A descriptor that is closed when the object is destroyed.
 class descriptor {
  public:
   descriptor() = default;
@@ -25,7 +25,7 @@ class descriptor {
     close();
     number_ = number;
   }
-  // Hands it over to one that does not close it.
+  // Returns the descriptor and gives up its ownership.
   int release() {
     const int number = number_;
     number_ = -1;
@@ -40,7 +40,7 @@ class descriptor {
   int number_ = -1;
 };
 
-// The two ends of a pipe; neither is left to the programs that are run.
+// The two ends of a pipe; neither is inherited by programs that are run.
 struct channel {
   descriptor read, write;
 

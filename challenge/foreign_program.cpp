@@ -22,7 +22,7 @@ double seconds_since(clock::time_point start) {
   return std::chrono::duration<double>(clock::now() - start).count();
 }
 
-// Writing to a program that has gone is an error of the call, not the end of ours.
+// Ignores SIGPIPE: writing to a program that has ended is an error of the call.
 class ignored_broken_pipe {
  public:
   ignored_broken_pipe() {
@@ -38,13 +38,13 @@ class ignored_broken_pipe {
   struct sigaction before_ = {};
 };
 
-// Cuts the output into lines, and notes when they came.
+// Splits the output into lines, and records the time of each.
 class answer_reader {
  public:
   answer_reader(program_run& run, std::size_t expected, double slow)
       : run_(run), expected_(expected), slow_(slow) {}
 
-  // False at the first thing that no answer is: the run must end.
+  // Returns false at the first line that is no answer: the run must then end.
   bool take(std::span<const char> bytes) {
     for (const char byte : bytes) {
       if (byte != '\n') {
@@ -57,7 +57,7 @@ class answer_reader {
     }
     return true;
   }
-  // A last line without an end.
+  // Takes a last line that has no end of line.
   bool finish() { return line_.empty() || take_line(); }
   double silence() const { return seconds_since(last_); }
 
@@ -81,7 +81,7 @@ class answer_reader {
   clock::time_point last_ = clock::now();
 };
 
-// A conversation with a program: what is still to be written, and what was read.
+// A conversation with a program: the text still to be written, and the text read.
 class conversation {
  public:
   conversation(kept_program& program, program_run& run, const std::string& text,
@@ -93,7 +93,7 @@ class conversation {
         expected_(expected),
         limits_(limits) {}
 
-  // Talks until the program has ended or must be ended.
+  // Writes and reads until the program has ended or must be ended.
   void hold() {
     while (program_.out.open()) {
       const bool over = program_.ended();  // seen before the pipe is emptied for the last time
@@ -124,7 +124,7 @@ class conversation {
     if (gone || written_ == text_.size()) program_.in.close();
   }
 
-  // Reads the output there is; false if it is longer than the answers can be.
+  // Reads the available output; returns false if it is longer than the answers can be.
   bool read_some() {
     std::array<char, 65536> bytes;
     const ssize_t count = ::read(program_.out.number(), bytes.data(), bytes.size());

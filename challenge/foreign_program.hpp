@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs a foreign program: lines to its standard input, lines from its standard output, and an end
-// to it, whatever it does. It may crash, hang, read nothing, write for ever or not at all.
+// Runs a foreign program with lines on its standard input, reads lines from its standard output,
+// and always ends it. The program may crash, hang, read nothing, write for ever or not at all.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,8 @@ struct run_limits {
   double slow = 1;       // seconds until an answer is called slow
   double patience = 10;  // seconds from its last answer until it is killed
   double whole = 3600;   // seconds for all runs of a challenge
-  // When the whole is over, by a clock that was started with it (challenge/referee.cpp).
+  // Time at which the whole challenge ends, by a clock that was started with it
+  // (challenge/referee.cpp).
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
@@ -59,7 +60,8 @@ inline constexpr std::size_t longest_answer = 4096;
 result<program_run> run_program(const std::vector<std::string>& command,
                                 std::span<const std::string> questions, const run_limits& limits);
 
-// Words for an ending, and what the program said: "ended by signal 11 (Segmentation fault)".
+// Returns words for an ending, with the program's own message: "ended by signal 11 (Segmentation
+// fault)".
 std::string said_at_end(const program_run& run);
 
 }  // namespace asterism::challenge

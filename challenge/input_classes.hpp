@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The classes of input on which predicates are known to fail. A new one is a function from random
-// numbers to a scene, declared here and entered in the table of input_classes.cpp, which is all
-// that the command, its help and the tests read.
+// Lists the classes of input on which predicates are known to fail. A new one is a function from
+// random numbers to a scene, declared here and entered in the table of input_classes.cpp, which is
+// all that the command, its help and the tests read.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ std::span<const input_class> input_classes();
 // Returns the class of that name, null if there is none.
 const input_class* class_named(std::string_view name);
 
-// input_classes_degenerate.cpp: on the border between two answers, or one unit beside it.
+// Classes on the border between two answers, or one unit beside it (input_classes_degenerate.cpp).
 scene grid(random_source& random);
 scene cocircular(random_source& random);
 scene collinear(random_source& random);
@@ -28,7 +28,7 @@ scene degenerate(random_source& random);  // one of the five above
 scene one_ulp(random_source& random);
 scene kettner(random_source& random);
 
-// input_classes_sized.cpp: numbers of unusual sizes.
+// Classes of numbers of unusual sizes (input_classes_sized.cpp).
 scene uniform(random_source& random);
 scene ill_conditioned(random_source& random);
 scene scaled_400(random_source& random);

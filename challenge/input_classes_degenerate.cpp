@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes on the border between two answers, in small integers, so that they are exactly there; and
-// scenes moved off it by as little as doubles can.
+// Makes scenes on the border between two answers, in small integers, so that they are exactly
+// there; and scenes moved off the border by as little as doubles allow.
 #include <array>
 #include <utility>
 
@@ -20,14 +20,15 @@ struct integer_map {
     const double x = p.x + k * p.y, y = p.y + l * x;
     return {x + shift.x, y + shift.y};
   }
-  // Distances between images are those between originals: m' = A^-T m A^-1.
+  // Maps a metric so that distances between images equal those between originals: m' = A^-T m A^-1.
   metric_tensor operator()(const metric_tensor& m) const {
     const metric_tensor s = {m.m11, m.m12 - k * m.m11, m.m22 - 2 * k * m.m12 + k * k * m.m11};
     return {s.m11 - 2 * l * s.m12 + l * l * s.m22, s.m12 - l * s.m22, s.m22};
   }
 };
 
-// Hides a construction made in convenient coordinates. Exact for numbers of few digits.
+// Hides a construction made in convenient coordinates by a linear map. Exact for numbers of few
+// digits.
 scene moved(scene s, random_source& random) {
   const double k = small_integer(random, 2), l = small_integer(random, 1);
   const integer_map map = {k, l, integer_point(random, 3)};
@@ -36,7 +37,8 @@ scene moved(scene s, random_source& random) {
   return s;
 }
 
-// At squared distance beta from the origin, at an offset with a coordinate that is 1 or -1.
+// Makes a site at squared distance beta from the origin, at an offset with a coordinate that is 1
+// or -1.
 site at_distance_from_origin(double beta, random_source& random) {
   const double x = random.chance(2) ? 1 : -1, y = small_integer(random, 3);
   const double m12 = small_integer(random, 4), m22 = random.integer(1, 5);
@@ -44,9 +46,9 @@ site at_distance_from_origin(double beta, random_source& random) {
   return random.chance(2) ? site{{x, y}, {m11, m12, m22}} : site{{y, x}, {m22, m12, m11}};
 }
 
-// The bisector of v = (0,0) with tensor (1,0,3) and w = (3,0) with (4,0,12) is the ellipse
-// (x-4)^2 + 3 y^2 = 4. The ray from v through (3,1) touches it there: before, at and beyond the
-// touching point neither site dominates, or v does. x and y are anywhere.
+// Makes a tangency: the bisector of v = (0,0) with tensor (1,0,3) and w = (3,0) with (4,0,12) is
+// the ellipse (x-4)^2 + 3 y^2 = 4. The ray from v through (3,1) touches it there: before, at and
+// beyond the touching point neither site dominates, or v does. x and y are anywhere.
 scene touching_ray(random_source& random) {
   const double t = random.integer(1, 6), side = random.chance(2) ? 1 : -1;
   scene s;
@@ -58,8 +60,9 @@ scene touching_ray(random_source& random) {
   return s;
 }
 
-// The ray from v to the origin, which is equally far from all four, touches the bisector of v and w
-// there: at the origin the gradients of f_v - f_w and the ray are at right angles.
+// Makes a tangency: the ray from v to the origin, which is equally far from all four, touches the
+// bisector of v and w there: at the origin the gradients of f_v - f_w and the ray are at right
+// angles.
 scene touching_at_common_point(random_source& random) {
   const double a = random.integer(1, 3), beta = random.integer(3, 40);
   const double m11 = random.integer(1, 5), m12 = small_integer(random, 4);
@@ -71,9 +74,9 @@ scene touching_at_common_point(random_source& random) {
   return s;
 }
 
-// a and b are images of each other, the middle of the edge ab is the origin, and w's distance from
-// it is theirs: on ab, which is Y = 0, f_w - f_a has its double root, or nearly, where f_b meets
-// it.
+// Makes a touching cell: a and b are images of each other, the middle of the edge ab is the origin,
+// and w's distance from it is theirs: on ab, which is Y = 0, f_w - f_a has its double root, or
+// nearly, where f_b meets it.
 scene touching_edge(random_source& random) {
   const double m11 = random.integer(1, 4), m22 = random.integer(1, 4), h = random.integer(1, 4);
   scene s;
@@ -86,7 +89,7 @@ scene touching_edge(random_source& random) {
   return s;
 }
 
-// Zero has no neighbour that a relative error could reach: it becomes 2^-53 or its opposite.
+// Moves a zero, which has no neighbour at a relative distance, to 2^-53 or its opposite.
 double barely_moved(double number, random_source& random) {
   if (number != 0) return neighbour(number, random);
   return random.chance(2) ? 0x1p-53 : -0x1p-53;
@@ -106,7 +109,7 @@ scene grid(random_source& random) {
   return s;
 }
 
-// Draws from twelve points of one circle, with one metric: in-circle is zero.
+// Draws from twelve points of one circle, with one metric: the in-circle test gives zero.
 scene cocircular(random_source& random) {
   constexpr std::array<std::array<int, 2>, 3> legs = {{{5, 0}, {3, 4}, {4, 3}}};
   const double scale = random.integer(1, 3);
@@ -116,11 +119,12 @@ scene cocircular(random_source& random) {
     const bool exchange = random.chance(2);
     return site{{exchange ? y : x, exchange ? x : y}, {scale, 0, scale}};
   });
-  // In the plane, too, half of them are cocircular: a map would make an ellipse of the circle.
+  // Leaves half of the scenes unmapped, so that they are cocircular in the plane, too: a map would
+  // make an ellipse of the circle.
   return random.chance(2) ? s : moved(s, random);
 }
 
-// Sites on a line, a point on it too.
+// Places sites, and a point, on one line.
 scene collinear(random_source& random) {
   const point start = integer_point(random, 3), step = integer_point(random, 2);
   return each(random, [&] {
@@ -137,7 +141,7 @@ scene tangent(random_source& random) {
   return moved(s, random);
 }
 
-// The origin is at squared distance beta from all sites: the bisectors meet there.
+// Places all sites at squared distance beta from the origin: the bisectors meet there.
 scene common_roots(random_source& random) {
   const double beta = random.integer(2, 30);
   scene s = each(random, [&] { return at_distance_from_origin(beta, random); });
@@ -145,7 +149,7 @@ scene common_roots(random_source& random) {
   return random.chance(2) ? s : moved(s, random);
 }
 
-// v and w are images of each other in the line Y = 0, and everything else is on it.
+// Makes v and w images of each other in the line Y = 0, on which everything else is.
 scene mirror_images(random_source& random) {
   scene s = grid(random);
   const site& v = s.sites[0];
@@ -179,7 +183,8 @@ scene one_ulp(random_source& random) {
   return s;
 }
 
-// Kettner, Mehlhorn, Pion, Schirra, Yap, "Classroom examples of robustness problems" (2008).
+// Takes the points of Kettner, Mehlhorn, Pion, Schirra, Yap, "Classroom examples of robustness
+// problems" (2008).
 scene kettner(random_source& random) {
   constexpr double unit = 0x1p-53;
   const auto near = [&](double x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes of unusual sizes: scaled, offset, stretched, mixed, subnormal; and ordinary ones.
+// Makes scenes of unusual sizes: scaled, offset, stretched, mixed, subnormal; and ordinary ones.
 #include <array>
 #include <cmath>
 
@@ -65,7 +65,7 @@ scene offset(random_source& random) {
   });
 }
 
-// Condition number s about an integer direction (a, b): s n n^T + t t^T.
+// Makes a tensor of condition number s about an integer direction (a, b): s n n^T + t t^T.
 scene ill_conditioned(random_source& random) {
   scene s = each(random, [&] {
     double stretch = random.real(1, 10);
@@ -88,8 +88,8 @@ scene mixed_sizes(random_source& random) {
   });
 }
 
-// A processor that flushes takes subnormal numbers for zero, and then finds metrics equal and
-// points ordered that are not.
+// Makes subnormal numbers: a processor that flushes takes them for zero, and then finds metrics
+// equal and points ordered that are not.
 scene subnormal(random_source& random) {
   scene s = random.chance(2) ? degenerate(random) : grid(random);
   const auto tiny = [&] { return std::ldexp(small_integer(random, 7), -1074 + 3); };

@@ -62,12 +62,13 @@ class search {
     all_.hung += run.how == run_end::hung ? 1 : 0;
   }
 
-  // The failing run asked from `from` to the end. Answers before the failure are taken. Means
-  // nothing where the time is over before the question is found.
+  // Replies of the failing run, which asked from `from` to the end. Answers before the failure are
+  // valid. Means nothing where the time is over before the question is found.
   result<std::size_t> first_failure(std::size_t from, const program_run& failed) {
     const std::size_t answered = failed.answers.size();
     const std::size_t rest = questions_.size() - from;
-    // Whoever writes each answer at once fails at the first question without one.
+    // Assumes that a program which writes each answer at once fails at the first question without
+    // one.
     if (failed.how != run_end::too_many && answered < rest) {
       auto alone = ask(from + answered, from + answered + 1);
       if (!alone || alone.value().how != run_end::answered) {
@@ -81,7 +82,8 @@ class search {
     return halved(from, failed);
   }
 
-  // The first `good` questions from `from` are answered well; the first `bad` are not.
+  // Bounds of the search: the first `good` questions from `from` are answered well; the first `bad`
+  // are not.
   result<std::size_t> halved(std::size_t from, program_run failed) {
     std::size_t good = 0, bad = questions_.size() - from;
     program_run well;

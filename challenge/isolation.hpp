@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Asks a foreign program a batch of questions, and finds the question at which it fails: by asking
-// it alone, or by halving. What failed is left out, and the rest asked again.
+// it alone, or by halving. The failing question is left out, and the rest asked again.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace asterism::challenge {
 
-// Reply to one question.
+// Reply to one question, or the failure in its place.
 struct reply {
   std::optional<std::string> answer;  // empty: it failed there, or was not asked
   std::optional<run_end> failure;     // how it failed, if it did
@@ -32,12 +32,13 @@ struct batch_replies {
   bool out_of_time = false;    // the time for the whole was over, and the rest was not asked
 };
 
-// Failures in one batch after which the rest is not asked. A search for one takes some ten runs.
+// Number of failures in one batch after which the rest is not asked. The search for one takes some
+// ten runs.
 inline constexpr std::size_t most_failures = 5;
 
 // Asks the questions. After most_failures failures, or one hang, or when the time for the whole is
-// over, the rest is not asked. A program
-// that fails here and there without a pattern is told at the question at which the search ended.
+// over, the rest is not asked. A program that fails without a pattern is reported at the question
+// at which the search ended.
 result<batch_replies> ask_in_turn(const std::vector<std::string>& command,
                                   std::span<const std::string> questions, const run_limits& limits);
 

@@ -34,8 +34,8 @@ struct all_channels {
   }
 };
 
-// Everything from here to the class is done between fork and exec, or without exec: only calls that
-// are allowed there, and no memory from the heap.
+// Limits the code from here to the class, which runs between fork and exec, or without exec: only
+// calls that are allowed there, and no memory from the heap.
 
 [[noreturn]] void become(const std::vector<char*>& arguments, const all_channels& pipes) {
   ::setpgid(0, 0);
@@ -74,7 +74,7 @@ class list_killer {
   pid_t number_ = 0;
 };
 
-// Sends SIGKILL to the children of this process. False where the system does not list them.
+// Sends SIGKILL to the children of this process. Returns false where the system does not list them.
 bool kill_children() {
   const int list = ::open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
   if (list < 0) return false;
@@ -87,8 +87,8 @@ bool kill_children() {
   return true;
 }
 
-// Takes the statuses of the children that have ended, and tells the program's. False once there is
-// no child left.
+// Collects the statuses of the children that have ended, and reports the program's. Returns false
+// once there is no child left.
 bool reap(pid_t program, int reports) {
   int status = 0;
   pid_t ended = 0;
@@ -97,7 +97,7 @@ bool reap(pid_t program, int reports) {
   return ended == 0;
 }
 
-// Ends the children, then what they leave, and so on. False if some remain.
+// Ends the children, then their own children, and so on. Returns false if some remain.
 bool end_all(pid_t program, int reports) {
   constexpr int rounds = 5000;  // about as many milliseconds
   for (int round = 0; round < rounds; ++round) {
@@ -110,8 +110,8 @@ bool end_all(pid_t program, int reports) {
 
 extern "C" void wake(int) {}
 
-// Ignores what a terminal or a shell sends, and has the end of a child wake that call alone which
-// is given the mask that is returned.
+// Ignores signals of a terminal or a shell. Blocks SIGCHLD, except in calls that are given the
+// returned mask.
 sigset_t prepare_signals() {
   for (const int each : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) ::signal(each, SIG_IGN);
   struct sigaction woken = {};
@@ -125,7 +125,7 @@ sigset_t prepare_signals() {
   return asleep;
 }
 
-// Waits until the orders are closed.
+// Waits until the pipe of orders is closed.
 void keep_until_told(pid_t program, int orders, int reports, const sigset_t& asleep) {
   while (true) {
     reap(program, reports);
@@ -137,7 +137,7 @@ void keep_until_told(pid_t program, int orders, int reports, const sigset_t& asl
   }
 }
 
-// Is the keeper, from its fork to its end. Its status says whether all was ended.
+// Runs the keeper, from its fork to its end. Its status tells whether all processes were ended.
 [[noreturn]] void keep(const std::vector<char*>& arguments, all_channels& pipes) {
   ::setpgid(0, 0);
 #if defined(__linux__)
@@ -196,7 +196,7 @@ bool kept_program::ended() {
   const ssize_t count = ::read(reports_.number(), &status, sizeof status);
   if (count < 0) return false;  // nothing yet
   over_ = true;
-  // Without a report the keeper was ended, and the program with it.
+  // Treats a missing report as the end of the keeper, and of the program with it.
   status_ = count == static_cast<ssize_t>(sizeof status) ? status : SIGKILL;
   return true;
 }

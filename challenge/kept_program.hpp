@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A program that runs under a keeper, and of which nothing is left afterwards.
+// Runs a program under a keeper, and leaves no process of it behind.
 //
-// The keeper is a process of ours between us and the program. Whatever the program starts, with
+// The keeper is a process between this one and the program. Whatever the program starts, with
 // setsid or not, becomes the keeper's child when its own parent ends (Linux: a child subreaper,
 // prctl(2)), so that the keeper ends one generation after the other until it has no child. It does
 // so when it is told to, and when we end, however that happens.
@@ -31,15 +31,15 @@ class kept_program {
   kept_program(const kept_program&) = delete;
   kept_program& operator=(const kept_program&) = delete;
 
-  // Runs a program and its arguments. Empty if it runs.
+  // Runs a program and its arguments. Returns an error unless it runs.
   std::optional<error> start(const std::vector<std::string>& command);
   // True once it has ended; the status, as waitpid tells it, is then kept.
   bool ended();
   int status() const { return status_; }
-  // Ends it and all that it started. False if some of that could not be ended.
+  // Ends the program and all processes that it started. Returns false if some could not be ended.
   bool end();
 
-  // Ends of the pipes to its standard input, output and error, which do not block.
+  // Our ends of the pipes to the program's standard input, output and error; they do not block.
   descriptor in, out, error_out;
 
  private:

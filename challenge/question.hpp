@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The questions that are put to a foreign program: those of the batch protocol, and its two names
-// for people without metrics.
+// Lists the questions for a foreign program: those of the batch protocol, and the two plane
+// predicates under their usual names.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace asterism::challenge {
 
-// A name of the batch protocol.
+// A question by its name in the batch protocol.
 struct question {
   std::string_view name;
   predicate asked;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view class_mark = "# class ";
 constexpr std::string_view answer_mark = "#= ";
 
-// The exact answer, by the filtered kernel, which always gives it.
+// Returns the exact answer, by the filtered kernel, which always has one.
 int exact_answer(const batch_record& record) { return ask(filtered_kernel(), record).value(); }
 
 std::uint64_t text_bits(std::string_view text) {
@@ -23,7 +23,7 @@ std::uint64_t text_bits(std::string_view text) {
   return bits;
 }
 
-// A line without its end of line and the blanks around.
+// Returns a line without its end of line and the blanks around it.
 std::string_view trimmed(std::string_view line) {
   constexpr std::string_view blanks = " \t\r\v\f";
   const std::size_t first = line.find_first_not_of(blanks);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions as a file of records, and the answers beside them. A line "# class NAME" begins a
-// class; a line "#= ANSWER" after a record holds its answer. Both are comments to the batch
-// protocol, so such a file can be fed to any program as it is.
+// Reads and writes questions as a file of records, with the answers beside them. A line "# class
+// NAME" begins a class; a line "#= ANSWER" after a record holds its answer. Both are comments to
+// the batch protocol, so such a file can be fed to any program as it is.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct asked_record {
   int answer;
 };
 
-// A class of input: its name, a sentence, and where its records are from.
+// A class of input: its name, a sentence, and the origin of its records.
 struct record_source {
   std::string name;
   std::string text;
@@ -46,8 +46,8 @@ struct record_choice {
   bool decimal = false;     // the shortest decimals, in place of hexadecimal ones
 };
 
-// Returns the records of a source and a question. Those that are made depend on the names of class
-// and question, on the seed, and on nothing else.
+// Returns the records of a source and a question. Generated records depend only on the names of
+// class and question, and on the seed.
 std::vector<asked_record> records_of(const record_source& source, const question& asked,
                                      const record_choice& choice);
 

@@ -50,7 +50,7 @@ verdict judge(const reply& r, int exact) {
   return verdict::garbage;
 }
 
-// A question of each kind that is far from every border.
+// A question of each kind, far from every border.
 std::string simple_record(const question& asked) {
   const metric_tensor m = {1, 0, 1};
   const scene s = {
@@ -67,7 +67,8 @@ class referee {
     limits_.until = clock::now() + std::chrono::duration_cast<clock::duration>(whole);
   }
 
-  // Each question alone, in a run of its own: a program may end at a name that it does not know.
+  // Asks each question alone, in a run of its own: a program may end at a name that it does not
+  // know.
   std::optional<error> find_questions() {
     for (const question& asked : plan_.questions) {
       if (plan_.find_out) {
@@ -106,7 +107,7 @@ class referee {
   challenge_outcome outcome() && { return std::move(outcome_); }
 
  private:
-  // Any number or '?' will do: whether it is right is asked later.
+  // Accepts any number or '?' as an answer: it is judged later.
   static bool knows(const program_run& run) {
     if (run.answers.empty()) return false;
     const verdict v = judge_answer(run.answers.front(), 0);

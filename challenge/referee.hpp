@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Puts questions of every class to a foreign program and judges what comes back.
+// Asks a foreign program questions of every class, and judges the answers.
 #pragma once
 
 #include <array>
@@ -28,12 +28,12 @@ enum class verdict : std::size_t {
 };
 // Number of verdicts.
 inline constexpr std::size_t verdict_count = 10;
-// Their names, in order.
+// Names of the verdicts, in order.
 inline constexpr std::array<std::string_view, verdict_count> verdict_names = {
     "right",   "wrong",    "undecided", "refused", "garbage",
     "too few", "too many", "crashed",   "hung",    "not asked"};
 
-// Counts of what became of records.
+// Numbers of records by verdict, and the times of answers.
 struct tally {
   std::array<std::size_t, verdict_count> of{};
   std::size_t slow = 0;  // answered, but late
@@ -44,7 +44,7 @@ struct tally {
   tally& operator+=(const tally& other);
 };
 
-// A record that went wrong, the first of its class and kind.
+// The first failing record of its class and kind of failure.
 struct witness {
   std::string class_name;
   verdict what;
@@ -54,7 +54,7 @@ struct witness {
   std::string given;  // the answer, or how the program failed
 };
 
-// Plan of a challenge: whom to ask, and what.
+// Plan of a challenge: the program and the questions.
 struct challenge_plan {
   std::vector<std::string> command;
   std::vector<record_source> sources;
@@ -64,7 +64,7 @@ struct challenge_plan {
   bool find_out = true;  // asks first which of the questions the program answers, and only those
 };
 
-// Hangs after which nothing more is asked: each costs the program's silence, and more.
+// Number of hangs after which nothing more is asked: each costs the time limit, and more.
 inline constexpr std::size_t most_hangs = 8;
 
 // Outcome of a challenge.

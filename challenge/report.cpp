@@ -7,7 +7,7 @@
 namespace asterism::challenge {
 namespace {
 
-// The verdicts that get a column.
+// The verdicts that have a column in tables.
 std::vector<verdict> columns(const std::vector<tally>& rows) {
   std::vector<verdict> shown = {verdict::right, verdict::wrong};
   for (std::size_t i = 2; i < verdict_count; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes what came of a challenge as text, Markdown or a page of HTML. All have the same
-// tables: by class, by predicate, both, and the first record of each kind of failure.
+// Writes the results of a challenge as text, Markdown or a page of HTML. All have the same tables:
+// by class, by predicate, both, and the first record of each kind of failure.
 #pragma once
 
 #include <string>
@@ -19,28 +19,30 @@ struct report_heading {
   std::string version;
 };
 
-// Rows of cells, and a head.
+// A table: its head and its rows of cells.
 struct report_table {
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
 };
 
-// A row a class, with a sum; columns of verdicts that no record got are left out, but for "wrong".
+// Returns a table with a row for each class, and a sum; columns of verdicts that no record got are
+// left out, except for "wrong".
 report_table table_by_class(const challenge_outcome& outcome);
-// A row a predicate.
+// Returns a table with a row for each predicate.
 report_table table_by_predicate(const challenge_outcome& outcome);
-// Rows are classes, columns predicates: records that were not answered rightly, of how many.
+// Returns a table of classes by predicates: the number of records not answered correctly, of how
+// many.
 report_table table_of_both(const challenge_outcome& outcome);
 
-// Sentences on the whole: what was not asked, and why.
+// Returns sentences on the whole: what was not asked, and why.
 std::vector<std::string> remarks(const challenge_outcome& outcome);
 
-// "wrong", "crashed", "slow": what a witness is of.
+// Returns the kind of failure of a witness: "wrong", "crashed", "slow".
 std::string_view kind_of(const witness& w);
 
 std::string text_report(const challenge_outcome& outcome);
 std::string markdown_report(const challenge_outcome& outcome, const report_heading& heading);
-// report_html.cpp.
+// Returns the report as a page (report_html.cpp).
 std::string html_report(const challenge_outcome& outcome, const report_heading& heading);
 
 }  // namespace asterism::challenge

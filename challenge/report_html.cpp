@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The report as one page of HTML, which needs nothing else.
+// Writes the report as one page of HTML that needs no other file.
 #include "asterism/challenge/report.hpp"
 
 namespace asterism::challenge {
@@ -37,7 +37,7 @@ std::string escaped(std::string_view text) {
   return safe;
 }
 
-// The columns that count what is not right: all but the name, the records, what is right and the
+// True for columns that count failures: all but the name, the records, the right answers and the
 // time.
 bool counts_failures(const std::string& head) {
   return head != "class" && head != "predicate" && head != "records" && head != "right" &&

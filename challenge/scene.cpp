@@ -86,7 +86,7 @@ batch_record cut_record(predicate question, const scene& s) {
 batch_record draw_record(const input_class& from, predicate question, random_source& random) {
   for (int attempts = 0; attempts < 10000; ++attempts)
     if (const scene s = from.attempt(random); is_valid(s)) return cut_record(question, s);
-  // No class fails that often; the unit square keeps the contract if one did.
+  // Returns the unit square, which is valid, if a class fails in all tries; none fails that often.
   const metric_tensor m = identity;
   return cut_record(question,
                     {{site{{0, 0}, m}, site{{1, 1}, m}, site{{1, 0}, m}, site{{0, 1}, m}}, {}, m});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The numbers that questions are cut from, and how: four sites, a point and a tensor, made by an
-// input class. Deterministic: class and seed name a record for ever.
+// Defines scenes, from which questions are made: four sites, a point and a tensor, made by an input
+// class. Deterministic: class and seed determine a record for ever.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ namespace asterism::challenge {
 
 using random_source = internal::splitmix64;
 
-// Four sites, a point for the predicates that want one, and a tensor for is_spd, which may be
-// anything.
+// Four sites, a point for the predicates that need one, and a tensor for is_spd, which may be
+// any.
 struct scene {
   std::array<site, 4> sites;
   point at;
@@ -28,7 +28,7 @@ struct scene {
 struct input_class {
   std::string_view name;  // as on the command line
   std::string_view text;  // a sentence for people
-  // May return a scene that is not valid: draw_record tries again.
+  // Makes a scene. It may be invalid: draw_record tries again.
   scene (*attempt)(random_source&);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Small numbers, points and tensors that scenes are put together from.
+// Makes small numbers, points and tensors, from which scenes are put together.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace asterism::challenge {
 
-// A whole number of that size at most.
+// Returns a whole number of at most that size.
 inline double small_integer(random_source& random, int size) { return random.integer(-size, size); }
 
 inline point integer_point(random_source& random, int size) {
@@ -23,19 +23,19 @@ inline metric_tensor integer_metric(random_source& random, int size) {
   return {m11, m12, double(random.integer(1, size))};
 }
 
-// L L^T with a random triangular L.
+// Returns L L^T with a random triangular L.
 inline metric_tensor real_metric(random_source& random) {
   const double a = random.real(0.3, 3), b = random.real(-2, 2), c = random.real(0.3, 3);
   return {a * a, a * b, b * b + c * c};
 }
 
-// The next double, upwards or downwards.
+// Returns the next double, upwards or downwards.
 inline double neighbour(double x, random_source& random) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return std::nextafter(x, random.chance(2) ? infinity : -infinity);
 }
 
-// Four sites made alike, a point made like one of them, and a tensor.
+// Makes four sites of one kind, a point like one of them, and a tensor.
 template <class Make>
 scene each(random_source& random, Make make) {
   scene s;

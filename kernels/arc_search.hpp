@@ -22,7 +22,7 @@
 
 namespace asterism::internal {
 
-// PointOnArc(arc, m): the displacement and weight of p(m) over a type that holds sqrt E.
+// Makes the displacement and weight of the point p(m) of an arc, over a type that holds sqrt E.
 template <class Number, class PointOnArc, class Source = Number>
 class arc_search {
  public:

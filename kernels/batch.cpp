@@ -33,7 +33,7 @@ site row(const site_columns& s, std::size_t k) {
 
 point row(const point_columns& p, std::size_t k) { return {p.x[k], p.y[k]}; }
 
-// Runs a batch: first(answers) decides what it can; ask(kernel, k) answers a row that it leaves.
+// Runs a batch: first(answers) decides the rows it can; ask(kernel, k) decides each row left.
 template <class First, class Ask>
 void run(std::span<signed char> answers, predicate which, tier_counters* decided,
          const First& first, const Ask& ask) {

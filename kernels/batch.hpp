@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Answers many questions in one call: structure of arrays, one column a number, question k in row k
-// of every column. The semi-static tier runs over all rows at once, several to a vector register;
-// the rows it leaves undecided are asked of a filtered_kernel.
+// of every column. The semi-static tier runs over all rows at once, several to a vector register; a
+// filtered_kernel decides the rows left undecided.
 //
 // Answers go into a column of signed char. They are those of filtered_kernel, -1, 0 or 1 for a
 // sign, 0 or 1 for yes and no; always the same as row by row, whatever vectors the processor has.

@@ -7,17 +7,17 @@
 
 namespace asterism {
 
-// Points, one a row.
+// Columns of points, one a row.
 struct point_columns {
   std::span<const double> x, y;
 };
 
-// Metric tensors, one a row.
+// Columns of metric tensors, one a row.
 struct metric_columns {
   std::span<const double> m11, m12, m22;
 };
 
-// Sites, one a row.
+// Columns of sites, one a row.
 struct site_columns {
   std::span<const double> x, y, m11, m12, m22;
 };

@@ -81,7 +81,7 @@ ASTERISM_INLINE number compare_distance_row(const site& v, const site& w, const 
                      usable);
 }
 
-// u^T M d, and a bound on its monomials.
+// Returns u^T M d, and a bound on the sum of its absolute monomials.
 struct bounded {
   double value, magnitude;
 };
@@ -117,7 +117,7 @@ ASTERISM_INLINE number dominates_row(const site& v, const site& w, const point& 
   const verdict nearer =
       decide(of_v - of_w, length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
              bound_factor(semi_static::compare_distance_depth));
-  // d is v to w or w to v, which no squared length tells apart.
+  // Takes d from v to w or from w to v: squared lengths are the same.
   const metric_tensor near = choose(nearer.negative, v.metric, w.metric),
                       far = choose(nearer.negative, w.metric, v.metric);
   const vector u = {choose(nearer.negative, from_v.x, from_w.x),
@@ -156,7 +156,7 @@ ASTERISM_INLINE number in_circle_row(const metric_tensor& m, const point& a, con
                      harmless(m) & harmless(u) & harmless(v) & harmless(w));
 }
 
-// Tests for equality bit for bit, whatever the processor is told of subnormal numbers.
+// Tests for equality bit for bit, also on processors that flush subnormal numbers.
 ASTERISM_INLINE number same_metric(const metric_tensor& a, const metric_tensor& b) {
   const auto difference = [](double x, double y) __attribute__((always_inline)) {
     return std::bit_cast<number>(x) ^ std::bit_cast<number>(y);
@@ -177,7 +177,7 @@ ASTERISM_INLINE number edge_test_row(const site& v, const site& w, const site& x
                 side_y = decide(of_y.value, of_y.magnitude, factor);
   const number same = (side_x.positive & side_y.positive) | (side_x.negative & side_y.negative);
   const number apart = (side_x.positive & side_y.negative) | (side_x.negative & side_y.positive);
-  // Opposite angles (predicates/in_circle.hpp).
+  // Evaluates the in-circle test by opposite angles (predicates/in_circle.hpp).
   const bounded at_x = inner_product(v.metric, v_to_x, w_to_x),
                 at_y = inner_product(v.metric, v_to_y, w_to_y);
   const verdict outside =
@@ -187,9 +187,9 @@ ASTERISM_INLINE number edge_test_row(const site& v, const site& w, const site& x
   return truth_answer(same | (apart & outside.positive), apart & outside.negative, usable);
 }
 
-// Blocks of rows side by side as the instruction set allows. Within a block every number has 64
-// bits, or compilers would fill a vector with answers of 8 bits and ask for 32 rows. Contraction is
-// off, so every instruction set computes the same numbers.
+// Processes blocks of rows, as many at once as the instruction set allows. Within a block every
+// number has 64 bits, or compilers would fill a vector with answers of 8 bits and ask for 32 rows.
+// Contraction is off, so every instruction set computes the same numbers.
 template <class Row>
 ASTERISM_INLINE void loop(std::size_t rows, signed char* answers, const Row& ask) {
   constexpr std::size_t block = 8;

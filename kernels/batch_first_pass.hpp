@@ -27,7 +27,7 @@ void in_wedge(const site_columns& v, const site_columns& w, const point_columns&
               std::size_t rows, signed char* answers);
 void dominates(const site_columns& v, const site_columns& w, const point_columns& p,
                std::size_t rows, signed char* answers);
-// Rows whose four metrics differ are undecided.
+// Decides edge tests of four equal metrics. Rows whose metrics differ are undecided.
 void edge_test(const site_columns& v, const site_columns& w, const site_columns& x,
                const site_columns& y, std::size_t rows, signed char* answers);
 

@@ -24,10 +24,10 @@ std::string_view next_token(std::string_view& rest) {
   return token;
 }
 
-// Field 1 is the name, so number i (from 0) is field i + 2.
+// Returns the number of a field: field 1 is the name, so number i (from 0) is field i + 2.
 std::string field(std::size_t number) { return "field " + std::to_string(number + 2); }
 
-// A predicate, and the metric of a record whose name says that it has none.
+// A predicate, and the metric of records whose name has none.
 struct named_predicate {
   predicate question;
   std::size_t implied = 0;  // numbers that the name stands for

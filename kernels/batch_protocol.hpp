@@ -48,18 +48,18 @@ namespace asterism {
 // final CR is a blank.
 ASTERISM_EXPORT result<std::optional<batch_record>> parse_record(std::string_view line);
 
-// The kernel that answers.
+// Kinds of kernels that can answer.
 enum class kernel_choice { filtered, exact, interval, plain_double };
 
 // The tier or kernel that settled a record; `undecided` only with the interval kernel.
 enum class settled_by : std::size_t { semi_static, interval, exact, plain_double, undecided };
-// Number of values of settled_by.
+// Number of tiers and kernels in settled_by.
 inline constexpr std::size_t settled_by_count = 5;
-// Names of these values, in order.
+// Names of the tiers and kernels in settled_by, in order.
 inline constexpr std::array<std::string_view, settled_by_count> settled_by_names = {
     "semi-static", "interval", "exact", "double", "undecided"};
 
-// Counts of what settled the records, by predicate.
+// Numbers of records that each tier or kernel settled, by predicate.
 struct batch_statistics {
   std::array<std::array<std::uint64_t, settled_by_count>, predicate_count> settled{};
   std::uint64_t answers = 0;  // records that got an integer or `?`

@@ -24,11 +24,11 @@ struct batch_record {
   std::array<double, longest_record> numbers{};
 };
 
-// The shape of a predicate's record.
+// Shape of a predicate's record: the numbers of its metrics, sites and points.
 struct record_shape {
   std::size_t metrics, sites, points;
 };
-// The shapes, in the order of `predicate`.
+// Shapes of the records of all predicates, in the order of `predicate`.
 inline constexpr std::array<record_shape, predicate_count> record_shapes = {{
     {0, 0, 3},  // orientation
     {1, 0, 0},  // is_spd
@@ -78,7 +78,7 @@ constexpr uncertain_int as_integer(uncertain<T> answer) {
   return answer.certain() ? as_integer(answer.value()) : uncertain_int();
 }
 
-// Puts the record to the kernel. Requires a record that the kernel accepts: finite, positive
+// Evaluates the record by the kernel. Requires a record that the kernel accepts: finite, positive
 // definite, sites distinct.
 template <class Kernel>
 uncertain_int ask(const Kernel& kernel, const batch_record& r) {

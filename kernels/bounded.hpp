@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Defines a double that carries a bound of its error, for formulas whose bound is not worth
-// deriving by hand: about ten operations for one.
+// deriving by hand. Each operation costs about ten.
 //
 // `bounded` never changes the rounding mode and trusts none: every bound below holds whichever way
 // the machine rounds, and whether or not it flushes subnormal numbers to zero.
@@ -15,8 +15,8 @@
 namespace asterism::internal {
 
 // The exact value lies within `error` of `value`. Results beyond 2^1000 have an infinite error, so
-// that nothing is certain any more: to look for infinities would not do, since an overflow rounded
-// towards zero is the largest double.
+// that nothing is certain any more: a test for infinities would not suffice, since an overflow
+// rounded towards zero is the largest double.
 //
 // An operation in any rounding mode is off by at most 2^-52 of its result, or 2^-1022 where that
 // is subnormal. `inflated` charges 2^-51 and 2^-1000, the difference paying for the few roundings
@@ -44,7 +44,7 @@ class bounded {
                                              std::abs(b.value_) * a.error_ + a.error_ * b.error_);
   }
   friend bounded operator/(bounded a, bounded b) {
-    // |b| shrunk by twice its error: once by definition, once for the roundings of this line.
+    // Takes |b| less twice its error: once by definition, once for the roundings of this line.
     const double divisor = std::abs(b.value_) - 2 * b.error_;
     const double quotient = a.value_ / b.value_;
     if (!(divisor > smallest)) return {quotient, std::numeric_limits<double>::infinity()};

@@ -14,7 +14,7 @@ namespace {
 using namespace asterism;
 using namespace asterism::internal;
 
-// An argument of a question, by what it is: where its numbers are, how many, and its value.
+// An argument of a question: its kind, where its numbers are, how many there are, and its value.
 struct as_metric {
   static constexpr std::size_t width = 3;
   const double* numbers;
@@ -38,8 +38,8 @@ bool is_all_finite(const Argument& a) {
   return finite;
 }
 
-// The metrics of a question's sites, and that of a circle, must be positive definite; of any other
-// metric it may be the question whether it is.
+// Tests the metrics of a question's sites, and that of a circle, which must be positive definite;
+// for any other metric that may be the question itself.
 template <predicate Question, class Argument>
 bool is_surely_sound(const Argument& a) {
   if (!is_all_finite(a)) return false;
@@ -51,7 +51,7 @@ bool is_surely_sound(const Argument& a) {
     return true;
 }
 
-// True if not both are sites, or if they are apart for certain.
+// True for two sites if their positions are certainly different; true for other arguments.
 template <class First, class Second>
 bool is_surely_apart(const First& a, const Second& b) {
   if constexpr (First::width == 5 && Second::width == 5)
@@ -69,7 +69,7 @@ bool are_sites_surely_apart(const First& first, const Rest&... rest) {
   return (is_surely_apart(first, rest) && ...) && are_sites_surely_apart(rest...);
 }
 
-// Asks the kernel's function that the question is named after.
+// Calls the kernel's function that has the question's name.
 template <predicate Question, class... Values>
 auto ask_of_values(const filtered_kernel& kernel, const Values&... values) {
   if constexpr (Question == predicate::orientation) return kernel.orientation(values...);
@@ -88,7 +88,7 @@ auto ask_of_values(const filtered_kernel& kernel, const Values&... values) {
   if constexpr (Question == predicate::in_circle) return kernel.in_circle(values...);
 }
 
-// Finds what is wrong, in exact arithmetic where it must be.
+// Returns the fault of the arguments, by exact arithmetic where necessary.
 template <class... Arguments>
 [[gnu::noinline]] asterism_status check_slowly(predicate question, const Arguments&... arguments) {
   batch_record record{question, {}};
@@ -116,7 +116,7 @@ asterism_status answer_question(int* answer, tier_counters* counters,
   });
 }
 
-// Answers with the arguments one pointer each, in their order.
+// Answers a question whose arguments are given as one pointer each, in their order.
 template <predicate Question, class... Arguments>
 asterism_status answer_pointers(const double* const* from, int* answer, tier_counters* counters) {
   std::size_t next = 0;

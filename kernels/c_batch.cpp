@@ -13,7 +13,7 @@ namespace {
 using namespace asterism;
 using namespace asterism::internal;
 
-// A batch as one row after another or as columns.
+// A batch, stored as one row after another or as columns.
 class question_table {
  public:
   question_table(predicate question, std::span<const asterism_rows> arguments)
@@ -32,10 +32,10 @@ class question_table {
   }
 
   std::span<const asterism_rows> arguments() const { return arguments_; }
-  // The metric of a circle, its first argument, has to be positive definite; of any other it may be
-  // the question whether it is.
+  // True for the metric of a circle, its first argument, which must be positive definite; for any
+  // other metric that may be the question itself.
   bool asks_of_circles() const { return question_ == predicate::in_circle; }
-  // Returns how many numbers a row of argument a has, by what it is.
+  // Returns the number of numbers in a row of argument a, by its kind.
   std::size_t width(std::size_t a) const {
     const record_shape shape = shape_of(question_);
     return a < shape.metrics ? 3 : a < shape.metrics + shape.sites ? 5 : 2;
@@ -56,7 +56,7 @@ class question_table {
   std::span<const asterism_rows> arguments_;
 };
 
-// The checks of a batch in doubles, argument by argument: they pass only what passes check_record,
+// Checks a batch in doubles, argument by argument: accepts only records that check_record accepts,
 // in any rounding mode and with subnormal numbers switched off.
 
 template <std::size_t Width>
@@ -83,7 +83,7 @@ bool all_apart(const asterism_rows& a, const asterism_rows& b, std::size_t count
   return apart;
 }
 
-// True if no row can fail; where it is false some may.
+// True if certainly no row fails the checks.
 bool all_sound(const question_table& table, std::size_t count) {
   const std::span<const asterism_rows> arguments = table.arguments();
   const auto is_site = [&](std::size_t a) { return table.width(a) == 5; };
@@ -103,7 +103,7 @@ bool all_sound(const question_table& table, std::size_t count) {
   return true;
 }
 
-// Columns of some rows, as batch_kernel takes them.
+// Columns of a range of rows, as batch_kernel takes them.
 class column_block {
  public:
   static constexpr std::size_t capacity = 128;
@@ -119,7 +119,7 @@ class column_block {
     }
   }
 
-  // Every batch has as many rows as the columns: there is no mismatch to report.
+  // Ignores the status: every batch has as many rows as the columns.
   bool answer(const batch_kernel& kernel, predicate question, std::span<signed char> to) const {
     switch (question) {
       case predicate::orientation:

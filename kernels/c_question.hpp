@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what the C functions share: the checks of a question's numbers, and the border that no
-// exception crosses.
+// Holds what the C functions share: the checks of a question's numbers, and the function that lets
+// no exception pass to C.
 #pragma once
 
 #include <bit>
@@ -15,8 +15,8 @@
 
 namespace asterism::internal {
 
-// Tests the bits, because the caller may have switched subnormal numbers off, to which == then is
-// blind.
+// Tests the bits, because == takes subnormal numbers for zeros if the caller has switched them
+// off.
 inline bool is_finite(double x) {
   constexpr std::uint64_t exponent = 0x7FF0000000000000U;
   return (std::bit_cast<std::uint64_t>(x) & exponent) != exponent;
@@ -54,7 +54,7 @@ inline bool are_surely_apart(const double* p, const double* q) {
   return (p[0] != q[0]) | (p[1] != q[1]);
 }
 
-// Finds everything that can be wrong with the numbers of a question.
+// Returns every fault that the numbers of a question can have.
 inline asterism_status check_record(const filtered_kernel& kernel, const batch_record& record) {
   const std::size_t count = numbers_of(record.question);
   for (std::size_t k = 0; k < count; ++k)
@@ -64,7 +64,7 @@ inline asterism_status check_record(const filtered_kernel& kernel, const batch_r
   return check_sites(kernel, record);
 }
 
-// Returns the status of body(), which may throw; a caller that is not C++ must not see that.
+// Returns the status of body(), which may throw; exceptions must not reach a caller in C.
 template <class Body>
 asterism_status without_exceptions(const Body& body) noexcept {
   try {

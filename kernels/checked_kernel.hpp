@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Asks two kernels as one: every question is put to both, the first one's answer is returned, and
-// every difference is reported, with the source text of a test that reproduces it. For trying out
-// an arithmetic inside a program that runs on another one, after CGAL's Filtered_kernel_checker.
+// Evaluates every question by two kernels, the first one's answer is returned, and every difference
+// is reported, with the source text of a test that reproduces it. It serves to try out an
+// arithmetic inside a program that runs on another one, after CGAL's Filtered_kernel_checker.
 //
 // First and Second are any classes with the member functions of filtered_kernel, whose answers may
 // be `uncertain`; an empty answer agrees with every answer. Second is taken for the reference.
@@ -34,7 +34,7 @@ struct kernel_difference {
   }
 };
 
-// Listener that is told of each difference.
+// Function that is called for each difference.
 using difference_report = std::function<void(const kernel_difference&)>;
 
 // Returns a report that writes the test case. `kernel_type` is the C++ name of the first kernel's
@@ -45,7 +45,7 @@ inline difference_report tests_written_to(std::ostream& out, std::string kernel_
   };
 }
 
-// Asks First and Second, answers as First does, and reports where Second differs. Example:
+// Evaluates by First and Second, returns First's answer, and reports where Second differs. Example:
 //
 //   checked_kernel<my_kernel, exact_kernel> kernel(tests_written_to(std::cerr, "my_kernel"));
 //   const bool keep = kernel.edge_test(v, w, x, y);

@@ -20,8 +20,8 @@ using vector = displacement<bounded>;
 vector exactly(const displacement<double>& e) { return {bounded(e.x), bounded(e.y)}; }
 displacement<double> values_of(const vector& e) { return {e.x.value(), e.y.value()}; }
 
-// s_z(e) = e . covector + sqrt(|e|^2 - bend (e x offset)^2) inverse_length of a site z, in v's
-// frame.
+// The function s_z(e) = e . covector + sqrt(|e|^2 - bend (e x offset)^2) inverse_length of a site
+// z, in v's frame.
 struct seen_site {
   seen_site(const framed_site& f, double rho) {
     const auto within = [&](double x, double size) { return bounded::within(x, rho * size); };
@@ -71,7 +71,7 @@ struct seen_site {
   bool usable = false;
 };
 
-// One end of a cone: a direction, perhaps that of a neighbour.
+// One end of a cone: a direction, which may be that of a neighbour.
 struct direction {
   vector e;
   const seen_site* neighbour = nullptr;
@@ -82,7 +82,7 @@ class direction_cover {
   direction_cover(const seen_site& w, const seen_site& x, const seen_site& y)
       : w_(w), beside_{{{&x, cross(w.offset, x.offset)}, {&y, cross(w.offset, y.offset)}}} {}
 
-  // True if no direction is left in which v and w may see a common point.
+  // True if the cones cover all directions in which v and w may see a common point.
   bool is_complete() {
     const displacement<double> d = values_of(w_.offset), n{-d.y, d.x};
     if (w_.concave) {
@@ -106,7 +106,7 @@ class direction_cover {
     bounded turn;  // offset of w x offset of z
   };
 
-  // True if no point is seen in direction e or farther from w's.
+  // True if v and w certainly see no common point in direction e, nor farther away from w's.
   bool is_beyond(const vector& e) const {
     return w_.radicand(e, w_.bend).certainly_negative() || dot(e, w_.offset).certainly_negative();
   }
@@ -126,7 +126,7 @@ class direction_cover {
     return {u.x / long_u + w.x / long_w, u.y / long_u + w.y / long_w};
   }
 
-  // Returns the ray of a neighbour inside the cone, else its middle.
+  // Returns the direction that splits the cone: a neighbour's ray inside it, else its middle.
   direction splitting(const direction& right, const direction& left,
                       const displacement<double>& m) const {
     for (const neighbour& side : beside_) {
@@ -186,7 +186,7 @@ class direction_cover {
       if (end.neighbour == side.z) return certainly_less(of_w, bounded(1));
       const bounded beyond = cross(side.z->offset, end.e);
       if (!(on_left ? beyond : -beyond).certainly_positive()) return false;
-      // l(e) turn, for l linear and 1 at w and z.
+      // Returns l(e) turn, for l linear and 1 at w and z.
       const bounded line = cross(end.e, side.z->offset) + cross(w_.offset, end.e);
       const bounded product = of_w * side.turn;
       return on_left ? certainly_less(product, line) : certainly_less(line, product);
@@ -194,7 +194,7 @@ class direction_cover {
     return nearer_at(right, w_right) && nearer_at(left, w_left);
   }
 
-  // Looks to be open: w's bisector is met first in direction m, in plain doubles.
+  // True if the direction m seems to be open: w's bisector is met first there, in plain doubles.
   bool is_open(const displacement<double>& m) const {
     const vector e = exactly(m);
     if (is_beyond(e)) return false;
@@ -208,7 +208,7 @@ class direction_cover {
     }
     return true;
   }
-  // Returns where e is seen; zero where the bisector is not met.
+  // Returns the point seen in direction e; zero where the bisector is not met.
   static double seen_at(const seen_site& z, const vector& e) {
     const bounded radicand = z.radicand(e, z.bend);
     return radicand.value() > 0 ? z.meeting(e, radicand).value() : 0;

@@ -17,9 +17,9 @@
 
 namespace asterism::internal {
 
-// True: edge_test(v, w, x, y) and insertion_test(v, w, x, y) are certainly false, and ties have no
-// part in it. False: not known. x and y may be anywhere.
-// Requires four distinct sites with positive definite metrics.
+// True: edge_test(v, w, x, y) and insertion_test(v, w, x, y) are certainly false, whatever the
+// ties. False: not known. x and y may be anywhere. Requires four distinct sites with positive
+// definite metrics.
 bool no_direction_is_left(const site& v, const site& w, const site& x, const site& y);
 
 }  // namespace asterism::internal

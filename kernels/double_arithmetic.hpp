@@ -18,7 +18,7 @@ namespace asterism::internal {
 
 namespace numeric {
 
-// Cut points of the parameter line. Room for every root of every critical function of an
+// Cut points of the parameter line, with room for every root of every critical function of an
 // insertion question: 2 + 1 + 2 of the arc, 4 of each of the fourteen norms.
 class cut_list {
  public:
@@ -28,7 +28,7 @@ class cut_list {
     for (const double x : roots)
       if (count_ < cuts_.size()) cuts_[count_++] = x;
   }
-  // Calls visit(m) once for each section until it returns true; that m, if any.
+  // Calls visit(m) once for each section until it returns true; returns that m, if any.
   template <class Visitor>
   std::optional<double> first_sample(Visitor&& visit) {
     std::sort(cuts_.begin(), cuts_.begin() + static_cast<std::ptrdiff_t>(count_));
@@ -92,7 +92,7 @@ inline std::optional<double> find_witness(const insertion_question<double>& ques
   });
 }
 
-// Ends of the arc, which contains 0: each a little beyond the true one, or infinite.
+// Returns the ends of the arc, which contains 0: each a little beyond the true one, or infinite.
 struct arc_extent {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -111,7 +111,7 @@ inline arc_extent find_extent(const visible_arc<double>& arc) {
     const double discriminant = b * b - 4 * a * c;
     if (!(discriminant >= 0)) return;
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-    // A leading coefficient that is mere rounding puts an end far out: there is none.
+    // Treats an end as infinite whose leading coefficient is no more than rounding.
     constexpr double far_out = 0x1p12;
     for (const double end : {q / a, c / q})
       if (std::abs(end) < far_out) insert(end);
@@ -133,8 +133,8 @@ inline arc_extent find_extent(const visible_arc<double>& arc) {
   return extent;
 }
 
-// One parameter in each section of the arc between the equidistance cuts, in increasing order, and
-// the first of them, if any, that looks like a good point.
+// Returns one parameter in each section of the arc between the equidistance cuts, in increasing
+// order, and the first of them, if any, at which the condition holds in doubles.
 struct search_hints {
   std::array<double, 14> samples;
   std::size_t count = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Answers every predicate in plain doubles: no error bound, no fallback, sometimes wrong. It exists
-// to be measured against (bench/) and shown failing (tests/); nothing that must be right uses it.
-// Same questions and input as filtered_kernel; no state at all.
+// Answers every predicate in plain doubles: no error bound, no fallback, sometimes wrong. It serves
+// as a baseline in bench/ and as an example of failures in tests/; nothing that must be right uses
+// it. Same questions and input as filtered_kernel; no state at all.
 #pragma once
 
 #include "asterism/core/export.h"
@@ -11,7 +11,7 @@
 
 namespace asterism {
 
-// The predicates in plain doubles, sometimes wrong: for measuring against.
+// The predicates in plain doubles, sometimes wrong: a baseline for measurements.
 class ASTERISM_EXPORT double_kernel {
  public:
   sign orientation(const point& p, const point& q, const point& r) const;

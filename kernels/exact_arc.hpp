@@ -37,14 +37,14 @@ inline bool is_on_arc(const arc& on, real_root& root) {
          (sign_at(on.h, root) == sign::positive || sign_at(on.a, root) == sign::positive);
 }
 
-// Cuts at every zero of f along the arc.
+// Cuts the line at every zero of f along the arc.
 inline void add_zeros(root_line& line, const arc& on, const arc_function<dyadic>& f, unsigned tag) {
   const dense_polynomial norm(on.norm(f));
   if (!norm.is_zero()) {
     line.add(norm, tag);
     return;
   }
-  // Then f is 2 P or 0 in each section between the zeros of P and beta.
+  // Uses that f is then 2 P or 0 in each section between the zeros of P and beta.
   line.add(dense_polynomial(on.rational_part(f)), tag);
   line.add(dense_polynomial(f.beta), tag);
 }

@@ -116,7 +116,7 @@ struct insertion_sections {
     return false;
   }
 
-  // Returns the value of f at a root of the line, on the arc.
+  // Returns the value of f at a root of the line, which is on the arc.
   sign value_at(const arc_function<dyadic>& f, real_root& root) const {
     return exact::sign_at(question.arc, f, root);
   }
@@ -144,9 +144,9 @@ struct insertion_sections {
   }
 };
 
-// Searches by witness or cover: first with exact coefficients whose signs intervals read,
-// which is what mere rounding and exact zeros leave over; then in exact numbers alone. Undecided on
-// ties and tangencies, and where the magnitudes do not let doubles propose parameters.
+// Searches by witness or cover: first with exact coefficients whose signs intervals read, for
+// questions that are open through rounding or exact zeros alone; then in exact numbers alone.
+// Undecided on ties and tangencies, and where the magnitudes do not let doubles propose parameters.
 [[gnu::noinline]] uncertain_bool search_upward(const std::array<site, 4>& sites) {
   constexpr int most_ranges = 64;
   return search_in_stages<interval, interval_arc_point, dyadic>(sites, most_ranges);
@@ -181,7 +181,7 @@ bool equal_metric_answer(const site& v, const site& w, const site& x, const site
                                               as_exact(x), as_exact(y), tie));
 }
 
-// Numbers of any size, where a fixed width does not hold them.
+// Uses integers of any size, where a fixed width does not hold them.
 namespace unbounded {
 
 sign orientation(const point& p, const point& q, const point& r) {
@@ -279,8 +279,8 @@ bool exact_kernel::encroaches(const site& a, const site& b, const site& w) const
 
 namespace {
 
-// Doubles are compared here, and a processor told to flush compares subnormal numbers as zeros: in
-// a scope, and out of line (core/floating_point_environment.hpp).
+// Opens a scope, out of line, since doubles are compared here, and a processor set to flush
+// compares subnormal numbers as zeros (core/floating_point_environment.hpp).
 [[gnu::noinline]] bool insertion_test_in_scope(const site& v, const site& w, const site& x,
                                                const site& y) {
   if (equal_metrics(v, w, x, y)) {
@@ -301,7 +301,7 @@ namespace {
       return equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position);
     });
   }
-  // A certain "no" of the search is no tie: kernels/arc_search.hpp.
+  // Takes a certain "no" of the search as no tie (kernels/arc_search.hpp).
   const uncertain_bool found = search_arc(v, w, x, y);
   if (found.certain()) return found.value();
   insertion_sections sections(v, w, x, y);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Decides every predicate by exact arithmetic alone (dyadic numbers of any size). Slow and certain:
-// the reference the faster kernels are held against. Same questions, same input, same answers as
+// the reference with which faster kernels are compared. Same questions, same input, same answers as
 // filtered_kernel; no state at all.
 #pragma once
 

@@ -35,7 +35,7 @@ dense_polynomial dense_polynomial::derivative() const {
 
 void dense_polynomial::make_primitive() {
   if (is_zero()) return;
-  // Greatest common divisor of the odd parts; the powers of two are dealt with below.
+  // Returns the greatest common divisor of the odd parts; powers of two are handled separately.
   integer content;
   for (dyadic& c : coefficients_) {
     c.shorten();
@@ -161,7 +161,8 @@ dyadic split_point(const dyadic& low, const dyadic& high) {
   const bool below = side_high != sign::positive;
   const dyadic near = below ? -high : low, far = below ? -low : high;
   const long most = far.magnitude();
-  // Below every zero there are more exponents: the farther, the more at once.
+  // Handles intervals that begin at zero, below which there are more exponents: each step takes
+  // more of them at once.
   const long least = near.is_zero() ? most - std::max(64L, std::abs(most)) : near.magnitude();
   if (most - least > 2) {
     const dyadic middle = dyadic(1).scaled(least + (most - least) / 2);
@@ -189,7 +190,7 @@ struct isolation {
     if (count == 0) return;
     if (count == 1) {
       roots.emplace_back(p, low, high, just_left_of(high));
-      // Elsewhere an interval's ends are known not to be roots.
+      // Tests the end for a root only here: elsewhere the ends of intervals are known to be none.
       real_root& found = roots.back();
       while (!found.is_dyadic() &&
              (p.sign_at(found.low()) == sign::zero || p.sign_at(found.high()) == sign::zero))
@@ -212,8 +213,8 @@ struct isolation {
     run(from, high, count, splits + 1);
   }
 
-  // Returns where to cut between roots that halving does not tell apart soon: there is a root of
-  // the slope between them, which is found fast.
+  // Returns the place to cut between roots that bisection separates slowly: there is a root of the
+  // derivative between them, which is found fast.
   std::vector<dyadic> beside_turns(const dyadic& low, const dyadic& high) {
     if (!turns) turns = isolate_real_roots(slope);
     const long narrow = (high - low).magnitude() - 32;
@@ -232,7 +233,7 @@ struct isolation {
   }
 };
 
-// Returns |a| / (|a| + |b|), roughly.
+// Returns |a| / (|a| + |b|), approximately.
 double share_of_first(const dyadic& a, const dyadic& b) {
   if (a.is_zero()) return 0;
   if (b.is_zero()) return 1;
@@ -244,8 +245,8 @@ double share_of_first(const dyadic& a, const dyadic& b) {
 }
 
 bool overlap(const real_root& a, const real_root& b) {
-  // Two open intervals that share only an end hold different roots; a dyadic root at the open end
-  // of an interval is not that interval's root.
+  // Decides that roots differ: two open intervals that share only an end hold different roots, and
+  // a dyadic root at the open end of an interval is not that interval's root.
   return a.low() < b.high() && b.low() < a.high();
 }
 
@@ -303,8 +304,8 @@ bool real_root::is_root_of(const dense_polynomial& q) const {
   if (is_dyadic()) return q.sign_at(low_) == sign::zero;
   const dense_polynomial common = greatest_common_divisor(p_, q);
   if (common.degree() == 0) return false;
-  // A root of the divisor is one of p, which has only this one in the interval and none at its
-  // ends.
+  // Uses that a root of the divisor is one of p, which has only this one in the interval and none
+  // at its ends.
   return sturm_sequence(common).roots_between(low_, high_) != 0;
 }
 
@@ -324,7 +325,8 @@ sign compare(real_root& a, real_root& b) {
     if (!overlap(a, b))
       return a.high_ < b.low_ || a.high_ == b.low_ ? sign::negative : sign::positive;
     if (round == cheap_rounds) {
-      // Each interval holds one root of its own polynomial: a common root in the overlap is both.
+      // Uses that each interval holds one root of its own polynomial: a common root in the overlap
+      // is both.
       const real_root& narrow = a.high_ - a.low_ < b.high_ - b.low_ ? a : b;
       const real_root& other = &narrow == &a ? b : a;
       if (narrow.is_root_of(other.p_)) {

@@ -12,7 +12,8 @@
 
 namespace asterism::internal::exact {
 
-// Coefficients of x^0, x^1, ...; the last one is not zero; the zero polynomial is empty.
+// Coefficients of x^0, x^1, ...; the last one is not zero; the list of the zero polynomial is
+// empty.
 class dense_polynomial {
  public:
   dense_polynomial() = default;
@@ -31,7 +32,7 @@ class dense_polynomial {
   // Divides the coefficients by their common positive factor, which keeps the roots.
   void make_primitive();
 
-  // Returns a positive multiple of the remainder, respectively of the quotient up to sign.
+  // Return a positive multiple of the remainder, and one of the quotient up to sign.
   friend dense_polynomial remainder(dense_polynomial a, const dense_polynomial& b);
   friend dense_polynomial exact_quotient(dense_polynomial a, const dense_polynomial& b);
 
@@ -43,7 +44,7 @@ class dense_polynomial {
 dense_polynomial greatest_common_divisor(dense_polynomial a, dense_polynomial b);
 dense_polynomial square_free_part(const dense_polynomial& p);
 
-// The number of distinct real roots in (low, high], by Sturm's theorem.
+// Returns the number of distinct real roots in (low, high], by Sturm's theorem.
 class sturm_sequence {
  public:
   explicit sturm_sequence(const dense_polynomial& p);
@@ -54,8 +55,8 @@ class sturm_sequence {
   std::vector<dense_polynomial> chain_;
 };
 
-// One real root: exactly `low` when low == high, else the only root of the square-free `p` in
-// [low, high], whose ends are not roots.
+// One real root: `low` itself when low == high, else the only root of the square-free `p` in [low,
+// high], whose ends are not roots.
 class real_root {
  public:
   real_root(dense_polynomial p, dyadic low, dyadic high, sign right_of_root)
@@ -65,13 +66,13 @@ class real_root {
   const dyadic& high() const { return high_; }
   bool is_dyadic() const { return low_ == high_; }
   const dense_polynomial& defining() const { return p_; }
-  // Makes the interval smaller: at least by half in the end, by up to 2^48 where the secant tells
-  // where the root is (Abbott, Quadratic interval refinement, 2006).
+  // Shrinks the interval: at least by half in the end, by up to 2^48 where the secant locates the
+  // root (Abbott, Quadratic interval refinement, 2006).
   void refine();
-  // Returns the exact sign of q at this root. Refines.
+  // Returns the exact sign of q at this root. Shrinks the interval.
   sign sign_of_value(const dense_polynomial& q);
 
-  // Returns the sign of a - b. Refines both.
+  // Returns the sign of a - b. Shrinks both intervals.
   friend sign compare(real_root& a, real_root& b);
 
  private:

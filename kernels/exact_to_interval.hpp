@@ -21,7 +21,7 @@ inline interval enclose(const dyadic& x) {
   const auto between = [negative](double near, double away) {
     return negative ? interval(-away, -near) : interval(near, away);
   };
-  // 2^(exponent - 1) <= |x| < 2^exponent
+  // Returns the exponent with 2^(exponent - 1) <= |x| < 2^exponent.
   const long exponent = x.magnitude();
   constexpr long largest = 1000;
   if (exponent > largest) return between(0x1p999, infinity);
@@ -30,7 +30,8 @@ inline interval enclose(const dyadic& x) {
   const int zeros = std::countl_zero(limbs.back());
   std::uint64_t leading = limbs.back() << zeros;
   if (zeros > 0 && limbs.size() > 1) leading |= limbs[limbs.size() - 2] >> (limb_bits - zeros);
-  // The leading bits as the fraction of a normal double; the next double has the next pattern.
+  // Takes the leading bits as the fraction of a normal double; the next double has the next bit
+  // pattern.
   constexpr long bias = 1022;
   constexpr std::uint64_t fraction_mask = (std::uint64_t{1} << (double_bits - 1)) - 1;
   const std::uint64_t pattern = (static_cast<std::uint64_t>(exponent + bias) << (double_bits - 1)) |

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Decides edge_test by its filters alone. Exact numbers, which may have to follow, take a hundred
-// times as long: who has a way round a hard question asks the filters first.
+// times as long: a caller that can avoid a hard question tries the filters first.
 #pragma once
 
 #include "asterism/core/sign.hpp"
@@ -12,7 +12,7 @@ namespace asterism::internal {
 
 // Returns what filtered_kernel::edge_test(v, w, x, y) would where it comes to no exact numbers, or
 // the four metrics are the same, which takes none that are long; undecided otherwise. Counts in
-// `decided` the last tier that was asked.
+// `decided` the last tier that was tried.
 uncertain_bool filtered_edge_test(const site& v, const site& w, const site& x, const site& y,
                                   tier_counters& decided);
 

@@ -23,7 +23,8 @@ void count(tier_counters* decided, predicate which, tier by) {
   if (decided != nullptr) ++decided->at(which, by);
 }
 
-// Asks intervals first, exact numbers when they are undecided; counts the tier that decided.
+// Evaluates intervals first, and exact numbers when these are undecided; counts the tier that
+// decided.
 template <class Ask>
 [[gnu::noinline]] auto decide_slowly(tier_counters* decided, predicate which, const Ask& ask) {
   const auto answer = ask(interval_kernel{});
@@ -62,8 +63,8 @@ bool equal_metrics(const site& v, const site& w, const site& x, const site& y) {
          identical(v.metric, y.metric);
 }
 
-// Asks edge_test as a question about one gap of v's star, when w looks to be in one of less than
-// half a turn; star_gap verifies what it needs of that.
+// Decides edge_test by one gap of v's star, when w seems to be in one of less than half a turn;
+// star_gap verifies the conditions that it needs.
 uncertain_bool ask_gap(const site& v, const site& w, const site& x, const site& y) {
   const auto to_w = between(v.position, w.position), to_x = between(v.position, x.position),
              to_y = between(v.position, y.position);
@@ -73,13 +74,14 @@ uncertain_bool ask_gap(const site& v, const site& w, const site& x, const site& 
   return left_of_x ? star_gap(v, x, y).accepts(w) : star_gap(v, y, x).accepts(w);
 }
 
-// Asks both v and w, to whom the question is the same: one of them may see it more clearly.
+// Evaluates the gap of v and that of w, which pose the same question: the errors of one may be
+// smaller.
 uncertain_bool ask_gaps(const site& v, const site& w, const site& x, const site& y) {
   const uncertain_bool by_v = ask_gap(v, w, x, y);
   return by_v.certain() ? by_v : ask_gap(w, v, x, y);
 }
-// Answers for certain only by a refusal: no direction is left in which both may see a point that is
-// theirs.
+// Returns a certain answer only for a refusal: no direction is left in which both may see a point
+// that belongs to them.
 uncertain_bool ask_directions(const site& v, const site& w, const site& x, const site& y) {
   const bool refused = no_direction_is_left(v, w, x, y) || no_direction_is_left(w, v, x, y);
   return refused ? uncertain_bool(false) : uncertain_bool();

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides every predicate exactly: by plain doubles with an error bound when that is enough, by
-// interval arithmetic when that is, and else by exact arithmetic (docs/math/tiers.md).
+// Decides every predicate exactly: by plain doubles with an error bound where that suffices, else
+// by interval arithmetic, else by exact arithmetic (docs/math/tiers.md).
 //
-// Input: finite doubles; metric tensors positive definite; the sites of one call distinct. Other
-// input is a caller's error: check with is_positive_definite first.
-// Output: the exact answer for the doubles given, for any magnitude of the input.
-// State: none; a kernel may be shared by any number of threads. One that is told where to count
-// which tier decided writes there: give each thread its own, and add them up. Floating-point
-// environment: any rounding mode, FTZ and DAZ may be set by the caller; they are neither trusted
-// nor changed on return (core/floating_point_environment.hpp).
+// Input: finite doubles; metric tensors positive definite; the sites of one call distinct.
+// Other input is a caller's error: check with is_positive_definite first. Output: the exact
+// answer for the doubles given, for any magnitude of the input. State: none; a kernel may be
+// shared by any number of threads. A kernel with counters writes to them: give each thread its
+// own, and add them up. Floating-point environment: any rounding mode, FTZ and DAZ may be set
+// by the caller; they are neither trusted nor changed on return
+// (core/floating_point_environment.hpp).
 #pragma once
 
 #include "asterism/core/export.h"
@@ -29,7 +29,7 @@ class ASTERISM_EXPORT filtered_kernel {
   // Counts in `decided`, which must outlive the kernel and its copies. For one thread.
   explicit filtered_kernel(tier_counters& decided) : decided_(&decided) {}
 
-  // The predicates of predicates/, one header each, where every answer is defined.
+  // Predicates with the definitions in predicates/, one header each.
   sign orientation(const point& p, const point& q, const point& r) const;
   bool is_positive_definite(const metric_tensor& metric) const;
   sign compare_distance(const site& v, const site& w, const point& q) const;

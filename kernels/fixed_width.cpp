@@ -27,7 +27,7 @@ sign sign_of_integer(Integer x) {
   return to_sign((x > 0) - (x < 0));
 }
 
-// high 2^64 + low
+// A sum high 2^64 + low.
 struct int192 {
   int128 high;
   std::uint64_t low;
@@ -114,7 +114,7 @@ int192 inner_product(const metric& m, const vector& u, const vector& d) {
 }
 int192 squared_length(const metric& m, const vector& u) { return inner_product(m, u, u); }
 
-// Two sites and a point.
+// Coordinates of two sites and a point, as integers.
 struct point_question {
   metric of_v, of_w;
   vector d, from_v, from_w;  // from v to w, and from each to the point
@@ -133,7 +133,8 @@ std::optional<point_question> aligned(const site& v, const site& w, const point&
                         {at[4] - at[2], at[5] - at[3]}};
 }
 
-// predicates/domination.hpp: the difference along the ray at u from the site with metric `near`.
+// Coefficients of the difference along the ray at u from the site with metric `near`
+// (predicates/domination.hpp).
 struct ray {
   int192 a, half_b, c;
   ray(const metric& near, const metric& far, const vector& d, const vector& u)
@@ -188,7 +189,7 @@ verdict judge(const metric& m, const std::array<std::int64_t, 8>& at) {
   if (between_v_and_w(of_x, x_from_v, x_from_w) || between_v_and_w(of_y, y_from_v, y_from_w))
     return verdict::no;
   if (of_x == 0 || of_y == 0 || (of_x > 0) == (of_y > 0)) return verdict::yes;
-  // Opposite angles: yes when their cotangents g / |o| add up to more than zero.
+  // Adds the cotangents g / |o| of opposite angles: the answer is yes if the sum is above zero.
   const int192 g_x = inner_product(m, x_from_v, x_from_w),
                g_y = inner_product(m, y_from_v, y_from_w);
   const sign sign_x = sign_of_integer(g_x), sign_y = sign_of_integer(g_y);

@@ -4,8 +4,8 @@
 // coordinates of a question become 62-bit integers in one common unit, and so do its metrics;
 // products then have 128, 192 and 320 bits. Nothing rounds and nothing asks for memory.
 //
-// Undecided: where the numbers of a question differ so much in size, or have so many bits, that no
-// unit holds them all. How large they are does not matter, nor does the floating-point environment.
+// Undecided where the numbers of a question differ so much in size, or have so many bits, that no
+// common unit holds them all. Neither their magnitude nor the floating-point environment matters.
 // Input: as for exact_kernel. Bounds on every width: fixed_width.cpp.
 #pragma once
 
@@ -20,7 +20,7 @@ uncertain_sign in_circle(const metric_tensor& m, const point& a, const point& b,
                          const point& p);
 uncertain_sign compare_distance(const site& v, const site& w, const point& q);
 uncertain_bool in_wedge(const site& v, const site& w, const point& q);
-// Decides domination; not where the discriminant is needed: a bulge of the bisector.
+// Decides domination; undecided where the discriminant is needed, at a bulge of the bisector.
 uncertain_sign dominates(const site& v, const site& w, const point& p);
 
 // Decides the insertion test of four sites that all have the metric of v; ties as edge_test does

@@ -9,10 +9,10 @@ namespace {
 
 constexpr int most_root_boxes = 96;
 constexpr int most_segment_boxes = 160;
-// Boxes narrower than this in turn parameter are not split: the question is too close to call.
+// Least width, in turn parameter, of boxes that are split: below it the question stays undecided.
 constexpr double narrowest_box = 0x1p-24;
 
-// Returns sum c_k mu^k lambda^(degree - k).
+// Returns the sum of c_k mu^k lambda^(degree - k).
 interval form_value(const std::array<interval, 5>& c, int degree, const parameter_box& box) {
   interval value = c[static_cast<std::size_t>(degree)], power = box.lambda;
   for (int k = degree; k-- > 0;) {
@@ -92,7 +92,7 @@ std::optional<std::vector<enclosed_root>> isolate(const std::array<interval, 5>&
     --degree;
   if (degree == 0) return std::vector<enclosed_root>{};
   isolation work{coefficients, degree, most_root_boxes, {}};
-  // A root at infinity or at zero is no certain matter of boxes.
+  // Leaves a root at infinity or at zero undecided: boxes cannot isolate it with certainty.
   for (const double t : {-1.0, 0.0, 1.0}) {
     const uncertain_sign s = work.sign_at(t);
     if (!s.certain() || s.value() == sign::zero) return std::nullopt;

@@ -49,7 +49,7 @@ std::optional<std::vector<enclosed_root>> real_roots(const polynomial<interval, 
   return isolate(c, static_cast<int>(Degree));
 }
 
-// True if there is a point as asked. `witness` is a parameter to try first, from anywhere.
+// True if a point with the property exists. `witness` is a parameter to try first, from any source.
 uncertain_bool exists(const encroachment_question<interval>& question,
                       std::optional<double> witness);
 

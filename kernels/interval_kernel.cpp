@@ -38,7 +38,7 @@ struct interval_arithmetic {
                                 const certified::enclosed_root& root) {
     return sign_of(evaluate(p, root.box.lambda, root.box.mu));
   }
-  // Only asked for when a norm vanishes identically, which rounding hides: undecided.
+  // Returns undecided: this is only needed when a norm vanishes identically, which rounding hides.
   template <class... Polynomials>
   static std::optional<std::vector<interval>> samples(const Polynomials&...) {
     return std::nullopt;
@@ -189,9 +189,9 @@ uncertain_bool interval_kernel::edge_test(const site& v, const site& w, const si
           return equal_metric_answer(s[0], s[1], s[2], s[3],
                                      equal_metric_tie_goes_to_edge(s[0].position, s[1].position,
                                                                    s[2].position, s[3].position));
-        // A tie needs a point where f_v = f_w = f_x = f_y. There no condition certainly fails by
-        // domination, and none by containment if good points are near: a certain "no" covers no
-        // tie (docs/math/insertion-test.md).
+        // Takes a certain "no", which excludes a tie: that needs a point where f_v = f_w = f_x =
+        // f_y, at which no condition certainly fails by domination, and none by containment if good
+        // points are near (docs/math/insertion-test.md).
         return search_in_stages<interval, interval_arc_point>(s, most_ranges);
       });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells whether a neighbour's condition that fails at one point of a visible arc fails on a whole
+// Decides whether a neighbour's condition that fails at one point of a visible arc fails on a whole
 // range of it: a reason that holds at one point lasts over the range's part of the arc, which is
 // connected, when none of the functions it depends on has a zero there
 // (docs/math/insertion-test.md).
@@ -15,7 +15,7 @@
 
 namespace asterism::internal {
 
-// Functions along the arc that the verdict "site i (v or w) dominates p over x" depends on.
+// Functions along the arc on which the verdict "site i (v or w) dominates p over x" depends.
 enum class pair_function {
   tangents_to_x,
   tangents_from_x,
@@ -51,7 +51,8 @@ class lasting_reasons {
 
   explicit lasting_reasons(const neighbour_condition<Source>& condition) : condition_(condition) {}
 
-  // Does the condition, failing at `at` inside the range, fail on the whole range of the arc?
+  // True if the condition, which fails at `at` inside the range, certainly fails on the whole range
+  // of the arc.
   bool fail_throughout(const verdict& at, const range& over) {
     const auto& arc = *condition_.arc;
     if (at.v_dominates.certainly(false) && undominated_throughout(0, arc.v, at, over)) return true;
@@ -88,16 +89,18 @@ class lasting_reasons {
     const bool farther = at.x_farther.value() == sign::positive;
     const auto distance = [&] { return condition_.distance(); };
     if (no_zero(equidistance_, over, distance)) {
-      // Nothing but a tangency changes how often the two segments meet the bisector.
+      // Handles tangencies: nothing else changes how often the two segments meet the bisector.
       if (farther) return no_zero_of_pair(pair_function::tangents_to_x);
-      // x is nearer; i dominates only where the segment xp meets the bisector twice.
+      // Handles points where x is nearer; i dominates only where the segment xp meets the bisector
+      // twice.
       return sign_of_pair(pair_function::steepness_from_x).certainly(sign::positive) ||
              sign_of_pair(pair_function::approach_from_x).certainly(sign::negative) ||
              sign_of_pair(pair_function::slope_from_x).certainly(sign::positive) ||
              no_zero_of_pair(pair_function::tangents_from_x);
     }
-    // x passes from farther to nearer where the ray from i crosses the bisector for the second
-    // time and the ray from x for the first: i fails on both sides of that.
+    // Handles points where x passes from farther to nearer: there the ray from i crosses the
+    // bisector for the second time and the ray from x for the first, and i fails on both sides of
+    // that.
     return sign_of_pair(pair_function::slope_to_x).certainly(sign::negative) &&
            sign_of_pair(pair_function::slope_from_x).certainly(sign::positive) &&
            no_zero_of_pair(pair_function::tangents_to_x);
@@ -125,7 +128,7 @@ class lasting_reasons {
   // Returns the sign of alpha + beta s, s > 0, on the part of the arc in the range: certain when
   // alpha and beta have one sign, or when the norm shows no zero, or when P and beta have one sign
   // (the norm also vanishes where the conjugate P - beta sqrt E does, but the function not there).
-  // With `any`, "no zero" alone is asked and the sign may be either.
+  // With `any` the function need only have no zero; the sign may be either.
   template <class Make>
   uncertain_sign sign_throughout(cached& f, const range& over, const Make& make, bool any = false) {
     const auto& arc = *condition_.arc;

@@ -15,7 +15,7 @@ namespace asterism::internal {
 
 namespace magnitude {
 
-// Powers of two within which no scaling is needed: (2^40)^20 is far below the largest double.
+// Largest exponent without scaling: (2^40)^20 is far below the largest double.
 inline constexpr double low = 0x1p-40, high = 0x1p40;
 
 struct extent {
@@ -50,7 +50,7 @@ inline metric_tensor scale(const metric_tensor& m, int shift, bool& exact) {
 
 }  // namespace magnitude
 
-// Copies of the sites and points of one question in the range above; `usable` is false when no
+// The sites and points of one question, scaled into the range above; `usable` is false when no
 // exact scaling brings them there.
 template <std::size_t Sites, std::size_t Points>
 struct scaled_input {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Maps to coordinates in which one site v is the origin and its metric the identity, so that what
-// v's neighbours look like does not depend on how stretched its metric is. Plain doubles, any
+// Maps to coordinates in which one site v is the origin and its metric the identity, so that its
+// neighbours' positions do not depend on how stretched its metric is. Plain doubles, any
 // floating-point environment.
 //
 // With M_v = [a b; b c] and D = a c - b^2 the frame is x' = (x - v.x) + beta (y - v.y),
@@ -44,7 +44,7 @@ inline double determinant(const metric_tensor& m) {
   return coarse + (mixed + (low.m11 * low.m22 - low.m12 * low.m12));
 }
 
-// A site as v's frame shows it.
+// A neighbouring site in v's frame.
 struct framed_site {
   displacement<double> offset;  // from v
   metric_tensor metric;
@@ -55,7 +55,7 @@ struct framed_site {
 
 class normal_frame {
  public:
-  // Requires a positive definite metric.
+  // Makes the frame of v. Requires a positive definite metric.
   explicit normal_frame(const site& v) : origin_(v.position), scale_(v.metric.m11) {
     const double determinant_of_v = star_gap_detail::determinant(v.metric);
     const double root = std::sqrt(determinant_of_v);
@@ -93,7 +93,8 @@ class normal_frame {
   static bool in_range(const framed_site& f) {
     return within(f.extent, most_length) && within(f.trace, most_trace) && f.metric.m11 >= 0x1p-40;
   }
-  // Metrics of neighbours that are stretched by up to 4096 in directions of their own are in range.
+  // Bounds on displacements and tensors: metrics of neighbours that are stretched by up to 4096 in
+  // directions of their own are in range.
   static constexpr double most_length = 0x1p160, most_trace = 0x1p24;
   static bool within(double x, double most) { return x <= most && x * most >= 1; }
 

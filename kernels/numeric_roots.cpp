@@ -63,7 +63,7 @@ root_list real_roots(const coefficients& c) {
   std::array<double, 8> inner{}, reciprocal{};
   std::size_t inner_count = 0, reciprocal_count = 0;
   roots_in_unit_range(c, 4, inner, inner_count);
-  // Roots beyond [-1, 1] are the reciprocals of those of the reversed polynomial.
+  // Takes the roots beyond [-1, 1] as reciprocals of those of the reversed polynomial.
   roots_in_unit_range({c[4], c[3], c[2], c[1], c[0]}, 4, reciprocal, reciprocal_count);
   root_list result;
   const auto append = [&](double x) {

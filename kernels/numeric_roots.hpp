@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds real roots of polynomials of degree at most four in plain doubles: what the double kernel
-// cuts its sections with, and where the interval kernel looks for a witness. Nothing is promised:
-// roots of even multiplicity may be missed, close ones merged.
+// Finds real roots of polynomials of degree at most four in plain doubles: with them the double
+// kernel cuts its sections, and the interval kernel chooses witnesses. Without a guarantee: roots
+// of even multiplicity may be missed, close ones merged.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Defines what a kernel is: the ten predicates, each with the same arguments, answered for certain
-// by all, or by all with an answer that may be empty. Every kernel asserts it, so that none can
-// drift.
+// Defines the concept of a kernel: the ten predicates, each with the same arguments, answered for
+// certain by all, or by all with an answer that may be empty. Every kernel asserts the concept, so
+// that all stay alike.
 #pragma once
 
 #include <concepts>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Computes what doubles propose with rounding to nearest, within a scope that rounds upward too.
-// A proposal decides nothing, but how soon a search ends depends on it: made in one rounding mode
+// Computes proposals in doubles with rounding to nearest, also within a scope that rounds upward. A
+// proposal decides nothing, but the length of a search depends on it: made in one rounding mode
 // everywhere, the same tier decides the same question on every target, also on those without
 // directed rounding.
 #pragma once
@@ -10,13 +10,14 @@
 
 namespace asterism::internal {
 
-// Out of line: the compiler must not move arithmetic across the change of the rounding mode.
+// Evaluates out of line: the compiler must not move arithmetic across the change of the rounding
+// mode.
 template <class Propose>
 [[gnu::noinline]] auto propose_out_of_line(const Propose& propose) {
   return propose();
 }
 
-// Returns propose().
+// Returns propose(), evaluated with rounding to nearest.
 template <class Propose>
 auto proposal(const Propose& propose) {
   const floating_point_scope scope(rounding::nearest);

@@ -32,14 +32,14 @@ template <class Number, std::size_t Degree>
 polynomial<Number, Degree> over_range(const polynomial<Number, Degree>& p,
                                       const parameter_range& range) {
   if (std::isinf(range.low)) {
-    // p(high - t), t > 0
+    // Makes p(high - t), t > 0
     polynomial<Number, Degree> q = taylor_shift(p, Number(range.high));
     for (std::size_t k = 1; k <= Degree; k += 2) q.coefficient[k] = Number(0) - q.coefficient[k];
     return q;
   }
   polynomial<Number, Degree> q = taylor_shift(p, Number(range.low));
   if (std::isinf(range.high)) return q;  // p(low + t), t > 0
-  // p(low + width / (1 + t)) (1 + t)^Degree, t > 0
+  // Makes p(low + width / (1 + t)) (1 + t)^Degree, t > 0
   const Number width = Number(range.high) - Number(range.low);
   polynomial<Number, Degree> reversed;
   Number power(1);
@@ -57,14 +57,15 @@ polynomial<Number, Degree> over_range(const polynomial<Number, Degree>& p,
 template <class Number, std::size_t Degree>
 uncertain_sign sign_between(const polynomial<Number, Degree>& p, const parameter_range& range) {
   const polynomial<Number, Degree> form = over_range(p, range);
-  // The last coefficient belongs to an infinite end or to the finite end `low`.
+  // Takes the last coefficient, which belongs to an infinite end or to the finite end `low`.
   const bool both_finite = !std::isinf(range.low) && !std::isinf(range.high);
   sign common = sign::zero;
   for (std::size_t j = 0; j <= Degree; ++j) {
     const uncertain_sign s = sign_of(form.coefficient[j]);
     if (!s.certain()) return {};
     if (s.value() == sign::zero) {
-      // A zero at a finite end may be the point where good and bad touch: a tie is not a "no".
+      // Leaves a zero at a finite end undecided: good and bad points may touch there, and a tie is
+      // not a "no".
       if (j == 0 || (j == Degree && both_finite)) return {};
       continue;
     }

@@ -28,7 +28,7 @@ bool is_well_known(const sized& length) {
   return length.value > 0x1p-24 * length.size && length.value > 0x1p-180;
 }
 
-// The part of a segment from one end to the crossing, as that end measures.
+// Part of a segment from one end to the crossing with the bisector, in that end's metric.
 struct way {
   displacement<double> along;  // from this end to the other one
   sized own;                   // |along|^2 in this end's metric

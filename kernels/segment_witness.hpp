@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Accepts most edges of a mesh at a glance: the point in which the edge itself crosses the bisector
-// of its ends is good, unless an angle across from it is about a right one or more.
+// Accepts most edges of a mesh by one quick test: the point in which the edge itself crosses the
+// bisector of its ends is good, unless an angle across from it is about a right one or more.
 //
 // Method: on the way from v to w the difference of their distances changes sign once, in the point
 // p that divides the way as w's length of it to v's. So both see p, and the triangle v, w, p is the
@@ -15,9 +15,9 @@
 
 namespace asterism::internal {
 
-// True: edge_test(v, w, x, y) and insertion_test(v, w, x, y) are certainly true, and ties have no
-// part in it. False: not known. x and y may be anywhere.
-// Requires four distinct sites with positive definite metrics.
+// True: edge_test(v, w, x, y) and insertion_test(v, w, x, y) are certainly true, whatever the ties.
+// False: not known. x and y may be anywhere. Requires four distinct sites with positive definite
+// metrics.
 bool segment_shows_edge(const site& v, const site& w, const site& x, const site& y);
 
 }  // namespace asterism::internal

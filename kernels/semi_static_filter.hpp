@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Is the first tier: one evaluation in plain doubles and one error bound from magnitudes. It
-// neither reads nor changes the floating-point environment: the bounds hold in every rounding mode
-// and with flush-to-zero or denormals-are-zero set.
+// Implements the first tier: one evaluation in plain doubles and one error bound from magnitudes.
+// It neither reads nor changes the floating-point environment: the bounds hold in every rounding
+// mode and with flush-to-zero or denormals-are-zero set.
 //
 // Bound. In any rounding mode an operation has a relative error of at most eps = 2^-52 and, where
 // it underflows or a subnormal operand is read as zero, an absolute one of at most 2^-1022. A value
@@ -40,7 +40,7 @@ inline constexpr double slack = 8;
 inline constexpr double smallest_decided = 0x1p-200;
 inline constexpr double largest_operand = 0x1p200;
 
-// Factors 1 + delta on any monomial of each value.
+// Numbers of factors 1 + delta on any monomial of each value.
 inline constexpr int orientation_depth = 4;
 inline constexpr int compare_distance_depth = 7;
 inline constexpr int wedge_depth = 6;
@@ -63,8 +63,8 @@ inline uncertain_sign decide(double value, double magnitude, double factor) {
   return decide(value, factor * magnitude + smallest_decided);
 }
 
-// |ax by| <= (ax^2 + by^2) / 2: half a sum of squares is the magnitude and shows the range as well,
-// also where rounding towards zero makes the largest double of an overflow.
+// Bounds |ax by| <= (ax^2 + by^2) / 2: half a sum of squares is the magnitude and shows the range
+// as well, also where rounding towards zero makes the largest double of an overflow.
 inline uncertain_sign orientation(const point& p, const point& q, const point& r) {
   const two_doubles from_p = pair(p.x, p.y);
   const two_doubles a = pair(q.x, q.y) - from_p, b = pair(r.x, r.y) - from_p;
@@ -74,7 +74,7 @@ inline uncertain_sign orientation(const point& p, const point& q, const point& r
   return decide(difference(products), squares, 0.5 * bound_factor(orientation_depth));
 }
 
-// Two metrics, one a lane.
+// Two metrics, one in each lane.
 struct two_metrics {
   two_doubles m11, m12, m22;
 };
@@ -92,8 +92,8 @@ inline two_displacements between(const point& a, const point& b, const point& q)
           asterism::internal::both(q.y) - pair(a.y, b.y)};
 }
 
-// u^T M u in both lanes, and an upper bound on the sum of the absolute monomials:
-// 2 |m12 ux uy| <= m11 ux^2 + m22 uy^2 for M positive definite.
+// Returns u^T M u in both lanes, and an upper bound on the sum of the absolute monomials: 2 |m12 ux
+// uy| <= m11 ux^2 + m22 uy^2 for M positive definite.
 struct two_lengths {
   two_doubles value, half_magnitude;
   two_doubles square;  // ux^2 + uy^2
@@ -104,8 +104,8 @@ inline two_lengths squared_lengths(const two_metrics& m, const two_displacements
   return {unmixed + (xy + xy), unmixed, xx + yy};
 }
 
-// Operands in range: sums, so that one comparison serves several. Squares of displacements may
-// stand for them.
+// Tests that operands are in range: by sums, so that one comparison serves several. Squares of
+// displacements may stand for them.
 inline two_doubles extent(const two_metrics& m) { return m.m11 + m.m22; }
 inline two_doubles extent(const two_displacements& u) { return absolute(u.x) + absolute(u.y); }
 inline bool in_range(two_doubles extents) {
@@ -141,14 +141,15 @@ inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
       of_u * (of_d * of_m) * asterism::internal::both(bound_factor(wedge_depth)) +
       asterism::internal::both(smallest_decided);
   if (both_less(bound, absolute(value))) return sign_bits(value) == 0;
-  // One that is certainly not positive is enough for a no.
+  // Returns no if one of the lanes is certainly not positive.
   const bool outside = (value[0] < -bound[0]) | (value[1] < -bound[1]);
   return outside ? uncertain_bool(false) : uncertain_bool();
 }
 
-// Does the view of `near` to a point at u from it, known to be nearer to it than to `far`,
-// certainly not cross the bisector twice? Three sufficient conditions (predicates/domination.hpp):
-// A + C > 0, H < 0, A + H > 0. `seen_near` is |u|^2 in near's metric, with its half magnitude.
+// True if the segment from `near` to the point at u, known to be nearer to it than to `far`,
+// certainly does not cross the bisector twice. Three sufficient conditions
+// (predicates/domination.hpp): A + C > 0, H < 0, A + H > 0. `seen_near` is |u|^2 in near's metric,
+// with its half magnitude.
 inline bool crossed_less_than_twice(double seen_near, double half_magnitude,
                                     const metric_tensor& far, const displacement<double>& u,
                                     const displacement<double>& d) {
@@ -166,8 +167,8 @@ inline bool crossed_less_than_twice(double seen_near, double half_magnitude,
          decide(a + h, lengths + mixed, factor).certainly(sign::positive);
 }
 
-// Decides where the nearer site's view is crossed less than twice; it dominates then, unless a
-// tangency, which none of the conditions allows, counts one point.
+// Decides domination where the nearer site's segment meets the bisector less than twice: that site
+// dominates then, unless a tangency, which none of the conditions allows, counts one point.
 inline uncertain_sign dominates(const site& v, const site& w, const point& p) {
   const two_displacements u = between(v.position, w.position, p);
   const displacement<double> d = between(v.position, w.position);
@@ -178,7 +179,7 @@ inline uncertain_sign dominates(const site& v, const site& w, const point& p) {
   const uncertain_sign nearer =
       decide(value, sum(lengths.half_magnitude), 2 * bound_factor(compare_distance_depth));
   if (!nearer.certain()) return {};
-  // By address: which site is nearer is as good as random, and a branch on it would be missed.
+  // Selects by address: the nearer site is unpredictable, and a branch would be mispredicted.
   const bool v_nearer = nearer.value() == sign::negative;
   const std::array<const site*, 2> sites = {&v, &w};
   const site &near = *sites[v_nearer ? 0 : 1], &far = *sites[v_nearer ? 1 : 0];
@@ -189,7 +190,7 @@ inline uncertain_sign dominates(const site& v, const site& w, const point& p) {
   return decided ? uncertain_sign(-nearer.value()) : uncertain_sign();
 }
 
-// m11 > 0 is exact as it stands; the determinant has two monomials.
+// Tests m11 > 0 exactly; the determinant has two monomials.
 inline uncertain_bool is_positive_definite(const metric_tensor& m) {
   if (!(m.m11 > smallest_decided)) return {};
   if (!(m.m11 + std::abs(m.m12) + std::abs(m.m22) <= largest_operand)) return {};
@@ -197,7 +198,8 @@ inline uncertain_bool is_positive_definite(const metric_tensor& m) {
   return is_positive(decide(diagonal - mixed, std::abs(diagonal) + mixed, bound_factor(2)));
 }
 
-// u^T M u and cross products, each with half the sum of its absolute monomials, or a bound on it.
+// Values u^T M u and cross products, each with half the sum of its absolute monomials, or a bound
+// on it.
 struct circle_term {
   double value, half_magnitude;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Asks an insertion question of one arithmetic, with the parameters that plain doubles propose:
+// Decides an insertion question by one arithmetic, with parameters that plain doubles propose:
 // first the two Voronoi vertices that usually decide, then every equidistance cut.
 #pragma once
 
@@ -30,8 +30,8 @@ uncertain_bool search_in_stages(const insertion_question<Number>& question,
   return search(proposal([&] { return numeric::find_hints(proposing); }), most_ranges);
 }
 
-// Requires sites of harmless magnitude (kernels/magnitude.hpp).
-// Source as in arc_search: the arithmetic of the coefficients.
+// Searches sites of moderate magnitude (kernels/magnitude.hpp). Source is as in arc_search: the
+// arithmetic of the coefficients.
 template <class Number, class PointOnArc, class Source = Number>
 uncertain_bool search_in_stages(const std::array<site, 4>& s, int most_ranges) {
   const double turn = std::ldexp(1.0, turn_scale_exponent(s[0].metric));

@@ -20,11 +20,11 @@ double ingredient_tolerance(double rho) {
   return needed > 0x1p-18 ? needed : 0x1p-18;
 }
 
-// Any direction z + step n is a valid choice, in this range without an overflow, and without an
-// underflow that matters.
+// Bounds of the directions z + step n: each in this range is a valid choice, without an overflow,
+// and without an underflow that matters.
 constexpr double least_step = 0x1p-30, most_step = 0x1p10;
 
-// std::fmax is a call, for the sake of NaNs.
+// Returns the greater number; std::fmax is slower, as it handles NaNs.
 double greater(double a, double b) { return a > b ? a : b; }
 
 displacement<double> quarter_turn(const displacement<double>& u) { return {-u.y, u.x}; }
@@ -96,7 +96,7 @@ bool star_gap::find_vertex() {
   return false;
 }
 
-// Aims at the direction midway between x and y, each as long as it finds itself.
+// Takes the direction midway between x and y, each divided by its own length.
 void star_gap::aim_between() {
   const double x_inverse = 1 / std::sqrt(x_.c), y_inverse = 1 / std::sqrt(y_.c);
   const double length = 1 / greater(x_inverse, y_inverse);
@@ -121,7 +121,7 @@ bool star_gap::enclose_meeting(neighbour& z) const {
   z.highest = s + above;
   if (!(ray.at(s - above) < -error && ray.at(z.highest) > error)) return false;
   const double convexity_error = convexity_depth * rho * convexity_magnitude(extent, trace);
-  // Takes the bound of the nearest metric that makes s concave, if s may not be.
+  // Replaces a bound of s that may not be concave by that of the nearest metric for which it is.
   const double u_over_c = (u_extent_ * u_extent_) * inverse_c;
   const double lower_error = error + 3 * convexity_error * u_over_c;
   const double below = lower_error * inverse_root;
@@ -132,7 +132,7 @@ bool star_gap::enclose_meeting(neighbour& z) const {
   return true;
 }
 
-// True if the ray certainly never meets the bisector: z is in nobody's way there. Either the roots
+// True if the ray certainly never meets the bisector, so that z blocks nothing: either the roots
 // are not real or both are negative.
 bool star_gap::never_met(neighbour& z, const ray_equation<double>& ray, double discriminant) const {
   const double extent = z.site.extent, trace = z.site.trace, rho = frame_.rho();
@@ -172,9 +172,9 @@ bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_roo
   return true;
 }
 
-// Returns an upper bound, at least |z|/b(z) and |z|/2, b the bound from below: how far the bisector
-// is on the edge to z at most, and half the edge. |z| is known to within 2 rho of itself, C and the
-// discriminant to within an ingredient, u . z to within its tolerance.
+// Returns an upper bound of |z|/b(z) and |z|/2, b the lower bound: the distance of the bisector on
+// the edge to z, and half the edge. |z| is known to within 2 rho of itself, C and the discriminant
+// to within an ingredient, u . z to within its tolerance.
 double star_gap::reach_along_edge(const neighbour& z) const {
   const double length = std::sqrt(dot(z.site.offset, z.site.offset));
   const double above_one =
@@ -236,8 +236,8 @@ uncertain_bool star_gap::witness(const candidate& w) const {
   return {};
 }
 
-// Does w dominate p = v + u/s over z, and is z outside the triangle v, w, p? `turn` is the area of
-// w and z, positive; `side` 1 for x, -1 for y.
+// True if w certainly dominates p = v + u/s over z, and z is outside the triangle v, w, p. `turn`
+// is the area of w and z, positive; `side` is 1 for x, -1 for y.
 bool star_gap::allows(const neighbour& z, double turn, const candidate& w, double s,
                       double side) const {
   const double steep = steepness_towards(s, w.site.offset, z.c, z.a, z.dual, z.seen_u);
@@ -251,16 +251,16 @@ bool star_gap::allows(const neighbour& z, double turn, const candidate& w, doubl
   return s * turn - (beyond + between) > tolerance_ * apart;
 }
 
-// w's convex upper bound S of s: s itself where that is convex, its tangent at u where concave.
+// Convex upper bound S of w's s: s itself where that is convex, its tangent at u where concave.
 struct star_gap::upper_bound {
   double convexity = 0, convexity_error = 0;
   bool concave = false;
   double inverse_root = 0;  // of the discriminant; for the tangent only
-  // C S at the quarter turns of w: +-turned + bulge.
+  // Value of C S at the quarter turns of w: +-turned + bulge.
   double turned = 0, bulge = 0, magnitude = 0;
 };
 
-// Bounds w's parameter from above; empty when it is not known well enough.
+// Bounds w's parameter from above; empty where its error is too large.
 std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) const {
   const auto& d = w.site.offset;
   const double extent = w.site.extent, trace = w.site.trace, rho = frame_.rho();
@@ -289,9 +289,9 @@ std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) c
   return top;
 }
 
-// True if w is out of reach by lemma 4.3 of docs/math/certificate.md: however different w's metric
-// is, from far enough it reaches nothing. sigma^2 is the largest eigenvalue of N^-1, or 1; of trace
-// and determinant bounds are taken, with room for the roundings of this function.
+// True if w is out of reach by lemma 4.3 of docs/math/certificate.md: a site far enough away
+// reaches nothing, whatever its metric. sigma^2 is the largest eigenvalue of N^-1, or 1, bounded by
+// trace and determinant with room for the roundings of this function.
 bool star_gap::far_away(const framed_site& w) const {
   const double rho = frame_.rho(), trace = (1 + 4 * rho) * w.trace;
   const double determinant = w.determinant - 4 * rho * (trace * trace);
@@ -314,17 +314,17 @@ bool star_gap::refuted(const candidate& w, double at_lowest) const {
     return false;
   const auto top = bound_above(w);
   if (!top) return false;
-  // Takes S of the nearest metric that makes s convex, if s may not be, and requires that the ray
-  // equation leaves room for it.
+  // Replaces S, if s may not be convex, by that of the nearest metric for which it is, and requires
+  // that the ray equation leaves room for it.
   if (!top->concave && !(at_lowest * w.ray.c > 4 * top->convexity_error * (u_extent_ * u_extent_)))
     return false;
   return closed_towards(x_, w, *top, w.turn_x, 1) && closed_towards(y_, w, *top, w.turn_y, -1);
 }
 
-// Does nothing remain between u and the direction n at a right angle to w on the side of z? Either
-// z's bisector comes first all along, or it does up to some direction from z's ray on, and beyond
-// that the triangle of v, w and the point contains z. `turn` is the area of w and z, positive;
-// `side` 1 for x, -1 for y.
+// True if no direction is left between u and the direction n at a right angle to w on the side of
+// z. Either z's bisector is met first all along, or it is up to some direction from z's ray on, and
+// beyond that the triangle of v, w and the point contains z. `turn` is the area of w and z,
+// positive; `side` 1 for x, -1 for y.
 bool star_gap::closed_towards(const neighbour& z, const candidate& w, const upper_bound& top,
                               double turn, double side) const {
   const auto& d = w.site.offset;
@@ -339,11 +339,11 @@ bool star_gap::closed_towards(const neighbour& z, const candidate& w, const uppe
     if (lower - at_end > tolerance_ * magnitude) return true;
   }
   const double magnitude = 2 * (top.magnitude * reach + c_size * (extent_squared + reach));
-  // C (l - S) (d x z) at n is more.
+  // Compares C (l - S) (d x z) at n with zero.
   const double room = w.ray.c * (square - along) - at_end * turn - tolerance_ * magnitude;
   if (!(along > tolerance_ * (2 * reach) && room > 0)) return false;
   const estimate at_z = top_at(z, w, top, turn, side);
-  // C (S - l) at z is less.
+  // Compares C (S - l) at z with zero.
   const double excess = at_z.value - w.ray.c + tolerance_ * (c_size + at_z.size);
   if (excess < 0) return true;
   const double turn_at_most = turn + cross_depth * frame_.rho() * (2 * reach);
@@ -354,7 +354,7 @@ bool star_gap::closed_towards(const neighbour& z, const candidate& w, const uppe
                       {at_z.value + step * at_end, at_z.size + step * top.magnitude});
 }
 
-// C S at z itself is less than `value` and the tolerance of `size`.
+// True if C S at z itself is less than `value` and the tolerance of `size`.
 star_gap::estimate star_gap::top_at(const neighbour& z, const candidate& w, const upper_bound& top,
                                     double turn, double side) const {
   const auto& d = w.site.offset;
@@ -375,8 +375,8 @@ star_gap::estimate star_gap::top_at(const neighbour& z, const candidate& w, cons
   return {at_z.value + root, at_z.size + root};
 }
 
-// True if z's lower bound, times C, is more than `top` in the direction z + step n. It then is from
-// u to there, being concave.
+// True if z's lower bound, times C, is more than `top` in the direction z + step n. Being concave,
+// it is then more than `top` from u to there.
 bool star_gap::met_first_at(const neighbour& z, const candidate& w, const direction_beyond& e,
                             const estimate& top) const {
   const auto& d = w.site.offset;

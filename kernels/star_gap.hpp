@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Prepares one gap of v's star for many questions: may w stand between the neighbours y and x? The
-// first tier of edge_test; plain doubles with error bounds that hold in every floating-point
-// environment.
+// Prepares one gap of v's star for many tests of edge_test: whether w may stand between the
+// neighbours y and x. The first tier of edge_test; plain doubles with error bounds that hold in
+// every floating-point environment.
 //
 // Method: in coordinates in which v's metric is the identity (kernels/normal_frame.hpp) find the
 // direction u of the gap's Voronoi vertex by Newton's method, and enclose the first meetings of
@@ -25,8 +25,8 @@ namespace asterism::internal {
 
 class star_gap {
  public:
-  // y, then x, counter-clockwise around v; meant for less than half a turn, else all is undecided.
-  // Requires distinct sites with positive definite metrics.
+  // Takes y, then x, counter-clockwise around v; for gaps of less than half a turn, otherwise all
+  // is undecided. Requires distinct sites with positive definite metrics.
   star_gap(const site& v, const site& y, const site& x);
 
   // Decides edge_test(v, w, x, y), for w strictly between the rays from v through y and x;
@@ -46,7 +46,7 @@ class star_gap {
   double reach() const;
 
  private:
-  // x or y as seen from v.
+  // A neighbour x or y in v's frame.
   struct neighbour {
     star_gap_detail::framed_site site;
     displacement<double> dual;    // N d
@@ -55,7 +55,8 @@ class star_gap {
     // Bounds of s along u at the first meeting of the ray with the neighbour's bisector. The root
     // of a concave lower bound is no smaller than the first meeting's s.
     double lowest = 0, highest = 0;
-    // Away from u that bound is at least slope . direction where |u|^2 >= bend (u x d)^2.
+    // Coefficient of the bound away from u: it is at least slope . direction where |u|^2 >= bend (u
+    // x d)^2.
     displacement<double> slope;
     double slope_magnitude = 0, bend = 0;
     // Inverse root of the ray equation's discriminant, if the bound is the tangent at u (bend is
@@ -64,11 +65,11 @@ class star_gap {
   };
   struct candidate;
   struct upper_bound;
-  // Known to within a tolerance of `size`.
+  // A value that is known to within a tolerance of `size`.
   struct estimate {
     double value, size;
   };
-  // z + step n, n at a right angle to w on the side of z, `turn` the area of w and z.
+  // A direction z + step n, n at a right angle to w on the side of z, `turn` the area of w and z.
   struct direction_beyond {
     double turn, side, step;
   };

@@ -14,20 +14,21 @@
 
 namespace asterism::internal::star_gap_detail {
 
-// On the ray p = v + u/s from v, s > 0, C s^2 - 2 H s - A has the sign of f_z - f_v at p; the
-// larger root is the first meeting with the bisector of v and z = v + d.
+// Coefficients of the ray equation: on the ray p = v + u/s from v, s > 0, C s^2 - 2 H s - A has the
+// sign of f_z - f_v at p; the larger root is the first meeting with the bisector of v and z = v +
+// d.
 template <class Number>
 struct ray_equation {
   Number c, h, a;
 
-  // N_z in v's frame; `dual` is N_z d. |u|_v^2 is passed since it serves many z.
+  // Tensor N_z in v's frame; `dual` is N_z d. |u|_v^2 is an argument since it serves many z.
   ray_equation(const basic_metric_tensor<Number>& n, const displacement<Number>& d,
                const displacement<Number>& dual, const displacement<Number>& u,
                const Number& u_squared)
       : c(dot(d, dual)), h(dot(u, dual)), a(u_squared - dot(u, apply(n, u))) {}
 
   Number at(const Number& s) const { return (c * s - (h + h)) * s - a; }
-  // Its discriminant, over 4.
+  // Returns the discriminant of the ray equation, over 4.
   Number discriminant() const { return h * h + a * c; }
 };
 
@@ -63,11 +64,11 @@ Number radicand_beyond(const displacement<Number>& z, const displacement<Number>
 
 inline constexpr int ray_depth = 12, c_depth = 8, discriminant_depth = 16, convexity_depth = 9,
                      steepness_depth = 14, cross_depth = 5;
-// Nothing compared with the tolerance carries more than these factors besides its quotients and
-// roots.
+// Largest number of factors on any monomial that is compared with the tolerance, without its
+// quotients and roots.
 inline constexpr int side_condition_depth = 24;
 
-// Bounds magnitudes on the ray. `s` at least the parameter, all arguments positive.
+// Bounds magnitudes on the ray. `s` is at least the parameter; all arguments are positive.
 inline double ray_magnitude(double s, double extent, double trace, double u) {
   return 4 * (trace * extent) * (s * (extent * s + u)) + (u * u) * (1 + trace);
 }

@@ -10,7 +10,7 @@
 
 namespace asterism {
 
-// The predicates of predicates/.
+// The predicates that are counted, those of predicates/.
 enum class predicate : std::size_t {
   orientation,
   is_positive_definite,
@@ -26,7 +26,7 @@ enum class predicate : std::size_t {
 };
 // Number of predicates.
 inline constexpr std::size_t predicate_count = 11;
-// The names of the batch protocol, in the order of `predicate`.
+// Names of the predicates in the batch protocol, in the order of `predicate`.
 inline constexpr std::array<std::string_view, predicate_count> predicate_names = {
     "orientation",
     "is_spd",
@@ -40,7 +40,7 @@ inline constexpr std::array<std::string_view, predicate_count> predicate_names =
     "edge_test",
     "in_circle"};
 
-// The tiers in the order they are tried (docs/math/tiers.md).
+// The tiers of the filtered kernel in the order they are tried (docs/math/tiers.md).
 enum class tier : std::size_t { semi_static, interval, exact };
 // Number of tiers.
 inline constexpr std::size_t tier_count = 3;
@@ -52,9 +52,9 @@ inline constexpr std::array<std::string_view, tier_count> tier_names = {"semi-st
 struct tier_counters {
   std::array<std::array<std::uint64_t, tier_count>, predicate_count> decided{};
   // Work of the exact answers about sites, in products of two 64-bit limbs (core/integer.hpp). One
-  // takes from hundreds to hundreds of millions.
+  // answer takes from hundreds to hundreds of millions.
   std::uint64_t limb_products = 0;
-  // Items that were looked at to find out what to ask about: subsegments near a line of sight.
+  // Number of items visited to find the questions, such as subsegments near a line of sight.
   std::uint64_t looked_at = 0;
 
   std::uint64_t& at(predicate p, tier t) {

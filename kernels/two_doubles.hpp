@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds two doubles in one register: what the semi-static tier computes of two sites it computes at
+// Holds two doubles in one register, by which the semi-static tier computes values of two sites at
 // once. Every operation is that of two doubles one by one, in any floating-point environment.
 #pragma once
 
@@ -45,7 +45,7 @@ inline unsigned sign_bits(two_doubles x) {
 #endif
 }
 
-// Pair of displacements, points or metrics, one component of both in each vector.
+// A pair of displacements, points or metrics, one component of both in each vector.
 struct two_displacements {
   two_doubles x, y;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Proposes where to look first along an arc, in plain doubles: the parameters at which x and y
+// Proposes parameters to try first along an arc, in plain doubles: the parameters at which x and y
 // become as near as v and w, from Newton's method on the Voronoi vertices of v, w, x and v, w, y.
-// For close sites of a smooth metric field these are the only cuts that matter. Nothing is
-// promised: arc_search proves what it uses.
+// For close sites of a smooth metric field these are the only cuts that matter. Without a
+// guarantee: arc_search proves what it uses.
 #pragma once
 
 #include <cmath>
@@ -55,14 +55,14 @@ inline std::optional<double> vertex_parameter(const visible_arc<double>& arc,
   if (!p) return std::nullopt;
   const auto seen = apply(arc.v.metric, *p);
   const double along_d = dot(arc.d, seen);
-  // d and n are orthogonal to v, so these are the coordinates of p in them.
+  // Computes coordinates of p along d and n, which are orthogonal in v's metric.
   const double m = dot(arc.n, seen) * squared_length(arc.v.metric, arc.d) /
                    (along_d * squared_length(arc.v.metric, arc.n));
   return along_d > 0 && arc.contains(1.0, m).value() ? std::optional(m) : std::nullopt;
 }
 
-// Hints for a "no": below `high` one neighbour fails, above `low` the other, and low < high. One
-// sample in between and one on either side, close enough to stay on the arc.
+// Proposes parameters for a "no": below `high` one neighbour fails, above `low` the other, and low
+// < high. Takes one sample in between and one on either side, close enough to stay on the arc.
 inline search_hints hints_around_overlap(const visible_arc<double>& arc, double low, double high) {
   search_hints hints;
   hints.extent = find_extent(arc);
@@ -80,7 +80,7 @@ inline search_hints hints_around_overlap(const visible_arc<double>& arc, double 
   return hints;
 }
 
-// Hints for the common case: x and y on different sides of the line vw, one cut each.
+// Proposes parameters for the common case: x and y on different sides of the line vw, one cut each.
 inline std::optional<search_hints> find_quick_hints(const insertion_question<double>& question) {
   const visible_arc<double>& arc = question.arc;
   const double side_x = cross(arc.d, question.at_x.v_to_x),
@@ -89,7 +89,8 @@ inline std::optional<search_hints> find_quick_hints(const insertion_question<dou
   const auto at_x = vertex_parameter(arc, question.at_x.x),
              at_y = vertex_parameter(arc, question.at_y.x);
   if (!at_x || !at_y) return std::nullopt;
-  // n turns left: a neighbour on the left allows parameters below its cut, on the right above.
+  // Orders the cuts: n turns left, so a neighbour on the left allows parameters below its cut, one
+  // on the right those above.
   const double lower_end = side_x > 0 ? *at_y : *at_x, upper_end = side_x > 0 ? *at_x : *at_y;
   if (!(lower_end < upper_end)) return hints_around_overlap(arc, upper_end, lower_end);
   search_hints hints;

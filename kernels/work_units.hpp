@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Weighs answers of the kernel by what they cost. The unit is about ten microseconds, so that a
-// million of them are ten seconds.
+// Weighs answers of the kernel by their cost. The unit is about ten microseconds, so that a million
+// of them are ten seconds.
 //
 // Measured by the processor time of runs that do little else (x86_64, Release): an orientation
-// takes 10 to 15 nanoseconds with what goes with it, and 50 to 70 in exact integers; an edge test
-// 0.3 to 1 microseconds in doubles, 20 in intervals, exactly a few where all tensors are the same,
-// and 100 to 100,000 where they are not. The latter are weighed by the limbs that are multiplied.
-// These are bounds of work and no clock: what a run does depends on the numbers alone.
+// takes 10 to 15 nanoseconds with everything around it, and 50 to 70 in exact integers; an edge
+// test 0.3 to 1 microseconds in doubles, 20 in intervals, exactly a few where all tensors are the
+// same, and 100 to 100,000 where they are not. The latter are weighed by the number of limbs
+// multiplied. Weights bound work and are no clock: where a run ends depends on counts alone.
 #pragma once
 
 #include <cstddef>
@@ -36,13 +36,13 @@ inline constexpr tier_weights weights_of(predicate which) {
   }
 }
 
-// Products of two limbs for a unit, with what goes with them.
+// Number of products of two limbs in one unit, with the operations around them.
 inline constexpr double products_for_unit = 12000;
 
-// Weight of an item looked at: four nanoseconds.
+// Weight of an item visited: four nanoseconds.
 inline constexpr double an_item_looked_at = 0.0004;
 
-// Returns the work of all answers counted, and of finding out what to ask about.
+// Returns the work of all answers counted, and of visiting items to find the questions.
 inline double work_units(const tier_counters& counts) {
   double units = static_cast<double>(counts.limb_products) / products_for_unit +
                  an_item_looked_at * static_cast<double>(counts.looked_at);

@@ -23,7 +23,7 @@ inline uncertain_bool conjugate_vanishes(uncertain_sign rational_part, uncertain
   return rational_part.value() * beta.value() != sign::positive;
 }
 
-// Is a root of some polynomial a parameter of the arc?
+// True if some root of the polynomial is a parameter of the arc.
 template <class Arithmetic, class Number, class Root>
 uncertain_bool is_root_on_arc(const visible_arc<Number>& arc, Root& root) {
   const uncertain_bool real = is_positive(Arithmetic::sign_at(arc.e, root));
@@ -32,8 +32,8 @@ uncertain_bool is_root_on_arc(const visible_arc<Number>& arc, Root& root) {
                  is_positive(Arithmetic::sign_at(arc.a, root)));
 }
 
-// Tells where f vanishes if its norm does: true if f is zero on a whole section of the arc, false
-// if only where P and beta are.
+// Decides where f vanishes, given that its norm does: returns true if f is zero on a whole section
+// of the arc, false if only where P and beta are.
 template <class Arithmetic, class Number>
 uncertain_bool vanishes_on_a_section(const visible_arc<Number>& arc, const arc_function<Number>& f,
                                      const polynomial<Number, 2>& rational_part) {
@@ -50,8 +50,8 @@ uncertain_bool vanishes_on_a_section(const visible_arc<Number>& arc, const arc_f
   return false;
 }
 
-// How many of the roots, if they are known, lie on the arc and are zeros, which is_zero_at(root)
-// tells.
+// Returns how many of the roots, if they are known, lie on the arc and are zeros of f, which
+// is_zero_at(root) decides.
 template <class Arithmetic, class Number, class Roots, class IsZero>
 uncertain_int count_zeros_on_arc(const visible_arc<Number>& arc, Roots roots,
                                  const IsZero& is_zero_at) {
@@ -86,7 +86,8 @@ uncertain_int arc_intersection_count(const visible_arc<Number>& arc, const basic
   const uncertain_bool everywhere = vanishes_on_a_section<Arithmetic>(arc, f, p);
   if (!everywhere.certain()) return {};
   if (everywhere.value()) return -1;
-  // f = 2 P on the arc wherever beta is not zero, so its zeros are common ones of P and beta.
+  // Uses that f = 2 P on the arc wherever beta is not zero, so its zeros are common ones of P and
+  // beta.
   const uncertain_bool no_p = vanishes(p);
   if (!no_p.certain()) return {};
   if (no_p.value()) return 0;

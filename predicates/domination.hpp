@@ -25,8 +25,8 @@
 
 namespace asterism::internal {
 
-// The difference f_v - f_w on the ray from v through p, as A t^2 + 2 H t - C with p at t = 1, after
-// multiplication by weight^2: A, H weight, C weight^2. u = weight (p - v), d = w - v.
+// The difference f_v - f_w on the ray from v through p, as A t^2 + 2 H t - C with p at t = 1,
+// multiplied by weight^2. The members are A, H weight, C weight^2; u = weight (p - v), d = w - v.
 template <class Number>
 struct ray_difference {
   Number a, half_b, c, weight;
@@ -40,9 +40,10 @@ struct ray_difference {
     c = dot(d, metric_w_d);
   }
 
-  // Roots in (0, 1), knowing that the difference is negative at t = 1: 0, 1 (tangent) or 2.
+  // Returns the number of roots in (0, 1), given that the difference is negative at t = 1: 0, 1
+  // (tangent) or 2.
   uncertain_int roots_before_negative_end() const {
-    // Two roots in (0, 1) have a product -C/A below 1. This settles nearly everything.
+    // Decides most cases: two roots in (0, 1) have a product -C/A below 1.
     const uncertain_bool steep = is_negative(sign_of(a + c * square(weight)));
     if (steep.certainly(false)) return 0;
     const uncertain_bool top_inside = is_negative(sign_of(a + half_b * weight));
@@ -56,14 +57,16 @@ struct ray_difference {
     return discriminant.value() == sign::zero ? 1 : 2;
   }
 
-  // Roots in (0, 1], knowing that t = 1 is one: the other, -C/A, lies in (0, 1) iff A + C < 0.
+  // Returns the number of roots in (0, 1], given that t = 1 is one: the other, -C/A, lies in (0, 1)
+  // iff A + C < 0.
   uncertain_int roots_up_to_zero_end() const {
     const uncertain_bool second = is_negative(sign_of(a + c * square(weight)));
     return second.certain() ? uncertain_int(second.value() ? 2 : 1) : uncertain_int();
   }
 };
 
-// p by its weighted displacements from both sites: from_v = weight (p - v), from_w likewise.
+// The point p, by its weighted displacements from both sites: from_v = weight (p - v), from_w
+// likewise.
 template <class Number>
 uncertain_sign dominates(const basic_site<Number>& v, const basic_site<Number>& w,
                          const displacement<Number>& from_v, const displacement<Number>& from_w,
@@ -78,7 +81,7 @@ uncertain_sign dominates(const basic_site<Number>& v, const basic_site<Number>& 
   const uncertain_sign nearer =
       sign_of(squared_length(v.metric, from_v) - squared_length(w.metric, from_w));
   if (!nearer.certain()) return {};
-  // Along the ray of the farther site the difference changes sign once: one point.
+  // Counts one point: along the ray of the farther site the difference changes sign once.
   uncertain_int of_v = 1, of_w = 1;
   if (nearer.value() == sign::negative) of_v = seen_from_v().roots_before_negative_end();
   if (nearer.value() == sign::positive) of_w = seen_from_w().roots_before_negative_end();

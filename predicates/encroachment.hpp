@@ -21,7 +21,8 @@ namespace asterism::internal {
 
 template <class Number>
 struct encroachment_question {
-  // (f_w - f_a) (lambda + mu)^2 and (f_w - f_b) (lambda + mu)^2 in m = mu / lambda.
+  // The two forms (f_w - f_a) (lambda + mu)^2 and (f_w - f_b) (lambda + mu)^2 as polynomials in m =
+  // mu / lambda.
   polynomial<Number, 2> against_a, against_b;
 
   encroachment_question(const basic_site<Number>& a, const basic_site<Number>& b,
@@ -34,7 +35,7 @@ struct encroachment_question {
     against_b = {{at_a - squared_length(b.metric, d), mixed + mixed, at_b}};
   }
 
-  // True if the condition holds at m = mu / lambda.
+  // True if w encroaches at the point with parameter m = mu / lambda.
   uncertain_bool holds(const Number& lambda, const Number& mu) const {
     const uncertain_bool inside = is_positive(sign_of(lambda)) & is_positive(sign_of(mu));
     return inside & is_negative(sign_of(evaluate(against_a, lambda, mu))) &

@@ -33,8 +33,8 @@ uncertain_sign in_circle(const basic_metric_tensor<Number>& m, const basic_point
   return sign_of(in_circle_value(m, v, w, x, y));
 }
 
-// (x - v)^T m (x - w): the cotangent, in m, of the angle at x between v and w, times the double
-// area of v, w, x.
+// Returns (x - v)^T m (x - w): the cotangent, in m, of the angle at x between v and w, times the
+// double area of v, w, x.
 template <class Number>
 Number angle_value(const basic_metric_tensor<Number>& m, const basic_point<Number>& v,
                    const basic_point<Number>& w, const basic_point<Number>& x) {

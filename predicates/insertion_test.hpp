@@ -21,7 +21,7 @@
 
 namespace asterism::internal {
 
-// Holds each part of a neighbour's condition at a point.
+// Parts of a neighbour's condition at a point, each as a yes or no.
 struct neighbour_verdict {
   uncertain_sign x_farther;  // sign of f_x - f_v
   uncertain_bool v_dominates, w_dominates, contains_x;
@@ -46,16 +46,16 @@ struct neighbour_condition {
         side_of_x(sign_of(cross(a.d, v_to_x))),
         x_between_v_w(is_negative(sign_of(dot(v_to_x, w_to_x)))) {}
 
-  // f_v - f_x or f_w - f_x, which agree on the arc: the linear one if there is one.
+  // Returns f_v - f_x or f_w - f_x, which agree on the arc: the linear one if there is one.
   plane_quadratic<Number> distance() const {
     return is_certainly_zero(arc->w.metric - x.metric)
                ? distance_difference(arc->v.position, arc->w, x)
                : distance_difference(arc->v, x);
   }
-  // Its zeros are where x becomes as near as v and w.
+  // Returns the function whose zeros are where x becomes as near as v and w.
   arc_function<Number> equidistance() const { return arc->restrict(distance()); }
 
-  // Every function but equidistance() at whose zeros the condition can change.
+  // Calls visit for every function, except equidistance(), at whose zeros the condition can change.
   template <class Visitor>
   void visit_other_critical_functions(Visitor&& visit) const {
     const auto &v = arc->v, &w = arc->w;
@@ -80,7 +80,7 @@ struct neighbour_condition {
             is_positive(dominates(w, at, from_w, from_x, weight)), x_in_triangle(from_v, from_x)};
   }
 
-  // examine(...).holds(), no further than needed.
+  // Returns examine(...).holds(), evaluated no further than needed.
   template <class Surd>
   uncertain_bool holds(const displacement<Surd>& from_v, const Surd& weight) const {
     const basic_site<Surd> at = lift<Surd>(x);
@@ -126,7 +126,7 @@ struct neighbour_condition {
   }
 };
 
-// The question as an existence problem on the parameter line, for an arithmetic to decide.
+// Poses the question as an existence problem on the parameter line, for an arithmetic to decide.
 template <class Number>
 struct insertion_question {
   visible_arc<Number> arc;
@@ -139,7 +139,7 @@ struct insertion_question {
   insertion_question(const insertion_question&) = delete;
   insertion_question& operator=(const insertion_question&) = delete;
 
-  // Sections are cut at the zeros of these, and of the arc's own e, h and a.
+  // Lists the functions at whose zeros sections are cut, together with the arc's own e, h and a.
   template <class Visitor>
   void visit_critical_functions(Visitor&& visit) const {
     visit(at_x.equidistance());
@@ -149,9 +149,9 @@ struct insertion_question {
   }
 };
 
-// Four equal metrics m: the arc is a whole line and domination is being nearer, so only a pair
-// x, y on different sides of the line vw, and a site on the segment vw, can be in the way. A zero
-// of the in-circle sign is a tie: true iff `tie` says so.
+// Four equal metrics m: the arc is a whole line and domination is being nearer, so only a pair x, y
+// on different sides of the line vw, and a site on the segment vw, can block it. A zero of the
+// in-circle sign is a tie: true iff `tie` says so.
 template <class Number, class TieRule>
 uncertain_bool insertion_test_equal_metrics(const basic_metric_tensor<Number>& m,
                                             const basic_point<Number>& v,

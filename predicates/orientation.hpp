@@ -5,9 +5,9 @@
 // Returns: positive: left, p q r turn counter-clockwise; negative: right; zero: collinear.
 // Laws: 1. a cyclic change of p q r keeps the sign; 2. an exchange of two of them negates it;
 //   3. equal points give zero. It does not hold that zero implies distinct points.
-// Requires: finite coordinates.
-// Degenerate: zero is an answer; who asks must say what collinear means to it.
-// Source: the thesis uses it for "between the rays" (definition 4) and "strictly inside".
+// Requires: finite coordinates. Degenerate: zero is an answer; the caller decides what
+// collinear means. Source: the thesis uses it for "between the rays" (definition 4) and
+// "strictly inside".
 #pragma once
 
 #include "asterism/core/plane_algebra.hpp"

@@ -24,7 +24,7 @@
 
 namespace asterism::internal {
 
-// 2 D_i x D_j about `origin`, where D_s(p) = M_s (p - p_s).
+// Returns 2 D_i x D_j about `origin`, where D_s(p) = M_s (p - p_s).
 template <class Number>
 plane_quadratic<Number> twice_gradient_cross(const basic_point<Number>& origin,
                                              const basic_site<Number>& i,
@@ -41,7 +41,7 @@ plane_quadratic<Number> twice_gradient_cross(const basic_point<Number>& origin,
           two * cross(at_i, at_j)};
 }
 
-// Twice det[D_i, 1; D_j, 1; D_k, 1].
+// Returns twice det[D_i, 1; D_j, 1; D_k, 1].
 template <class Number>
 plane_quadratic<Number> gradient_orientation(const basic_point<Number>& origin,
                                              const basic_site<Number>& i,

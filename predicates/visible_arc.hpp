@@ -48,7 +48,7 @@ uncertain_bool vanishes(const polynomial<Number, Degree>& p) {
   return all;
 }
 
-// quadratic(r) = r^T form r + linear . r + constant, in the displacement r = p - v.
+// A quadratic function of the displacement r = p - v: r^T form r + linear . r + constant.
 template <class Number>
 struct plane_quadratic {
   basic_metric_tensor<Number> form;
@@ -56,8 +56,8 @@ struct plane_quadratic {
   Number constant;
 };
 
-// alpha + beta s along a visible arc: a plane quadratic there, times C s^2, or a linear function,
-// times s.
+// A function alpha + beta s along a visible arc: from a plane quadratic there, times C s^2, or a
+// linear function, times s.
 template <class Number>
 struct arc_function {
   polynomial<Number, 2> alpha;
@@ -73,7 +73,7 @@ struct visible_arc {
   polynomial<Number, 1> h;
   polynomial<Number, 2> e;
 
-  // turn_scale is kappa: any positive number gives the same arc.
+  // Makes the arc of v and w. turn_scale is kappa: any positive number gives the same arc.
   visible_arc(const basic_site<Number>& site_v, const basic_site<Number>& site_w,
               const Number& turn_scale)
       : v(site_v), w(site_w), d(between(v.position, w.position)) {
@@ -89,14 +89,14 @@ struct visible_arc {
     return lambda * d + mu * n;
   }
 
-  // u^T form u as a polynomial in m.
+  // Returns u^T form u as a polynomial in m.
   polynomial<Number, 2> restrict_form(const basic_metric_tensor<Number>& form) const {
     const Number mixed = dot(d, apply(form, n));
     return {{squared_length(form, d), mixed + mixed, squared_length(form, n)}};
   }
 
-  // A linear q is multiplied by s alone: degrees are one less, and there is no zero where the arc
-  // runs to infinity (s = 0) unless the line does.
+  // Returns a linear q along the arc, multiplied by s alone: degrees are one less, and there is no
+  // zero where the arc runs to infinity (s = 0) unless the line does.
   arc_function<Number> restrict(const plane_quadratic<Number>& q) const {
     const polynomial<Number, 1> linear{{dot(q.linear, d), dot(q.linear, n)}};
     if (is_certainly_zero(q.form)) {
@@ -110,7 +110,7 @@ struct visible_arc {
   polynomial<Number, 2> rational_part(const arc_function<Number>& f) const {
     return c * f.alpha + f.beta * h;
   }
-  // (P^2 - beta^2 E) / C: vanishes wherever alpha + beta s does.
+  // Returns the norm (P^2 - beta^2 E) / C, which vanishes wherever alpha + beta s does.
   polynomial<Number, 4> norm(const arc_function<Number>& f) const {
     const auto mixed = f.alpha * (f.beta * h);
     return c * (f.alpha * f.alpha) + (mixed + mixed) - a * (f.beta * f.beta);
@@ -125,7 +125,7 @@ struct visible_arc {
   }
 };
 
-// f_v - f_x as a quadratic about v.
+// Returns f_v - f_x as a quadratic about v.
 template <class Number>
 plane_quadratic<Number> distance_difference(const basic_site<Number>& v,
                                             const basic_site<Number>& x) {
@@ -135,7 +135,7 @@ plane_quadratic<Number> distance_difference(const basic_site<Number>& v,
           Number(0) - dot(offset, metric_offset)};
 }
 
-// f_i - f_j as a quadratic about `origin`.
+// Returns f_i - f_j as a quadratic about `origin`.
 template <class Number>
 plane_quadratic<Number> distance_difference(const basic_point<Number>& origin,
                                             const basic_site<Number>& i,
@@ -164,20 +164,20 @@ plane_quadratic<Number> tangent_lines(const basic_point<Number>& origin,
   return {form, -(form_offset + form_offset), dot(offset, form_offset)};
 }
 
-// Half the slope of f_i - f_j along the ray from i, where it passes p.
+// Returns half the slope of f_i - f_j along the ray from i, at the point p of the ray.
 template <class Number>
 plane_quadratic<Number> ray_slope(const basic_point<Number>& origin, const basic_site<Number>& i,
                                   const basic_site<Number>& j) {
   const auto to_i = between(origin, i.position), to_j = between(origin, j.position);
   const auto metric_i = apply(i.metric, to_i), metric_j_i = apply(j.metric, to_i),
              metric_j_j = apply(j.metric, to_j);
-  // (r - i)^T M_i (r - i) - (r - i)^T M_j (r - j)
+  // Expands (r - i)^T M_i (r - i) - (r - i)^T M_j (r - j)
   return {i.metric - j.metric, metric_j_i + metric_j_j - (metric_i + metric_i),
           dot(to_i, metric_i) - dot(to_i, metric_j_j)};
 }
 
-// A + C of the ray from i through p: not negative where i meets the bisector Vor{i,j} at most once
-// before p, since two meetings at t_1, t_2 < 1 have t_1 t_2 = -C/A.
+// Returns A + C of the ray from i through p: not negative where i meets the bisector Vor{i,j} at
+// most once before p, since two meetings at t_1, t_2 < 1 have t_1 t_2 = -C/A.
 template <class Number>
 plane_quadratic<Number> ray_steepness(const basic_point<Number>& origin,
                                       const basic_site<Number>& i, const basic_site<Number>& j) {
@@ -188,7 +188,8 @@ plane_quadratic<Number> ray_steepness(const basic_point<Number>& origin,
           dot(offset, form_offset) + squared_length(j.metric, between(i.position, j.position))};
 }
 
-// (p - i)^T M_j (j - i): not positive when i sees the bisector Vor{i,j} at most once towards p.
+// Returns (p - i)^T M_j (j - i): not positive when i sees the bisector Vor{i,j} at most once
+// towards p.
 template <class Number>
 plane_quadratic<Number> ray_approach(const basic_point<Number>& origin, const basic_site<Number>& i,
                                      const basic_site<Number>& j) {

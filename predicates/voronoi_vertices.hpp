@@ -23,7 +23,7 @@
 
 namespace asterism::internal {
 
-// alpha y^2 + beta(x) y + gamma(x)
+// A conic over x, as a polynomial alpha y^2 + beta(x) y + gamma(x) in y.
 template <class Number>
 struct conic_in_y {
   Number alpha;
@@ -31,7 +31,7 @@ struct conic_in_y {
   polynomial<Number, 2> gamma;
 };
 
-// The conic about the axes x' along `first` and y' along `second`: r = x' first + y' second.
+// Returns the conic in axes x' along `first` and y' along `second`: r = x' first + y' second.
 template <class Number>
 conic_in_y<Number> along_axes(const plane_quadratic<Number>& g, const displacement<Number>& first,
                               const displacement<Number>& second) {
@@ -42,7 +42,8 @@ conic_in_y<Number> along_axes(const plane_quadratic<Number>& g, const displaceme
           {{g.constant, dot(g.linear, first), dot(first, form_first)}}};
 }
 
-// Points over x where g = 0 as a polynomial in y: by the sign of its discriminant there.
+// Returns the number of points over x where g = 0, a polynomial in y: by the sign of its
+// discriminant there.
 inline uncertain_int points_over(uncertain_sign discriminant) {
   return discriminant.certain() ? uncertain_int(1 + to_int(discriminant.value())) : uncertain_int();
 }
@@ -90,7 +91,7 @@ uncertain_int count_common_points(const conic_in_y<Number>& g1, const conic_in_y
 template <class Arithmetic, class Number>
 uncertain_int count_points_on_line(const plane_quadratic<Number>& line,
                                    const plane_quadratic<Number>& conic) {
-  // With k = |linear|^2, r = (x J linear - constant linear) / k; times k^2 throughout.
+  // Inserts r = (x J linear - constant linear) / k, with k = |linear|^2, and multiplies by k^2.
   const displacement<Number> normal = line.linear, along{Number(0) - normal.y, normal.x};
   const Number k = dot(normal, normal);
   const displacement<Number> foot = (Number(0) - line.constant) * normal;
@@ -118,7 +119,7 @@ uncertain_int voronoi_vertex_count(const basic_site<Number>& u, const basic_site
   if (!line1.certain() || !line2.certain()) return {};
   if (line1.value()) return count_points_on_line<Arithmetic>(g1, g2);
   if (line2.value()) return count_points_on_line<Arithmetic>(g2, g1);
-  // Two forms that are not zero have at most four isotropic directions together.
+  // Uses that two forms that are not zero have at most four isotropic directions together.
   constexpr std::array<std::array<int, 2>, 5> directions = {
       {{0, 1}, {1, 1}, {1, 2}, {1, -1}, {2, -1}}};
   for (const auto& direction : directions) {

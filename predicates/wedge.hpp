@@ -16,7 +16,7 @@
 
 namespace asterism::internal {
 
-// (q - v)^T M_v (w - v): positive where v sees q at less than 90 degrees from w.
+// Returns (q - v)^T M_v (w - v): positive where v sees q at less than 90 degrees from w.
 template <class Number>
 Number wedge_value(const basic_site<Number>& v, const basic_point<Number>& w,
                    const basic_point<Number>& q) {
