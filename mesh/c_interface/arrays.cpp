@@ -32,7 +32,8 @@ std::string text_of(std::initializer_list<double> numbers) {
   return text;
 }
 
-// A metric that the caller computes. One call at a time: the caller may be an interpreter.
+// A metric field that calls a function of the caller. One call at a time: the caller may be an
+// interpreter.
 class called_field final : public metric_field {
  public:
   called_field(const asterism_metric& functions, double size)
@@ -60,8 +61,8 @@ class called_field final : public metric_field {
     return tensor;
   }
 
-  // Asks for what is not known yet, each place once. Where the function fails, `at` finds which
-  // place is at fault.
+  // Calls the function for the places not known yet, each once. If the function fails, `at` finds
+  // the place at fault.
   void expect(const std::function<std::vector<point>()>& places) const override {
     if (batch_ == nullptr) return;
     const std::lock_guard<std::mutex> alone(lock_);
@@ -114,7 +115,7 @@ made_field sampled_field(const asterism_metric& metric, double size) {
   return make_interpolated_field(background.value().subject, size);
 }
 
-// Adds the curves. What is wrong with one as a curve is for divide_curves to refuse.
+// Adds the curves. divide_curves refuses the ones that are invalid as curves.
 std::optional<error> add_curves(const asterism_domain& arrays, domain& d) {
   for (std::size_t k = 0; k < arrays.curve_count; ++k) {
     const std::string name = "curve " + std::to_string(k);

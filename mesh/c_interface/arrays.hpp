@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes domains, meshes and metric fields from the arrays that C programs and Python bring.
+// Makes domains, meshes and metric fields from the arrays of C and Python programs.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ result<domain> domain_of(const asterism_domain& arrays);
 result<std::unique_ptr<metric_field>> field_of(const asterism_metric& metric,
                                                const bounding_box& box);
 
-// `count` rows of numbers, `stride` apart.
+// A view of `count` rows of numbers, `stride` apart.
 struct number_rows {
   std::size_t count;
   const double* first;
@@ -34,7 +34,8 @@ struct triangle_rows {
   const unsigned* first;
 };
 
-// Fails, naming the offender, where adopt_mesh does. As many places as tensors.
+// Makes the mesh, with one tensor for each vertex. Fails, naming the offender, where adopt_mesh
+// does.
 result<adopted_mesh> mesh_of(const number_rows& places, const number_rows& tensors,
                              const triangle_rows& triangles);
 

@@ -91,8 +91,8 @@ result<domain> accepted(const asterism_domain& arrays, const mesh_options& optio
   return shape;
 }
 
-// Returns the function that makes this metric for a size: with edges of its own size times that
-// one.
+// Returns the function that makes this metric for any size: its edges are as many times
+// longer.
 field_in_box metric_of(const asterism_metric& metric) {
   return [&metric](double size, const bounding_box& box) {
     asterism_metric sized = metric;
@@ -121,7 +121,7 @@ asterism_status create(const asterism_domain& domain, const asterism_metric& met
   return ASTERISM_OK;
 }
 
-// Returns the first thing that speaks against a mesh.
+// Returns the first finding or contradiction that refuses a mesh.
 std::string first_reason(const verify_report& report) {
   if (!report.contradictions.empty()) return report.contradictions.front();
   if (!report.audit.findings.empty()) return report.audit.findings.front().witness;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes messages where a C program wants them.
+// Writes messages into the buffer of a C program.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Buffer of the caller, which is made empty first; without room nothing is ever written.
+// Buffer of the caller, which is made empty first; a buffer of size 0 is never written to.
 class message_buffer {
  public:
   message_buffer(char* text, std::size_t capacity)

@@ -33,7 +33,7 @@ asterism_status check_site(const double* numbers) {
                                                            : ASTERISM_NOT_POSITIVE_DEFINITE;
 }
 
-// Finds everything that can be wrong with a new site but for its place in the domain.
+// Finds every fault of a new site, except for its place in the domain.
 asterism_status check_new_site(const asterism_sites& sites, const double* numbers) {
   if (const asterism_status bad = check_site(numbers); bad != ASTERISM_OK) return bad;
   return sites.is_place_taken({numbers[0], numbers[1]}) ? ASTERISM_EQUAL_SITES : ASTERISM_OK;
@@ -59,7 +59,7 @@ bool is_in(const bounding_box& box, const point& p) {
   return box.low.x <= p.x && p.x <= box.high.x && box.low.y <= p.y && p.y <= box.high.y;
 }
 
-// Indexes the last site. If there is no memory for the index, there is none from then on.
+// Adds the last site to the index. If there is no memory for it, the index is dropped for good.
 void index_last(asterism_sites& sites) {
   try {
     if (sites.near && is_in(sites.near->box(), sites.all.back().position))
@@ -111,7 +111,7 @@ std::optional<std::size_t> find_subsegment(const asterism_sites& sites, std::siz
   return found;
 }
 
-// Adds the new site between the two updates of the index, which has to know before and after.
+// Adds the new site between the two updates of the index, which is told before and after.
 void split(asterism_sites& sites, std::size_t subsegment, const double* at) {
   const auto twin = sites.edges.twin(subsegment);
   const std::size_t first_new = sites.edges.subsegments().size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the sites of a C program, with what bounds them, for the functions of stars.h.
+// Holds the sites of a C program, with their boundary, for the functions of stars.h.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct asterism_sites {
 
 namespace asterism::internal {
 
-// Answers a star's questions about these sites.
+// Returns the oracle that answers a star's questions about these sites.
 class questioner {
  public:
   explicit questioner(const asterism_sites& sites)

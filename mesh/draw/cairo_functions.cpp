@@ -9,7 +9,7 @@
 namespace asterism::internal {
 namespace {
 
-// The version of the interface is part of the name.
+// Names of the library, which contain the version of its interface.
 #ifdef __APPLE__
 constexpr const char* library_name = "libcairo.2.dylib";
 #else
@@ -21,7 +21,7 @@ struct loaded {
   std::string missing;  // what failed, if anything did
 };
 
-// The library stays: what it keeps for the whole process could not be freed safely.
+// Keeps the library loaded: its data for the whole process could not be freed safely.
 loaded load() {
   loaded cairo;
   void* const library = dlopen(library_name, RTLD_NOW | RTLD_LOCAL);

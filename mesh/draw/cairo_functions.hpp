@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// cairo's functions, from its shared library, which is loaded when they are first asked for.
+// Calls cairo's functions, from its shared library, which is loaded at the first call.
 #pragma once
 
 #include <cairo-pdf.h>
@@ -10,7 +10,7 @@
 
 #include "asterism/core/result.hpp"
 
-// Lists those that are used, without the prefix `cairo_` that they all have.
+// Lists the functions that are used, without their common prefix `cairo_`.
 // clang-format off
 #define ASTERISM_CAIRO_FUNCTIONS(apply)                                                           \
   apply(arc) apply(close_path) apply(create) apply(destroy) apply(fill) apply(fill_preserve)      \
@@ -30,7 +30,7 @@ struct cairo_functions {
 #undef ASTERISM_DECLARE
 };
 
-// Returns cairo's functions. Fails, each time, where the library cannot be loaded or lacks one.
+// Returns cairo's functions. Fails, each time, if the library cannot be loaded or lacks one.
 result<const cairo_functions*> load_cairo();
 
 }  // namespace asterism::internal

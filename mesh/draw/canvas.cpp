@@ -63,7 +63,7 @@ using surface = std::unique_ptr<cairo_surface_t, decltype(&::cairo_surface_destr
 using context = std::unique_ptr<cairo_t, decltype(&::cairo_destroy)>;
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
-  // Called from C: nothing may be thrown through it.
+  // Catches exceptions, since cairo calls this from C.
   try {
     static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
     return CAIRO_STATUS_SUCCESS;
@@ -79,12 +79,12 @@ cairo_surface_t* make_surface(const cairo_functions& cairo, picture_format forma
   if (format == picture_format::png)
     return cairo.image_surface_create(CAIRO_FORMAT_RGB24, width, height);
   cairo_surface_t* pdf = cairo.pdf_surface_create_for_stream(append, &bytes, width, height);
-  // cairo would write the time of day.
+  // Sets a fixed date, in place of the time of day that cairo would write.
   cairo.pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   return pdf;
 }
 
-// cairo numbers the surfaces of a process and writes that number into the SVG.
+// Removes the number from names in the SVG: cairo counts the surfaces of a process.
 void remove_surface_number(std::string& svg) {
   constexpr std::string_view mark = "id=\"surface";
   const std::size_t begin = svg.find(mark);
@@ -101,7 +101,7 @@ result<std::string> paint_file(picture_format format, int width, int height,
   const auto library = load_cairo();
   if (!library.ok()) return library.failure();
   const cairo_functions& cairo = *library.value();
-  // Declared before the surface, which writes to it when it is destroyed.
+  // Declares the bytes before the surface, which writes to them when it is destroyed.
   std::string bytes;
   const surface file(make_surface(cairo, format, width, height, bytes), cairo.surface_destroy);
   cairo_status_t status = CAIRO_STATUS_SUCCESS;
@@ -115,7 +115,7 @@ result<std::string> paint_file(picture_format format, int width, int height,
     status = cairo.surface_write_to_png_stream(file.get(), append, &bytes);
   cairo.surface_finish(file.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo.surface_status(file.get());
-  // A finished surface says so; that is no failure.
+  // Accepts the status of a finished surface, which is no failure.
   if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_SURFACE_FINISHED)
     return error{std::string("drawing failed: ") + cairo.status_to_string(status)};
   if (format == picture_format::svg) remove_surface_number(bytes);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws with cairo, and collects what is drawn as the bytes of an SVG, PDF or PNG file. Works
-// inside draw_picture.
+// Draws with cairo, and returns the drawing as the bytes of an SVG, PDF or PNG file. Works inside
+// draw_picture.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/draw/picture_options.hpp"
 
-// cairo's cairo_t: programs that use this library need not have cairo's headers.
+// Declares cairo's cairo_t: programs that use this library need not have cairo's headers.
 struct _cairo;  // NOLINT(bugprone-reserved-identifier)
 
 namespace asterism::internal {
@@ -26,12 +26,12 @@ struct colour {
 inline constexpr colour paper{1, 1, 1};
 
 inline constexpr int largest_extent = 20000;  // of a page, pixels or points
-// Returns what is wrong with the width of a page.
+// Returns the fault of a page's width, or nothing.
 std::optional<error> fault_of_width(int width);
 
-// Draws. Keeps a path, as cairo does: move_to, line_to and the like extend it; fill and
-// stroke draw it and forget it. Lines have round ends and corners. Lengths are pixels or points;
-// y goes downwards.
+// Draws on a page. Keeps a path, as cairo does: move_to and line_to extend it; fill and stroke
+// draw and clear it. Lines have round ends and corners. Lengths are pixels or points; y goes
+// downwards.
 class canvas {
  public:
   canvas(const cairo_functions& cairo, _cairo* context);
@@ -61,8 +61,8 @@ class canvas {
 // A drawing always gives the same bytes: no dates, no counters of the process. Fails when cairo is
 // not there, or fails.
 //
-// Loads cairo when it is first called. Most runs draw nothing, and to load it takes a fifth of what
-// the smallest of them take.
+// Loads cairo when it is first called. Most runs draw nothing, and loading it takes a fifth of the
+// time of the smallest ones.
 result<std::string> paint_file(picture_format format, int width, int height,
                                const std::function<void(canvas&)>& paint);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes of a domain what pictures and pages can show: a mesh without triangles.
+// Makes a mesh without triangles from a domain, for pictures and pages.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Packs arrays of numbers into text that a page can hold: little-endian, compressed, in base64.
+// Packs arrays of numbers into text for a page: little-endian, compressed, in base64.
 #pragma once
 
 #include <bit>
@@ -41,7 +41,7 @@ class packed_arrays {
 
   const std::vector<entry>& entries() const { return entries_; }
   std::size_t bytes() const { return planes_.size(); }
-  // Returns all of it as a zlib stream (RFC 1950) in base64. Fails when zlib does.
+  // Returns all arrays as a zlib stream (RFC 1950) in base64. Fails when zlib does.
   result<std::string> text() const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The files of mesh/draw/page and mesh/draw/space_page, put into the program when it is built.
+// Holds the files of mesh/draw/page and mesh/draw/space_page, built into the program.
 #pragma once
 
 #include <string_view>

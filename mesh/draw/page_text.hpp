@@ -10,11 +10,11 @@
 
 namespace asterism::internal {
 
-// Text of a script element: without "<", which could end it.
+// Returns the text for a script element, without "<", which could end it.
 std::string for_script(std::string text);
 
-// Returns `page` with each name in double braces replaced, in one pass: what is put in is not
-// looked at again.
+// Returns `page` with each name in double braces replaced, in one pass: replacements are not
+// scanned again.
 std::string fill_in(std::string_view page,
                     const std::vector<std::pair<std::string_view, std::string_view>>& values);
 

@@ -32,7 +32,7 @@ constexpr colour mark_line{0.75, 0.0, 0.13};
 constexpr colour ellipse_line{0.10, 0.55, 0.45, 0.9};
 constexpr colour ellipse_fill{0.10, 0.55, 0.45, 0.13};
 
-// Maps the plane, y upwards, to the page, y downwards.
+// Maps the plane, whose y points upwards, to the page, whose y points downwards.
 struct page {
   bounding_box box;
   double scale = 1, margin = 0, foot = 0;  // the foot has the legend
@@ -41,7 +41,7 @@ struct page {
   point at(const point& p) const {
     return {margin + (p.x - box.low.x) * scale, margin + (box.high.y - p.y) * scale};
   }
-  // Lengths on the page in units that suit its width.
+  // Returns the unit of lengths on the page: a thousandth of its width.
   double unit() const { return width / 1000.0; }
 };
 
@@ -86,7 +86,7 @@ void fill_triangles(canvas& on, const page& p, const mesh& m, double angle_bound
     on.fill();
   }
   on.use(disagreeing_fill);
-  // One by one: they may overlap, and shades add up.
+  // Draws the triangles one by one: they may overlap, and shades add up.
   for (const triangle& t : m.disagreeing) {
     trace(on, p, m, t);
     on.fill();
@@ -135,18 +135,19 @@ std::optional<ellipse> unit_ball(const metric_tensor& m) {
   const double mean = (m.m11 + m.m22) / 2;
   const double spread = elementary::hypot((m.m11 - m.m22) / 2, m.m12);
   const double greatest = mean + spread;
-  // Not mean - spread, which loses all digits of very flat ellipses.
+  // Computes the lesser eigenvalue from the determinant: mean - spread loses all digits of very
+  // flat ellipses.
   const double least = (m.m11 * m.m22 - m.m12 * m.m12) / greatest;
   if (!(least > 0) || !std::isfinite(greatest)) return {};
   const double angle = 0.5 * elementary::atan2(2 * m.m12, m.m11 - m.m22) + std::numbers::pi / 2;
   return ellipse{1 / std::sqrt(least), 1 / std::sqrt(greatest), angle};
 }
 
-// Sites at least `distance` apart on the page, those of lower index first.
+// Chooses sites at least `distance` apart on the page, those of lower index first.
 std::vector<vertex_index> sites_apart(const page& p, const mesh& m, double distance) {
   const auto square_of = [&](double length) { return static_cast<int>(length / distance); };
-  // At most a few chosen sites lie in each square of side `distance`, and none beyond the next
-  // squares is too near.
+  // Looks for chosen sites in a grid of squares of side `distance`: each holds a few at most, and
+  // sites beyond the adjacent squares are not too near.
   std::map<std::pair<int, int>, std::vector<point>> chosen_in;
   const auto is_free = [&](const point& at) {
     const int column = square_of(at.x), row = square_of(at.y);
@@ -171,7 +172,7 @@ std::vector<vertex_index> sites_apart(const page& p, const mesh& m, double dista
 
 void draw_ellipse(canvas& on, const point& centre, const ellipse& e, double scale,
                   double line_width) {
-  // Thinner than a hair is a line, and a semi-axis of 0 would be an error to cairo.
+  // Draws at least a hairline: a semi-axis of 0 would be an error to cairo.
   on.add_ellipse(centre, e.longest * scale, std::max(e.shortest * scale, 0.25 * line_width),
                  -e.angle);
   on.use(ellipse_fill);
@@ -215,8 +216,8 @@ std::vector<double> shortest_edges(const page& p, const mesh& m) {
   return shortest;
 }
 
-// Given sites are larger, blue, with a rim of paper that lifts them off the lines. Where the mesh
-// is fine dots are smaller, or they would hide its triangles.
+// Given sites are larger, blue, with a rim in the colour of the paper. Where the mesh is fine dots
+// are smaller, or they would hide its triangles.
 void draw_sites(canvas& on, const page& p, const mesh& m) {
   const std::vector<double> room = shortest_edges(p, m);
   const auto radius = [&](std::size_t v) { return std::min(2.8 * p.unit(), 0.13 * room[v]); };
@@ -228,15 +229,15 @@ void draw_sites(canvas& on, const page& p, const mesh& m) {
   }
 }
 
-// True if the sites get dots. On a mesh of more they look like dirt, and say no more than its lines
-// do; what has no triangles may have vertices that are on no line.
+// True if the sites are drawn as dots. On a larger mesh dots would look like dirt, and show no more
+// than its lines do; a mesh without triangles may have vertices that are on no line.
 bool has_dots(const mesh& m, const picture_options& options) {
   constexpr std::size_t most_dotted = 300;
   return options.sites && (m.triangles.empty() || m.sites.size() <= most_dotted);
 }
 
-// Rings, with a rim of paper that lifts them off the lines; places that are not on the page are
-// left out.
+// Draws rings, with a rim in the colour of the paper; leaves out places that are not on the
+// page.
 void draw_marks(canvas& on, const page& p, const std::vector<point>& marks) {
   for (const point& mark : marks) {
     const point at = p.at(mark);

@@ -19,13 +19,13 @@
 
 namespace asterism {
 
-// Returns why no picture can be drawn here, if none can: cairo's shared library is loaded when the
-// first is drawn, or this is asked.
+// Returns the reason why no picture can be drawn, if there is one. Loads cairo's shared library, as
+// the first drawing does.
 ASTERISM_EXPORT std::optional<error> missing_for_pictures();
 
 // Returns the bytes of the file. Fails for a width out of range, a mesh without extent or with
-// numbers that are not finite, a height beyond 20000, colours of what is not there, and when cairo
-// does.
+// numbers that are not finite, a height beyond 20000, colours of values that the mesh does not
+// have, and when cairo does.
 ASTERISM_EXPORT result<std::string> draw_picture(const mesh& m, picture_format format,
                                                  const picture_options& options = {});
 

@@ -34,7 +34,7 @@ constexpr std::array distinct = {rgb(102, 166, 214), rgb(244, 165, 96),  rgb(120
                                  rgb(220, 120, 140), rgb(170, 150, 210), rgb(200, 180, 90),
                                  rgb(100, 190, 190), rgb(210, 140, 200), rgb(150, 170, 110),
                                  rgb(190, 150, 130)};
-// Lines are thin: the same hues, darker.
+// Factor that darkens the colours for lines, which are thin; the hues stay.
 constexpr double darker = 0.7;
 constexpr std::size_t most_boxes = 12;
 
@@ -51,7 +51,7 @@ colour mix(stops of, double s) {
 
 std::string text_of(double x) { return fmt::format("{:.4g}", x); }
 
-// Numbers of the triangles as colours between two ends.
+// Colours the triangles by numbers, between two end colours.
 picture_colouring by_number(const std::vector<double>& values, double low, double high, stops of) {
   picture_colouring made;
   made.triangles.reserve(values.size());
@@ -71,7 +71,7 @@ std::vector<double> of_triangles(const mesh& m, const Of& of) {
   return values;
 }
 
-// Colours angles from the bound on, lower ones alike; without a bound from the least on.
+// Colours angles from the bound on, lower ones alike; without a bound from the least angle on.
 picture_colouring by_angle(const mesh& m, double bound) {
   const std::vector<double> values =
       of_triangles(m, [&](const triangle& t) { return smallest_angle(m, t); });
@@ -91,7 +91,7 @@ picture_colouring by_angle(const mesh& m, double bound) {
   return made;
 }
 
-// Twice the area of a triangle, and its longest edge.
+// Computes twice the area of a triangle, and its longest edge.
 std::pair<double, double> extent(const mesh& m, const triangle& t) {
   const std::array<point, 3> p = {m.sites[t[0]].position, m.sites[t[1]].position,
                                   m.sites[t[2]].position};
@@ -104,7 +104,7 @@ std::pair<double, double> extent(const mesh& m, const triangle& t) {
   return {std::fabs(twice), longest};
 }
 
-// Logarithms between the least and what a thousandth exceeds.
+// Scales logarithms from the least value to the one that a thousandth of the values exceed.
 picture_colouring by_logarithm(std::vector<double> values, const char* title) {
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
@@ -119,7 +119,7 @@ picture_colouring by_logarithm(std::vector<double> values, const char* title) {
   return made;
 }
 
-// A box for each of the numbers, as far as there is room.
+// Makes a legend's box for each number, as far as there is room.
 template <class Name>
 std::map<int, colour> boxes_of(const std::vector<int>& numbers, double shade,
                                picture_legend& legend, const Name& name) {
@@ -164,7 +164,7 @@ result<picture_colouring> by_field(const mesh& m, const solution_field& field) {
     return field.values[t[0]] / 3 + field.values[t[1]] / 3 + field.values[t[2]] / 3;
   });
   const auto [low, high] = std::minmax_element(field.values.begin(), field.values.end());
-  // With values of both signs 0 is white, unless all of one sign are close to 0.
+  // Makes 0 white if values have both signs, unless those of one sign are all close to 0.
   const bool signs = *low < 0 && *high > 0 && std::min(-*low, *high) > 0.02 * (*high - *low);
   const double end = std::max(-*low, *high);
   picture_colouring made = signs ? by_number(values, -end, end, both_signs)

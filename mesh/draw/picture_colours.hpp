@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Chooses the colours of a picture's triangles and boundary edges, and what its legend says of
-// them. The colours are those of pages (mesh/draw/page/colours.js, fields.js).
+// Chooses the colours of a picture's triangles and boundary edges, and the entries of its legend.
+// The colours are those of pages (mesh/draw/page/colours.js, fields.js).
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ struct picture_colouring {
   picture_legend legend;
 };
 
-// Fails for a field that has not one number for each site, and where what is to be shown is not
-// there: colours of triangles of a mesh without any, of markers without boundary.
+// Fails for a field that has not one number for each site, and if the values are missing: colours
+// of triangles in a mesh without any, of markers without boundary.
 result<picture_colouring> colours_of(const mesh& m, const picture_options& options);
 
 }  // namespace asterism::internal

@@ -17,7 +17,7 @@ struct measures {
   double letter = 13 * unit, row = 30 * unit, box = 16 * unit, bar = 240 * unit, gap = 9 * unit;
 };
 
-// Places boxes from left to right, and in a new row where the next would not fit.
+// Places boxes from left to right, and in a new row when one would not fit.
 class rows {
  public:
   rows(const point& corner, double width, const measures& m)
@@ -58,8 +58,8 @@ void fill_box(canvas& on, const point& at, double wide, double high, const colou
   on.fill();
 }
 
-// A bar of as many steps as the eye tells apart, each over the rest of the bar, so that there are
-// no seams.
+// Draws a bar of as many steps as the eye distinguishes, each over the rest of the bar, so that
+// there are no seams.
 void draw_bar(canvas& on, const picture_legend& l, const measures& m, point at) {
   constexpr int steps = 64;
   const auto after = [&](const std::string& text, double gap) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws what the colours of a picture mean, below it.
+// Draws the legend of a picture's colours below it.
 #pragma once
 
 #include <string>
@@ -21,10 +21,10 @@ struct picture_legend {
   bool is_empty() const { return bar.empty() && boxes.empty(); }
 };
 
-// Returns how high the legend is, 0 for none, of a picture of this width.
+// Returns the height of the legend, 0 if there is none, for a picture of this width.
 double legend_height(const picture_legend& legend, double width);
 
-// Draws the legend with its upper left corner there, in the width.
+// Draws the legend with its upper left corner at this point, in this width.
 void draw_legend(canvas& on, const picture_legend& legend, const point& corner, double width);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what a picture of a mesh is to show, and in which format.
+// Holds the options of a mesh's picture, its format included.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace asterism {
 // The formats of pictures.
 enum class picture_format { svg, pdf, png };
 
-// Names the quantity that colours show. A legend below the picture has its values.
+// Quantity that colours show. A legend below the picture has its values.
 enum class picture_by {
   nothing,
   angle,   // the least of a triangle's nine, from the bound on

@@ -49,8 +49,8 @@ std::optional<error> refusal(const mesh& m, const report_facts& facts) {
   return std::nullopt;
 }
 
-// The greatest ratio, as a logarithm, in which the tensor delivered and the one wanted measure a
-// length; 0 where they are the same to the last bit.
+// Returns the logarithm of the greatest ratio of a length in the tensor delivered and in the one
+// wanted; 0 where they are equal to the last bit.
 std::vector<float> distances(const mesh& m, const std::vector<metric_tensor>& wanted) {
   std::vector<float> all;
   all.reserve(wanted.size());
@@ -88,7 +88,7 @@ void add_boundary(packed_arrays& arrays, const std::string& prefix, const mesh& 
   arrays.add(prefix + "inside", "u8", inside);
 }
 
-// The arrays of one mesh, whose names begin with the prefix.
+// Adds the arrays of one mesh, with names that begin with the prefix.
 void add_mesh(packed_arrays& arrays, const std::string& prefix, const mesh& m) {
   add_sites(arrays, prefix, m);
   std::vector<vertex_index> corners;

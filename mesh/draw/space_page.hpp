@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a page about a mesh in space: one HTML file that works offline, to turn and to look at.
+// Makes a page that shows a mesh in space: one HTML file that works offline.
 //
 // A browser draws the triangles on the graphics card, or without one on a plain canvas. The page
-// loads nothing from anywhere, and proves nothing: its lines are those that it is given.
+// loads no other file, and proves nothing: it shows the lines of text that it is given.
 #pragma once
 
 #include <string>
@@ -23,7 +23,8 @@ struct space_page_facts {
   std::string repeat;  // a command that proves it again; or empty
 };
 
-// Fails for a mesh without triangles and when zlib does. Every index must be in range.
+// Returns the bytes of the page. Fails for a mesh without triangles and when zlib does. Every index
+// must be in range.
 result<std::string> space_page(const space_mesh& m, const space_page_facts& facts);
 
 }  // namespace asterism::internal

@@ -99,7 +99,7 @@ result<page> lay_out(const space_mesh& m, const seen_mesh& s, int width) {
   p.width = width;
   p.margin = 0.03 * width;
   const double wide = s.high[0] - s.low[0], tall = s.high[1] - s.low[1];
-  // As high as wide at most: what is taller is drawn smaller.
+  // Limits the height to the width: a taller mesh is drawn smaller.
   p.scale = (width - 2 * p.margin) / std::max(wide, tall);
   if (!(p.scale > 0) || !std::isfinite(p.scale))
     return error{"the mesh has no width to draw, or too large a one"};
@@ -120,7 +120,7 @@ void paint_triangle(canvas& on, const page& p, const seen_mesh& s, const space_t
   const colour own = shade(normal_of(s.points[t[0]], s.points[t[1]], s.points[t[2]]), face);
   on.use(own);
   on.fill_and_keep();
-  // Without a line of its own the triangle's colour covers the seam to the next.
+  // Strokes the triangle in its own colour, which covers the seam to the next one.
   if (p.lines) on.use({0.55 * own.red, 0.55 * own.green, 0.55 * own.blue});
   on.stroke();
 }

@@ -7,8 +7,8 @@
 namespace asterism::internal {
 namespace {
 
-// The strokes of the characters from 33 to 126. A stroke is a line through points of two digits
-// each, across from 0 to 4 and up from 0 to 8; the base line is at 2, small letters end at 6.
+// Strokes of the characters from 33 to 126. Each is a line through points of two digits each,
+// across from 0 to 4 and up from 0 to 8; the base line is at 2, small letters end at 6.
 constexpr std::array<std::string_view, 94> strokes = {
     "08 04;02 02",                                      // !
     "08 06;28 26",                                      // "

@@ -10,11 +10,11 @@
 
 namespace asterism::internal {
 
-// Returns how wide a text of capitals `height` high is.
+// Returns the width of a text whose capitals are `height` high.
 double text_width(std::string_view text, double height);
 
-// Strokes a text in the colour in use, from the left end of its base line. ASCII alone: a byte that
-// is none becomes a question mark.
+// Strokes a text in the current colour, from the left end of its base line. ASCII only: other bytes
+// become question marks.
 void draw_text(canvas& on, const point& at, double height, std::string_view text);
 
 }  // namespace asterism::internal

@@ -66,7 +66,7 @@ failure adcirc_reader::read() {
   if (!nodes) return nodes.failure();
   if (auto failed = read_nodes(nodes.value())) return failed;
   if (auto failed = read_elements(elements.value())) return failed;
-  // A grid may end without its boundaries.
+  // Accepts a grid that ends without its boundaries.
   for (const bool open : {true, false})
     if (!text_scanner(source_).next().empty())
       if (auto failed = read_boundaries(open)) return failed;
@@ -133,7 +133,8 @@ failure adcirc_reader::read_boundaries(bool open) {
   return {};
 }
 
-// Pairs of nodes are of barriers inside (4, 5, 24, 25); islands (1, 11, 21) are closed.
+// Reads the kind of a boundary: pairs of nodes are of barriers inside (4, 5, 24, 25); islands (1,
+// 11, 21) are closed.
 failure adcirc_reader::read_boundary(bool open) {
   words line;
   if (auto failed = next_line(line, 1, "the number of nodes of a boundary")) return failed;

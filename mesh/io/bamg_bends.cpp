@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 5> curve_sections = {
     "AngleOfCornerBound", "MaximalAngleOfCorner", "TangentAtEdges", "Tangents", "hVertices"};
 
-// The ends of the edges at a vertex, as far as there are two.
+// The first two edges at a vertex, by their other ends.
 struct ends_at_vertex {
   std::array<vertex_index, 2> others{};
   std::size_t edges = 0;

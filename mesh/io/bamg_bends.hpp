@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells that BAMG's geometries, which are edges alone, are taken with straight edges.
+// Notes that BAMG's geometries, which list edges alone, are taken with straight edges.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// True for sections that say how BAMG lays curves through the vertices of its edges: through all
+// True for sections about the curves that BAMG lays through the vertices of its edges: through all
 // that are no corners, with a common tangent.
 bool is_about_bamg_curves(std::string_view keyword);
 

@@ -12,10 +12,10 @@ using certificate_json = nlohmann::ordered_json;
 
 inline constexpr std::string_view certificate_format = "asterism certificate 2";
 
-// Degrees that stand in a certificate's worst angles where there was none to judge; null in JSON.
+// Degrees in a certificate's worst angles if there was no angle to judge; null in JSON.
 inline constexpr double no_angle_to_judge = 180;
 
-// Names in the order of curve_kind.
+// Names of curves, in the order of curve_kind.
 inline constexpr std::array<std::string_view, 2> curve_kind_names = {"arc", "cubic"};
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Certificates from JSON. nlohmann's library reports by exceptions; none leaves this file.
+// Reads certificates from JSON. Catches the exceptions by which nlohmann's library reports errors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,14 +20,14 @@ namespace {
 
 using json = certificate_json;
 
-// Thrown by the readers below, inside parse_certificate alone.
+// Exception of the readers below, which parse_certificate catches.
 struct malformed : std::runtime_error {
   malformed(std::string field, const std::string& what)
       : std::runtime_error(what), name(std::move(field)) {}
   std::string name;  // of the field
 };
 
-// Cuts down what others may have made as long as they like.
+// Shortens texts from a file, which may be of any length, for messages.
 std::string shortened(std::string text) {
   constexpr std::size_t longest = 60;
   if (text.size() <= longest) return text;
@@ -36,7 +36,7 @@ std::string shortened(std::string text) {
 
 std::string shown(const json& value) { return shortened(value.dump()); }
 
-// Names the key it wanted, as every reader below.
+// Returns a member of an object; errors name its key, as in every reader below.
 const json& member(const json& object, const std::string& key) {
   const auto place = object.find(key);
   if (place == object.end()) throw malformed(key, "\"" + key + "\" is missing");
@@ -52,7 +52,7 @@ T read(const json& object, const std::string& key) {
   }
 }
 
-// Reads an angle. Older certificates hold the number itself where there is none to judge.
+// Reads an angle. Older certificates have the number itself where there was none to judge.
 double worst_angle_of(const json& object, const std::string& key) {
   return member(object, key).is_null() ? no_angle_to_judge : read<double>(object, key);
 }
@@ -179,7 +179,7 @@ void read_mesh(const json& object, certificate& c) {
   c.fingerprint = fingerprint_of(object);
 }
 
-// Certificates written before the question could be asked do not answer it.
+// Accepts certificates written before this question existed.
 voronoi_verdict voronoi_of(const json& object) {
   if (!object.contains("voronoi")) return voronoi_verdict::not_asked;
   const auto text = read<std::string>(object, "voronoi");
@@ -316,7 +316,7 @@ void read_audit(const json& object, certificate& c) {
               count_of(curves, "vertices_off"), bound_of(curves, "largest_distance")};
 }
 
-// Reads a proof of all triangles: of others none is written.
+// Reads the proof of second-order triangles: a certificate has one only if it proves all.
 second_order_report second_order_of(const json& object) {
   second_order_report r;
   r.triangles = count_of(object, "triangles");
@@ -359,8 +359,8 @@ certificate certificate_of(const json& root) {
   return c;
 }
 
-// Leaves out what earlier versions said of metrics that were relaxed all over, where none was;
-// where one was there is nothing left to hold it against.
+// Removes an empty entry on relaxed metrics, which earlier versions wrote. Refuses a certificate
+// whose metric was relaxed: nothing can confirm it.
 json without_relaxation(json root) {
   if (!root.is_object()) return root;
   if (root.contains("outcome") && root["outcome"].is_object() &&
@@ -425,7 +425,8 @@ result<certificate> parse_certificate(const std::string& text, const std::string
   try {
     const json root = without_relaxation(json::parse(text));
     certificate read = certificate_of(root);
-    // Whatever is not read, or not as it is written, differs from what is written of it.
+    // Compares the text with that of the certificate that was read: parts that were not read, or
+    // are written differently, differ.
     if (const auto odd = first_difference(root, json_of(read), ""))
       return refuse(places.line_of(odd->name), quoted(odd->name) + " " + odd->what);
     return read;

@@ -44,7 +44,7 @@ bool tells_sides(const segment& s) {
   return s.internal || s.left_region != 1 || s.right_region != 1;
 }
 
-// Writes three numbers; six where there is something to say of sides and regions.
+// Writes three numbers; six if there is anything to state on sides and regions.
 json segment_json(const segment& s) {
   json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
   if (tells_sides(s))
@@ -66,8 +66,8 @@ json curve_json(const domain_curve& c) {
   return written;
 }
 
-// Writes curves only where there are some. Vertices and segments, which may be very many, are left
-// out where they are written without a JSON value for each number.
+// Writes curves only if there are any. Vertices and segments, which may be very many, are left out
+// where they are written without a JSON value for each number.
 json domain_json(const domain& d, bool with_lists) {
   json segments = json::array(), curves = json::array();
   if (with_lists)
@@ -130,7 +130,7 @@ json curves_json(const curve_report& curves) {
            std::isfinite(curves.largest_distance) ? json(curves.largest_distance) : json(nullptr)}};
 }
 
-// Null for what is not bounded.
+// Writes null for a quantity without a bound.
 json bound_json(double x) { return std::isfinite(x) ? json(x) : json(nullptr); }
 
 json regions_json(const std::vector<region_area>& regions) {
@@ -200,7 +200,7 @@ json second_order_json(const second_order_report& r) {
           {"proved", r.proved()},     {"least_jacobian", r.least_jacobian}};
 }
 
-// Null where it was not asked whether the theorem on nets applies.
+// Writes null if the theorem on nets was not measured.
 json theorem_json(const certificate& c) {
   if (!c.theorem) return nullptr;
   const theorem_hypotheses& h = *c.theorem;

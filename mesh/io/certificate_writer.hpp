@@ -10,13 +10,13 @@
 
 namespace asterism::internal {
 
-// Gives certificate_text(c) to a sink piece by piece.
+// Gives the text of certificate_text(c) to a sink in pieces.
 void write_certificate_text(const certificate& c, const byte_sink& put);
 
-// Returns the file that holds it, which refers to the certificate.
+// Returns the certificate's file, which refers to the certificate.
 output_file certificate_file(const std::filesystem::path& path, const certificate& c);
 
-// Returns how sides match, an object each.
+// Returns the matches of periodic sides, one object each.
 nlohmann::ordered_json json_of(const std::vector<periodic_match>& matches);
 
 // Returns every field of the certificate. The reader holds what it was given against what is

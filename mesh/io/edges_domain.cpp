@@ -23,7 +23,7 @@ error no_point(const domain& d, std::size_t edge) {
           error_code::invalid_domain};
 }
 
-// Puts a region point into each part that is named, and a hole point into each that is not.
+// Puts a region point into each part that the file names, and a hole point into each other part.
 std::optional<error> number_parts(domain& d, const std::vector<side_of_edge>& parts) {
   std::vector<graph_edge> edges;
   for (const segment& s : d.segments) edges.push_back({s.a, s.b, edges.size(), s.marker});
@@ -70,7 +70,7 @@ result<domain> domain_of_edges(mesh_file file, const std::string& name) {
   d.origin.notes = std::move(file.content.notes);
   d.vertices = positions_of(file.content.sites);
   for (const boundary_edge& e : file.content.boundary) d.segments.push_back({e.a, e.b, e.marker});
-  // Leaves a polygon that is no domain to check_domain, which names the places.
+  // Accepts any polygon: check_domain refuses invalid ones, and names the places.
   domain_repairs repairs;
   if (file.parts.empty() || !check_domain(d, &repairs)) return d;
   if (!repairs.messages.empty())

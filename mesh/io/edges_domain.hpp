@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Takes the edges of a mesh file without triangles for a domain.
+// Makes a domain from the edges of a mesh file without triangles.
 #pragma once
 
 #include <string>

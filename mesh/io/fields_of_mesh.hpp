@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the fields that a mesh comes with.
+// Finds the fields in the file of a mesh, or beside it.
 #pragma once
 
 #include <filesystem>

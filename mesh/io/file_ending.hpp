@@ -9,12 +9,12 @@
 
 namespace asterism::internal {
 
-// Replaces std::tolower, whose answer depends on the locale.
+// Returns the lower-case letter, independent of the locale, unlike std::tolower.
 inline char lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// True if the name ends so. `ending` is in lower case, with its dot.
+// True if the name ends with `ending`, which is in lower case, with its dot.
 inline bool has_ending(std::string_view name, std::string_view ending) {
   return name.size() >= ending.size() &&
          std::equal(ending.begin(), ending.end(),

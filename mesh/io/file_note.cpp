@@ -3,7 +3,7 @@
 
 namespace asterism::internal {
 
-// In XML a comment must not hold two hyphens in a row.
+// Replaces two hyphens in a row, which a comment in XML must not have.
 std::string with_file_note(std::string contents, mesh_format format, const std::string& note) {
   if (note.empty()) return contents;
   std::string line;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A sentence about the mesh for whoever opens the file, as a comment.
+// Adds a sentence about the mesh to a file, as a comment.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace asterism::internal {
 
 // Returns `contents`, the file or its beginning, with the note as a comment after its first line,
-// which .mesh, .vtu and .svg want to be theirs; unchanged where the note is empty.
+// which .mesh, .vtu and .svg require as it is; unchanged where the note is empty.
 std::string with_file_note(std::string contents, mesh_format format, const std::string& note);
 
 }  // namespace asterism::internal

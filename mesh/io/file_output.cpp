@@ -24,7 +24,7 @@ struct closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-// Notes the path in `created` once the file is there, which it must not be before.
+// Enters the path in `created` once the file exists, which it must not before.
 std::optional<error> write_bytes(const fs::path& path, const output_file& contents,
                                  std::vector<fs::path>& created) {
   errno = 0;
@@ -37,14 +37,14 @@ std::optional<error> write_bytes(const fs::path& path, const output_file& conten
   };
   put(contents.bytes);
   if (contents.rest) contents.rest(put);
-  // A full disk may show only when the buffer is flushed or the file is closed.
+  // Checks the flush and the close: a full disk may show only there.
   written = written && std::fflush(file.get()) == 0;
   if (!written) return system_failure(path, "cannot be written");
   if (std::fclose(file.release()) != 0) return system_failure(path, "cannot be written");
   return {};
 }
 
-// Returns a name beside `path` that nothing has: it is not ours to replace what is there.
+// Returns a name beside `path` that no file has, so that none is replaced.
 fs::path temporary_path(const fs::path& path, const std::string& ending) {
   std::error_code status;
   fs::path part = path;
@@ -58,7 +58,7 @@ fs::path temporary_path(const fs::path& path, const std::string& ending) {
   return part;
 }
 
-// Renames temporary files to their places, or none.
+// Renames all temporary files to their final names, or none of them.
 class replacement {
  public:
   explicit replacement(const std::vector<fs::path>& places) : places_(places) {}
@@ -79,8 +79,8 @@ class replacement {
   }
 
  private:
-  // Gives the file at `path` a second name, or where there are no such links another one. Fails for
-  // a directory, which may have come there since the place was checked.
+  // Gives the file at `path` a second name, by a link or, where there are none, by renaming it.
+  // Fails for a directory, which may have come there since the place was checked.
   void keep_old(const fs::path& path, std::error_code& status) {
     old_.emplace_back();
     std::error_code linked;
@@ -101,7 +101,7 @@ class replacement {
     std::error_code ignored;
     for (std::size_t i = 0; i < old_.size(); ++i)
       if (old_[i]) {
-        // Renaming one name of a file to another of its names does nothing.
+        // Compares the files first: renaming one name of a file to another name of it does nothing.
         fs::rename(*old_[i], places_[i], ignored);
         fs::remove(*old_[i], ignored);
       } else if (i < failed) {

@@ -14,21 +14,21 @@
 
 namespace asterism::internal {
 
-// Takes the bytes of a file, piece by piece.
+// Function that takes the bytes of a file, piece by piece.
 using byte_sink = std::function<void(std::string_view)>;
 
-// Returns where a file of this name is: symbolic links are followed to their end, which need not be
-// there.
+// Returns the place of a file with this name: symbolic links are followed to their end, which need
+// not exist.
 std::filesystem::path place_of(const std::filesystem::path& path);
 
-// Returns all that `write` gives to a sink.
+// Returns all bytes that `write` gives to a sink.
 std::string bytes_of(const std::function<void(const byte_sink&)>& write);
 
 struct output_file {
   std::filesystem::path path;
   std::string bytes = {};
-  // Gives the bytes that follow those, if it is there: it makes them while the file is written, so
-  // that a long file is never held whole. Whatever it refers to must live until then.
+  // Function that gives the bytes after `bytes`, if it is set: it makes them while the file is
+  // written, so that a long file is never held whole. Data that it refers to must live until then.
   std::function<void(const byte_sink&)> rest = {};
 };
 
@@ -39,13 +39,13 @@ struct output_file {
 class pending_files {
  public:
   pending_files() = default;
-  // Removes what was not put in place.
+  // Removes the temporary files that were not renamed.
   ~pending_files();
   pending_files(const pending_files&) = delete;
   pending_files& operator=(const pending_files&) = delete;
 
-  // Writes the bytes under a temporary name, so that they need not be held any longer. The error
-  // names the file and the system's reason.
+  // Writes the bytes under a temporary name and frees them. The error names the file and the
+  // system's reason.
   std::optional<error> add(const output_file& file);
   // Renames the files to their places in the order in which they were added, and returns the paths;
   // existing files are replaced, but a directory is not. Files that are replaced have a second name
@@ -56,7 +56,7 @@ class pending_files {
   std::vector<std::filesystem::path> places_, temporary_;
 };
 
-// Writes all of the files, or none. Returns the paths.
+// Writes all of the files, or none. Returns their paths.
 result<std::vector<std::filesystem::path>> write_files(const std::vector<output_file>& files);
 
 // Checks that the directory of `path`, links followed, exists and can be written to, and that

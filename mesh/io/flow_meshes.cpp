@@ -12,7 +12,8 @@
 namespace asterism::internal {
 namespace {
 
-// Nodes in a row, the domain on their left. A string that closes has its first node at the end.
+// A string of nodes along the boundary, the domain on its left. A closed string has its first node
+// at the end again.
 struct node_string {
   int marker = 0;
   std::vector<vertex_index> nodes;
@@ -46,7 +47,7 @@ std::vector<node_string> strings_of(const mesh& m, bool with_internal) {
     }
     made.push_back(std::move(s));
   };
-  // First those with an end, in the order of their first edges; then those that close.
+  // Lists the open strings, in the order of their first edges, then the closed ones.
   for (const bool closed : {false, true})
     for (std::size_t e = 0; e < m.boundary.size(); ++e) {
       const boundary_edge& edge = m.boundary[e];

@@ -18,8 +18,8 @@ namespace asterism::internal {
 std::string sms_text(const mesh& m);
 
 // Returns the contents of a fort.14 file: all strings are land boundaries, of type 0, those that
-// close of type 1, islands, unless they enclose the rest. After each is its marker, or the name of
-// that, as a comment. Segments inside and regions have no place in it.
+// close of type 1, islands, unless they enclose the rest. A comment after each has its marker, or
+// the marker's name. The format has no place for segments inside and for regions.
 std::string adcirc_text(const mesh& m, const physical_names& names, const std::string& title);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// GeoJSON, RFC 7946. nlohmann's library reports by exceptions; none leaves this file.
+// Reads GeoJSON, RFC 7946. Catches the exceptions by which nlohmann's library reports errors.
 #include "asterism/mesh/io/geojson.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-// Thrown by the readers below, inside parse_geojson alone.
+// Exception of the readers below, which parse_geojson catches.
 struct malformed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -51,7 +51,7 @@ class geojson_reader {
   polygons_read made;
   int features = 0;
 
-  // Collections within collections are followed this deep.
+  // Adds an object; follows collections within collections to a limited depth.
   void add(const json& object, const std::string& place, int depth = 0) {
     constexpr int deepest = 16;
     if (depth > deepest) refuse(place, "collections are nested too deeply");
@@ -117,7 +117,7 @@ class geojson_reader {
     }
   }
 
-  // `ring` and `i` are its place.
+  // Reads a point; `ring` and `i` name its place in messages.
   point point_of(const json& value, const std::string& ring, std::size_t i) {
     const auto is_usable = [](const json& x) {
       return x.is_number() && std::isfinite(x.get<double>());

@@ -39,12 +39,13 @@ result<listed_mesh> read_gmsh(const std::filesystem::path& path);
 
 enum class gmsh_version { two, four };
 
-// Contents of a file besides its mesh.
+// Contents of a file in addition to its mesh.
 struct gmsh_contents {
   physical_names names = {};
   bool with_metric = true;
   const solution* fields = nullptr;  // node data; none, or not owned
-  // Nodes of second-order triangles and lines; none, or not owned, and the mesh is its content.
+  // Nodes of second-order triangles and lines; null for straight sides. Not owned; the mesh is its
+  // content.
   const side_node_mesh* nodes = nullptr;
 };
 

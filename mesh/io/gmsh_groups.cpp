@@ -30,7 +30,7 @@ int gmsh_groups::united(int dimension, int one, int other) {
   return number_of_set(dimension, std::move(both));
 }
 
-// The name "marker -7" stands for a number that no physical group can have.
+// Reads the number in a name such as "marker -7", which no physical group can have.
 int gmsh_groups::number_of(int dimension, int tag) const {
   const auto named = names_.find({dimension, tag});
   const std::string_view what = dimension == 1 ? "marker " : "region ";

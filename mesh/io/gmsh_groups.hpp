@@ -19,13 +19,13 @@ class gmsh_groups {
     names_[{dimension, tag}] = std::move(name);
   }
 
-  // Returns the number of a set of groups of one dimension: 0 for none.
+  // Returns the number of a set of groups of one dimension: 0 for the empty set.
   int number_of_set(int dimension, std::vector<int> tags);
-  // Returns the number of the set with those of both.
+  // Returns the number of the union of two sets.
   int united(int dimension, int one, int other);
 
-  // Gives an element that is listed again, once for each of its groups, all of them. Versions 1 and
-  // 2 have no other way to say that there are several.
+  // Gives an element that is listed again, once for each of its groups, all of them: versions 1 and
+  // 2 have no other form for several groups.
   void unite_repeated(listed_mesh& m);
 
   // Replaces the numbers of sets by markers and regions, and names these. Those of one group are
@@ -38,7 +38,7 @@ class gmsh_groups {
   using tag_set = std::vector<int>;
   int number_of(int dimension, int tag) const;
   std::string name_of(int dimension, int tag) const;
-  // Only sets that elements have matter.
+  // Returns a number for each set; only sets that elements are in get a name.
   std::vector<int> numbers_of_sets(int dimension, const std::vector<char>& in_use,
                                    std::map<int, std::string>& names,
                                    std::vector<std::string>& notes) const;

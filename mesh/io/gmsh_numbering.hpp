@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers the physical groups of gmsh's files that have markers and regions.
+// Numbers the physical groups of gmsh files that have markers and regions.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace asterism::internal {
 
-// The group of one number: its entity from 1, its physical tag and its name. Every element is in
-// one: meshio reads a file in which all are, or none.
+// A physical group for one number: its entity from 1, its physical tag and its name. Every element
+// is in one: meshio reads a file in which all elements are in groups, or none.
 struct gmsh_group {
   std::size_t entity = 0;
   int tag = 0;

@@ -22,7 +22,8 @@
 namespace asterism::internal {
 namespace {
 
-// Elements of so many corners, which are the first of so many nodes.
+// Element types by number: the number of corners, which are the first of its nodes, and the number
+// of nodes.
 struct element_kind {
   long long type;
   std::size_t corners, nodes;
@@ -51,7 +52,7 @@ class gmsh_reader : private gmsh_source {
  public:
   explicit gmsh_reader(text_scanner& source) : gmsh_source(source) {}
 
-  // Reads all sections, as they are listed.
+  // Reads all sections in the order of the file.
   failure read();
   // Makes them a plane mesh: groups become markers and regions.
   failure finish();
@@ -69,12 +70,12 @@ class gmsh_reader : private gmsh_source {
   result<int> read_group_of_two();
   failure read_elements_of_four();
   failure read_element_block();
-  // Reads the vertices of an element, which is in the groups of that number.
+  // Reads the vertices of an element, which is in the set of groups with this number.
   failure read_element(const element_kind& kind, std::size_t line, int groups);
   using element_nodes = std::array<vertex_index, 9>;
   void add_element(const element_kind& kind, const element_nodes& nodes, std::size_t line,
                    int groups);
-  // Takes the nodes of sides, which follow the corners in their order.
+  // Takes the nodes of sides, which follow the corners, in their order.
   void add_sides(const element_kind& kind, const element_nodes& nodes);
   // Returns the dimension whose groups an element of these corners is in.
   static int dimension_of(const element_kind& kind) {
@@ -152,7 +153,7 @@ failure gmsh_reader::read_entities(const std::string& section) {
   return expect("$End" + section.substr(1));
 }
 
-// The parts of entities that partitions have: elements are in these, and in their groups.
+// Reads the entities of partitions: elements are in these, and in the groups of these.
 failure gmsh_reader::read_partitioned_entities(const std::string& section) {
   const auto partitions = count("number of partitions");
   if (!partitions.ok()) return partitions.failure();
@@ -163,7 +164,7 @@ failure gmsh_reader::read_partitioned_entities(const std::string& section) {
   return read_entities(section);
 }
 
-// Passes over whose part an entity is, and in which partitions.
+// Skips the parent of an entity, and its partitions.
 failure gmsh_reader::read_parent() {
   if (auto failed = read_numbers(2, "parent of an entity")) return failed;
   const auto partitions = count("number of partitions");
@@ -177,7 +178,8 @@ failure gmsh_reader::read_entity(int dimension, bool is_part) {
   if (!tag.ok()) return tag.failure();
   if (is_part)
     if (auto failed = read_parent()) return failed;
-  // Points have a place; in version 4.0 that is a box, too.
+  // Reads the place of a point, or the box of another entity; in version 4.0 points have a box,
+  // too.
   if (auto failed = read_numbers(dimension == 0 && minor_ > 0 ? 3 : 6, "box of an entity"))
     return failed;
   const auto groups = count("number of physical groups");
@@ -186,7 +188,7 @@ failure gmsh_reader::read_entity(int dimension, bool is_part) {
   for (std::size_t i = 0; i < groups.value(); ++i) {
     const auto number = to_marker(source_, source_.next(), "physical group");
     if (!number.ok()) return number.failure();
-    // The sign is a direction, which edges and triangles have no use for.
+    // Drops the sign, which is a direction that edges and triangles do not need.
     if (number.value() != std::numeric_limits<int>::min()) tags.push_back(std::abs(number.value()));
   }
   if (dimension < 3)
@@ -263,7 +265,7 @@ failure gmsh_reader::read_element_list(const std::string& end) {
   return expect(end);
 }
 
-// Reads physical group, entity, and the number of nodes, which the type tells as well.
+// Reads physical group, entity, and the number of nodes, which follows from the type as well.
 result<int> gmsh_reader::read_group_of_one() {
   const auto group = to_marker(source_, source_.next(), "physical group");
   if (!group.ok()) return group;
@@ -271,7 +273,7 @@ result<int> gmsh_reader::read_group_of_one() {
   return group;
 }
 
-// Reads the tags, of which the first is the physical group; 0 where there is none.
+// Reads the tags, of which the first is the physical group; 0 if there are none.
 result<int> gmsh_reader::read_group_of_two() {
   const auto tags = count("number of tags");
   if (!tags.ok()) return tags.failure();
@@ -312,8 +314,8 @@ failure gmsh_reader::read_element_block() {
   return {};
 }
 
-// String tags, real tags, integer tags; the first string is the name, the second integer the number
-// of components.
+// Reads string tags, real tags and integer tags; the first string is the name, the second integer
+// the number of components.
 failure gmsh_reader::read_node_data() {
   const std::size_t line = source_.line();
   const auto strings = count("number of string tags");

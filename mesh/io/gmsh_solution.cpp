@@ -27,7 +27,7 @@ class node_data_reader : private gmsh_source {
   solution made_;
 };
 
-// Passes over all sections but those of nodes and node data.
+// Skips all sections except those of nodes and node data.
 failure node_data_reader::read() {
   if (auto failed = read_version()) return failed;
   for (word head = source_.next(); !head.empty(); head = source_.next()) {
@@ -81,7 +81,7 @@ failure node_data_reader::read_data(std::size_t line) {
   return skip_to_end("$EndNodeData", line);
 }
 
-// Returns the numbers of a field of the plane; none where there is more of it.
+// Returns the values of a field of the plane; none if it has other components.
 std::optional<std::vector<double>> in_plane(const std::array<double, 9>& x, std::size_t width) {
   if (width == 1) return std::vector{x[0]};
   if (width == 3) return x[2] == 0 ? std::optional(std::vector{x[0], x[1]}) : std::nullopt;

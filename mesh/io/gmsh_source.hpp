@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads what all sections of a gmsh file (mesh/io/gmsh.hpp) rest on: its words, its version, its
-// nodes.
+// Reads the parts common to all sections of a gmsh file (mesh/io/gmsh.hpp): its words, its version,
+// its nodes.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,13 @@ using failure = std::optional<error>;
 
 class gmsh_source {
  protected:
-  // Reads on from where `source` is, which has to outlive this.
+  // Reads on from the position of `source`, which must outlive this object.
   explicit gmsh_source(text_scanner& source) : source_(source) { file_.file = source.file(); }
 
   // Reads the header. Version 1 has none: its first section is that of the nodes.
   failure read_version();
-  // Reads the section of the nodes, whose name was `head`, into the sites and heights of the file.
+  // Reads the section of the nodes, with the name in `head`, into the sites and heights of the
+  // file.
   failure read_nodes(const word& head);
   bool has_nodes() const { return has_nodes_; }
   // Reads the tag of a node, and returns its vertex.

@@ -71,7 +71,7 @@ class gmsh_writer {
     text += " 0\n";
   }
 
-  // An entity's box is not looked at by readers of meshes, so that each gets the whole mesh's.
+  // Returns the box of the whole mesh for each entity: readers of meshes ignore it.
   void write_entities() {
     text_ += "$Entities\n";
     line(std::size_t{m_.given}, curves_.size(), surfaces_.size(), 0);
@@ -112,7 +112,7 @@ class gmsh_writer {
   int edge_type() const { return more_.nodes == nullptr ? 1 : 8; }
   int triangle_type() const { return more_.nodes == nullptr ? 2 : 9; }
 
-  // Appends number, type and groups of an element of version 2, without an end.
+  // Appends number, type and groups of an element of version 2, without the end of the line.
   static void append_words_of(std::string& text, int type, std::size_t tag, int count, int group,
                               std::size_t entity) {
     append_words(text, tag, type, count, group, entity);
@@ -157,7 +157,7 @@ class gmsh_writer {
     text_ += "$EndElements\n";
   }
 
-  // A block for each run of elements of one entity: so they keep their order.
+  // Writes a block for each run of elements of one entity, so that elements keep their order.
   void write_elements_of_four() {
     std::string blocks;
     std::swap(blocks, text_);

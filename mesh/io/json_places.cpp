@@ -22,7 +22,8 @@ class place_finder {
   }
 
  private:
-  // Reads what belongs to a member, or to none; true if reading can go on behind the value.
+  // Reads a member's value, or a value without a name; returns true if reading can continue behind
+  // it.
   bool read_value(std::size_t owner, int depth) {
     skip_space();
     if (at_ >= text_.size()) return false;
@@ -72,7 +73,7 @@ class place_finder {
     return next_is(']');
   }
 
-  // Escapes stay as they are written.
+  // Keeps escapes as they are written.
   std::optional<std::string_view> read_string() {
     if (at_ >= text_.size() || text_[at_] != '"') return std::nullopt;
     const std::size_t begin = ++at_;

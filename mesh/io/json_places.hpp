@@ -16,8 +16,8 @@ struct json_place {
   std::size_t line = 0;
 };
 
-// Finds the lines of the members of the objects in a text. It looks at the text, which must outlive
-// it, so that its memory is in proportion to the number of members, however long their names.
+// Finds the lines of the members of objects in a text. Refers to the text, which must outlive it,
+// so that its memory is proportional to the number of members, however long their names.
 class json_places {
  public:
   // Returns the line of the first member with this name, or else of the first whose name ends in
@@ -43,14 +43,14 @@ class json_places {
   std::vector<member> members_;  // in the order of the text
 };
 
-// Reads as far as the text is JSON. Whether it is is another reader's to say.
+// Reads as far as the text is JSON. Another reader reports errors.
 json_places find_json_places(std::string_view text);
 
 // Returns the line where lists and objects are more than `most` deep in each other, if they are.
 // Programs that follow them by calls within calls would run out of stack.
 std::optional<std::size_t> line_nested_beyond(std::string_view text, std::size_t most);
 
-// Counts from 1; `byte` may be beyond the end.
+// Returns the line of a byte, counted from 1; `byte` may be beyond the end.
 std::size_t line_of_byte(std::string_view text, std::size_t byte);
 
 }  // namespace asterism::internal

@@ -31,7 +31,7 @@ std::string place(const mesh& m, vertex_index v) {
   return fmt::format("({:g}, {:g})", p.x, p.y);
 }
 
-// Returns "1 vertex", "3 vertices".
+// Returns a number with its noun: "1 vertex", "3 vertices".
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -41,7 +41,7 @@ double extent(const mesh& m) {
   return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
 }
 
-// Leaves out heights that are rounding, or one for all vertices.
+// Removes heights that are rounding, or equal for all vertices.
 failure flatten(listed_mesh& m) {
   if (m.heights.empty()) return {};
   const double common = m.heights.size() == m.content.sites.size() ? m.heights.front().z : 0;
@@ -81,7 +81,8 @@ sign orientation(const mesh& m, vertex_index a, vertex_index b, vertex_index c) 
                                        m.sites[c].position);
 }
 
-// Splits along a diagonal with triangles of one orientation on its sides, the shorter of two.
+// Splits a quadrilateral along a diagonal with triangles of one orientation on its sides; the
+// shorter of two.
 failure split(listed_mesh& from, const listed_quadrilateral& quad, bool has_regions) {
   mesh& m = from.content;
   const auto [a, b, c, d] = quad.corners;
@@ -99,7 +100,7 @@ failure split(listed_mesh& from, const listed_quadrilateral& quad, bool has_regi
   return {};
 }
 
-// Returns the triangle that a quadrilateral is when two neighbouring corners are one.
+// Returns the triangle that a quadrilateral with two equal neighbouring corners is.
 std::optional<triangle> as_triangle(const std::array<vertex_index, 4>& q) {
   for (std::size_t i = 0; i < 4; ++i)
     if (q[i] == q[(i + 1) % 4]) return triangle{q[i], q[(i + 2) % 4], q[(i + 3) % 4]};
@@ -177,7 +178,7 @@ void keep(std::vector<Value>& all, const std::vector<char>& dropped) {
   all.resize(kept);
 }
 
-// Leaves out triangles that are listed again.
+// Removes triangles that are listed again.
 failure drop_repeated(listed_mesh& from) {
   mesh& m = from.content;
   triangle_groups groups = by_least_vertex(m);
@@ -212,7 +213,7 @@ failure drop_repeated(listed_mesh& from) {
   return {};
 }
 
-// Leaves out the edges marked, and renumbers those that the file requires.
+// Removes the marked edges, and renumbers those that the file requires.
 void drop_edges(listed_mesh& from, const std::vector<char>& dropped) {
   std::vector<std::size_t> number(dropped.size());
   std::size_t kept = 0;
@@ -226,10 +227,10 @@ void drop_edges(listed_mesh& from, const std::vector<char>& dropped) {
 
 using ends = std::array<vertex_index, 2>;
 
-// Numbers of edges that are in several strings of a solver's.
+// Numbers of markers for edges that are in several strings of a solver.
 class shared_markers {
  public:
-  // Gives the edge the number of its own marker and another's together, and that both names.
+  // Gives the edge the number for its own marker together with another's, and both names.
   void join(listed_mesh& m, boundary_edge& e, const boundary_edge& other) {
     ++edges_;
     const auto [at, is_new] = together_.emplace(std::pair(e.marker, other.marker), 0);
@@ -262,7 +263,7 @@ class shared_markers {
   int greatest_ = 0;
 };
 
-// Leaves out edges that are listed again.
+// Removes edges that are listed again.
 failure drop_repeated_edges(listed_mesh& from) {
   mesh& m = from.content;
   std::vector<std::pair<ends, std::size_t>> order;
@@ -294,7 +295,7 @@ failure drop_repeated_edges(listed_mesh& from) {
     ++count;
   }
   if (count == 0) return {};
-  // A required edge stays one, whichever of its lines says so.
+  // Keeps an edge required, whichever of its lines requires it.
   for (std::size_t& e : from.required_edges) e = first[e];
   drop_edges(from, again);
   m.notes.push_back(counted(count, "edge is", "edges are") + " listed again and left out");
@@ -327,8 +328,8 @@ void renumber(listed_mesh& from, const std::vector<vertex_index>& number) {
   from.curved.resize(kept);
 }
 
-// Finds the nodes of sides that are not the middles of their ends. Those of two elements at one
-// side have to be at one place.
+// Finds the nodes of sides that are not the middles of their ends. The nodes of two elements at one
+// side must coincide.
 failure find_curved_sides(listed_mesh& from) {
   const mesh& m = from.content;
   for (const listed_side& s : from.sides)
@@ -360,7 +361,7 @@ failure find_curved_sides(listed_mesh& from) {
   return {};
 }
 
-// Leaves out vertices in no triangle, and the edges at them.
+// Removes vertices in no triangle, and the edges at them.
 void drop_lone_vertices(listed_mesh& from) {
   mesh& m = from.content;
   std::vector<char> lone(m.sites.size(), 1);
@@ -402,11 +403,11 @@ void find_segments(listed_mesh& from) {
   edge_marks marks{std::vector<char>(m.boundary.size(), 0), from.all_edges};
   for (const std::size_t e : from.required_edges) marks.required[e] = 1;
   keep_segments(m, marks);
-  // Not of files that list them all: a side missing there was taken away.
+  // Adds missing sides, except for files that list all of them: there a missing side was removed.
   if (!from.lists_sides) list_sides(m);
 }
 
-// Leaves out edges of strings that are no side of a triangle.
+// Removes edges of strings that are no side of a triangle.
 void drop_edges_across(listed_mesh& from) {
   if (!from.edges_are_strings) return;
   mesh& m = from.content;
@@ -427,7 +428,7 @@ void drop_edges_across(listed_mesh& from) {
   drop_edges(from, across);
 }
 
-// Settles references beyond 32 bits.
+// Replaces references that need more than 32 bits.
 void settle(listed_mesh& from) {
   if (from.wide.empty()) return;
   mesh& m = from.content;

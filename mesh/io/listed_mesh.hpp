@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds a mesh as its file lists it, and puts it in the order that is wanted here: one step for the
-// readers of all formats.
+// Holds a mesh as its file lists it, and puts it in order: one step for the readers of all
+// formats.
 //
 // Changed, with a note each: heights up to rounding and one height for all are left out;
 // quadrilaterals are split in two; elements of higher order keep their corners alone; clockwise
@@ -28,10 +28,10 @@
 
 namespace asterism::internal {
 
-// Heights up to this part of the extent are taken for the rounding of programs that turn a plane.
+// Largest height, as a part of the extent, that counts as rounding of programs that turn a plane.
 inline constexpr double rounding_of_heights = 1e-9;
 
-// A third coordinate other than 0.
+// A third coordinate that is not 0, and its vertex.
 struct listed_height {
   vertex_index vertex;
   std::size_t line;
@@ -44,22 +44,22 @@ struct listed_quadrilateral {
   std::size_t line;
 };
 
-// A side of an element of second order with its node, as listed.
+// A side of an element of second order with its node, as listed in the file.
 struct listed_side {
   vertex_index a, b, node;
 };
 
 struct listed_mesh {
   std::string file;
-  // Triangles and edges in either direction. Regions: one a triangle, or none.
+  // Triangles, and edges in either direction. Regions: one for each triangle, or an empty list.
   mesh content;
   std::vector<listed_height> heights;
   std::vector<listed_quadrilateral> quadrilaterals;
   std::size_t second_order = 0;  // elements of which the corners alone were taken
   std::vector<listed_side> sides;
-  // Nodes of sides that are not their middles, ascending by their ends; put_in_order finds them.
+  // Nodes of sides that differ from the middles, ascending by their ends; found by put_in_order.
   std::vector<side_node> curved;
-  // Edges that the file requires, by their numbers in content.boundary from 0.
+  // Edges that the file requires, by their indices in content.boundary.
   std::vector<std::size_t> required_edges;
   bool all_edges = false;          // every edge listed is a segment
   bool lists_sides = false;        // sides that are not listed were taken away
@@ -69,7 +69,7 @@ struct listed_mesh {
   wide_references wide;
   bool has_metric = false;  // else every vertex has the identity
   // Vertices that were left out, by their numbers in the file from 0, ascending: files of values
-  // have numbers for them.
+  // have entries for them.
   std::vector<vertex_index> left_out;
   std::vector<side_of_edge> parts;  // of a domain of edges alone
 };
@@ -80,7 +80,7 @@ enum class listed_order {
               // file
 };
 
-// Returns the note on elements of higher order, which whoever takes their sides too takes back.
+// Returns the note on elements of higher order; readers of their sides as well remove it.
 std::string note_of_higher_order(std::size_t elements);
 
 // Puts the mesh in order.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds vertices by the numbers that a file gives them, for formats that number them as they like.
+// Finds vertices by their numbers in a file, for formats with arbitrary numbers.
 #pragma once
 
 #include <limits>
@@ -16,7 +16,7 @@ namespace asterism::internal {
 
 class listed_numbers {
  public:
-  // Adds the next vertex.
+  // Adds the next vertex by its number in the file.
   std::optional<error> add(const text_scanner& source, const word& w) {
     const auto number = to_integer(source, w, "number of a node");
     if (!number) return number.failure();

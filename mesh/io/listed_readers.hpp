@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The readers of meshes, one a format. Each lists what its file has and hands it to put_in_order;
-// read_mesh chooses among them.
+// Declares the readers of meshes, one for each format. Each lists the contents of its file and
+// passes them to put_in_order; read_mesh chooses among them.
 #pragma once
 
 #include <filesystem>

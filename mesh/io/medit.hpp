@@ -32,16 +32,16 @@ namespace asterism {
 // Returns `NAME.mesh`, or the same in binary, `NAME.meshb` (mesh/io/medit_binary.hpp), with the
 // tensors of `NAME.sol` beside it. Edges are a set, turned so that a triangle is on their left;
 // those with triangles on both sides are internal where the file marks them as segments
-// (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that are all 1 say
-// nothing of regions. `given` is the number of required vertices if these are the first ones, else
+// (mesh/io/medit_edges.hpp), and left out elsewhere. References of triangles that are all 1 mean no
+// regions. `given` is the number of required vertices if these are the first ones, else
 // 0. Subsegments without `#segments` comments are numbered each as its own segment. Tensors are
-// checked to be positive definite, exactly. Nothing is assumed or checked about the geometry: that
-// is the auditor's.
+// checked to be positive definite, exactly. Nothing is assumed or checked about the geometry: the
+// auditor does that.
 ASTERISM_EXPORT result<mesh> read_medit(const std::filesystem::path& path,
                                         const medit_read_options& options = {});
 
-// Returns what the file says must stay: its Corners, RequiredVertices and RequiredEdges. Sites are
-// numbered as read_medit numbers them.
+// Returns the parts that the file requires: its Corners, RequiredVertices and RequiredEdges. Sites
+// are numbered as read_medit numbers them.
 ASTERISM_EXPORT result<mesh_marks> read_medit_marks(const std::filesystem::path& path);
 
 // Returns the contents of the .mesh file; mesh/io/write_mesh.hpp writes both files.

@@ -17,7 +17,7 @@
 namespace asterism::internal {
 namespace {
 
-// Records of `dimension` reals, if any, and then so many integers.
+// Shape of a section's records: `dimension` reals, if any, then a number of integers.
 struct section_kind {
   std::string_view keyword;
   int code;
@@ -52,7 +52,7 @@ class decoder {
   failure fail(const std::string& what) const {
     return error{file_ + ": byte " + std::to_string(at_) + ": " + what, error_code::malformed_file};
   }
-  // Reads an unsigned number of so many bytes. Requires that they are there.
+  // Reads an unsigned number of this many bytes. Requires that the data has them.
   std::uint64_t raw(std::size_t size) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < size; ++i) {
@@ -145,7 +145,7 @@ std::optional<error> decoder::read_section(bool& ended) {
   return {};
 }
 
-// A solution's types follow its count.
+// Reads the types of a solution, which follow its count.
 std::optional<error> decoder::read_types(std::size_t& reals) {
   if (!has(4)) return fail("the file ends within SolAtVertices");
   const std::int64_t types = integer(4);
@@ -291,7 +291,8 @@ result<std::string> read_medit_text(const std::filesystem::path& path) {
 
 std::string medit_binary_of_text(const std::string& text,
                                  const std::vector<std::size_t>& required_edges) {
-  // Binary is no longer than text: two digits and a blank are four bytes at most.
+  // Chooses the version: binary is no longer than text, since two digits and a blank become four
+  // bytes at most.
   const bool is_long = text.size() > std::numeric_limits<std::int32_t>::max() / 4;
   return encoder(text, is_long).bytes(required_edges);
 }

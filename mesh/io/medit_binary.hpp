@@ -20,19 +20,19 @@
 
 namespace asterism::internal {
 
-// True for .meshb and .solb.
+// True for the names of binary files, .meshb and .solb.
 bool is_medit_binary(const std::filesystem::path& path);
 
-// Returns a Medit file as text, whichever of the two it is. Fails where it cannot be read, and
-// where a binary one is cut off, has a count that its length cannot hold, or places that do not
-// lead on; the message has the byte.
+// Returns a Medit file as text, for text and binary files. Fails where it cannot be read, and where
+// a binary one is cut off, has a count that its length cannot hold, or places that do not lead on;
+// the message has the byte.
 result<std::string> read_medit_text(const std::filesystem::path& path);
 
 // Returns the text of a binary file.
 result<std::string> text_of_medit_binary(const std::string& file, std::string_view bytes);
 
-// Returns the binary form of a text that this library wrote. `required_edges`, from 1, are added to
-// it: comments, which say of the text that all edges are segments, have no place in it.
+// Returns the binary form of a text that this library wrote. Adds `required_edges`, counted from 1:
+// the comment in which the text states that all edges are segments has no place in it.
 std::string medit_binary_of_text(const std::string& text,
                                  const std::vector<std::size_t>& required_edges = {});
 

@@ -5,8 +5,8 @@
 // Edges are a set: their order and direction mean nothing. One with a triangle on one side alone is
 // of the boundary. One with triangles on both is a segment only if the file marks it: by
 // RequiredEdges, by different references of the two triangles, or by a reference other than 0 in a
-// list that does not hold every inner edge. Some programs save all edges of a mesh, and no edge of
-// such a list was asked for by anybody.
+// list that does not hold every inner edge. Some programs save all edges of a mesh; the edges of
+// such a list are no segments.
 #pragma once
 
 #include <vector>
@@ -25,12 +25,12 @@ struct edge_marks {
 void keep_segments(mesh& m, const edge_marks& marks);
 
 // Adds the edges with one triangle that are not listed, with marker 0, and notes it: gmsh saves the
-// lines of physical groups alone, and mmg's examples list the outer sides and no hole's. A list
-// without any edge stays so: adopt_mesh finds all sides then.
+// lines of physical groups alone, and mmg's examples list the outer sides and no hole's. An empty
+// list stays empty: adopt_mesh then finds all sides.
 void list_sides(mesh& m);
 
-// Returns the marker of a boundary subsegment at each vertex, 0 for vertices on none: what is
-// written as their references.
+// Returns the marker of a boundary subsegment at each vertex, 0 for vertices on none: the
+// references of vertices in the file.
 std::vector<int> vertex_references(const mesh& m);
 
 }  // namespace asterism::internal

@@ -13,7 +13,7 @@ namespace {
 
 using failure = std::optional<error>;
 
-// Sections that mean nothing here: how many words a record of theirs has, in `dimension`
+// Sections that are skipped, with the number of words of a record, in `dimension`
 // dimensions.
 struct skipped_section {
   std::string_view keyword;
@@ -57,8 +57,8 @@ word next_keyword(text_scanner& source) {
   return w;
 }
 
-// Skips all records, longer ones than are known too: some programs write normals of a plane mesh
-// with three numbers.
+// Skips all records, also those longer than their known length: some programs write normals of a
+// plane mesh with three numbers.
 failure skip_records(text_scanner& source, const word& keyword, int words, passed_over& passed) {
   const auto count = to_count(source, source.next(), keyword.text);
   if (!count.ok()) return count.failure();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Passes over sections of Medit files that mean nothing here.
+// Skips sections of Medit files that this library does not use.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ namespace asterism::internal {
 struct passed_over {
   std::string names;         // of sections that are not known, with commas between
   std::optional<word> next;  // the keyword after one of them, already read
-  // The turn above which BAMG takes a vertex for a corner, in degrees; its own default.
+  // Turn above which BAMG makes a vertex a corner, in degrees; BAMG's own default.
   double corner_bound = 10;
 };
 
-// Passes over the section that the keyword begins: by its count where its shape is known, else to
-// the next word that begins with a letter. Refuses what cannot be a keyword.
+// Skips the section that the keyword begins: by its count where its shape is known, else to the
+// next word that begins with a letter. Refuses what cannot be a keyword.
 std::optional<error> pass_over(text_scanner& source, const word& keyword, int dimension,
                                passed_over& passed);
 

@@ -27,7 +27,8 @@ namespace {
 
 using failure = std::optional<error>;
 
-// Elements of so many corners, which are the first of so many vertices.
+// Elements by keyword: the number of corners, which are the first of its vertices, and the number
+// of vertices.
 struct element_section {
   std::string_view keyword, meaning;
   std::size_t corners, vertices;
@@ -54,7 +55,7 @@ class medit_reader {
 
   // Reads the header, then sections until End or the end of the file.
   failure read_mesh();
-  // Puts the mesh in order once its metric has been read. A file of ours is as it is.
+  // Puts the mesh in order once its metric has been read. A file of this library is kept as it is.
   failure finish(listed_order how);
   bool lists_triangles() const { return lists_triangles_; }
 
@@ -78,7 +79,7 @@ class medit_reader {
   result<int> read_reference(std::string_view meaning) {
     return made_.wide.read(source_, source_.next(), meaning);
   }
-  // Reads a vertex number of the file. Whether it exists is known when all sections have been
+  // Reads a vertex number of the file. Its range is checked after all sections were
   // read.
   result<vertex_index> read_vertex(std::string_view meaning);
   failure check_vertices();
@@ -150,8 +151,8 @@ failure medit_reader::finish(listed_order how) {
   if (auto failed = put_in_order(made_, names_segments_ ? listed_order::as_listed : how))
     return failed;
   if (take_given_number()) return {};
-  // Ours are the first ones, in order; what other programs require are no vertices of a domain
-  // here.
+  // Takes required vertices as given if they are the first ones, in order, as this library writes
+  // them; other programs require vertices that are not the domain's.
   const std::vector<vertex_index>& required = made_.marks.required_vertices;
   bool in_order = true;
   for (std::size_t i = 0; i < required.size(); ++i) in_order = in_order && required[i] == i;
@@ -201,7 +202,8 @@ result<vertex_index> medit_reader::read_vertex(std::string_view meaning) {
     return source_.failure(
         w.line, std::string(meaning) + ": vertex " + quoted_token(w.text) + " does not exist");
   const auto v = static_cast<vertex_index>(value.value() - 1);
-  // Sections come in any order; what lies beyond the vertices read so far is checked at the end.
+  // Notes vertex numbers beyond those read so far, to be checked at the end: sections come in any
+  // order.
   if (v >= m_.sites.size()) uses_.push_back({v, w.line, meaning});
   return v;
 }
@@ -277,7 +279,7 @@ failure medit_reader::read_required() {
   return {};
 }
 
-// Reads corners as they have to be, and does not use them.
+// Reads corners, checks them, and does not use them.
 failure medit_reader::read_corners() {
   const auto count = read_count("Corners");
   if (!count.ok()) return count.failure();
@@ -304,8 +306,8 @@ failure medit_reader::read_required_edges() {
   return {};
 }
 
-// Reads parts of a geometry: 2, an edge, the side of it, and a number. They mean something where
-// there are no triangles.
+// Reads parts of a geometry: 2, an edge, the side of it, and a number. They are used only if there
+// are no triangles.
 failure medit_reader::read_parts(std::string_view keyword) {
   const auto count = read_count(keyword);
   if (!count.ok()) return count.failure();
@@ -324,7 +326,7 @@ failure medit_reader::read_parts(std::string_view keyword) {
   return {};
 }
 
-// Takes the parts that edges are beside, where edges are all there is.
+// Takes the parts of the domain by the edges beside them, if there are edges alone.
 failure medit_reader::check_parts() {
   if (lists_triangles_) return {};
   for (const part& p : parts_) {
@@ -337,7 +339,7 @@ failure medit_reader::check_parts() {
   return {};
 }
 
-// Notes edges by their ends while they are numbered as in the file.
+// Records edges by their ends while they are numbered as in the file.
 void medit_reader::note_marks() {
   for (const named_edge& e : required_edges_) {
     made_.required_edges.push_back(e.number);
@@ -363,8 +365,8 @@ failure medit_reader::check_vertices() {
   return {};
 }
 
-// Comments are only believed when they fit: one number from 1 for every edge. Returns whether they
-// are there and do.
+// Takes the numbers in comments if they fit: one number from 1 for every edge. Returns whether they
+// exist and fit.
 bool medit_reader::take_segment_numbers() {
   constexpr std::string_view mark = "segments";
   std::vector<vertex_index> numbers;
@@ -385,8 +387,8 @@ bool medit_reader::take_segment_numbers() {
   return true;
 }
 
-// Takes the number of given vertices from a comment, if it is there and fits: no fewer than those
-// required, and these among them.
+// Takes the number of given vertices from a comment, if there is one and it fits: at least the
+// number required, these among them.
 bool medit_reader::take_given_number() {
   constexpr std::string_view mark = "given ";
   for (const std::string_view comment : source_.comments()) {
@@ -438,7 +440,7 @@ result<listed_mesh> read_listed(const std::filesystem::path& path,
   if (auto failed = reader.read_mesh()) return std::move(*failed);
   if (how == listed_order::as_listed && !reader.lists_triangles())
     return source.failure(source.line(), "there is no section Triangles");
-  // Edges alone are a domain, and have no metric.
+  // Reads no metric for edges alone, which are a domain.
   medit_read_options metric = options;
   metric.without_solution = options.without_solution || lists_edges_alone(made);
   if (auto failed = read_metric_beside(path, made, metric)) return std::move(*failed);

@@ -29,7 +29,7 @@ failure take_tensor(const text_scanner& source, std::size_t line, const metric_t
                                           metric.m11, metric.m12, metric.m22, v + 1));
 }
 
-// Reads a length h in the place of a tensor I/h^2.
+// Reads a length h, which stands for the tensor I/h^2.
 failure read_size(text_scanner& source, std::size_t v, mesh& m) {
   const word w = source.next();
   const auto size = to_number(source, w, "size at a vertex");
@@ -48,7 +48,7 @@ failure read_sizes(text_scanner& source, mesh& m) {
   return {};
 }
 
-// Sets `is_metric` to false for what is none where none need be there.
+// Sets `is_metric` to false for a file without a metric, if none is required.
 failure read_tensors(text_scanner& source, int dimension, mesh& m, bool& is_metric) {
   const word w = source.next();
   const auto count = to_count(source, w, "SolAtVertices");
@@ -85,7 +85,7 @@ failure read_tensors(text_scanner& source, int dimension, mesh& m, bool& is_metr
   return {};
 }
 
-// Reads the section; `is_metric` says whether it has to be one, and in the end whether it is.
+// Reads the section; `is_metric` tells whether it must be a metric, and returns whether it is.
 failure read_sections(text_scanner& source, mesh& m, bool& is_metric) {
   const bool is_wanted = is_metric;
   const auto dimension = read_medit_header(source);
@@ -149,12 +149,13 @@ result<int> read_medit_header(text_scanner& source, std::optional<double>* corne
   const word number = source.next();
   const auto version = to_integer(source, number, "MeshVersionFormatted");
   if (!version.ok()) return version.failure();
-  // 0 is what BAMG writes; 4 has wider numbers in binary files, and is the same as text.
+  // Accepts the versions 0, which BAMG writes, and 4, which has wider numbers in binary files and
+  // is the same as text.
   if (version.value() < 0 || version.value() > 4)
     return source.failure(
         number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is none of 0 to 4");
   word keyword = source.next();
-  // BAMG's own, each with a number, come before in some of its geometries.
+  // Skips keywords of BAMG's, each with a number, that precede in some of its geometries.
   while (keyword.text == "MaximalAngleOfCorner" || keyword.text == "AngleOfCornerBound") {
     const auto angle = to_number(source, source.next(), keyword.text);
     if (!angle.ok()) return angle.failure();

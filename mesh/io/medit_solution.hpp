@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads NAME.sol, and has what it shares with NAME.mesh. Works inside read_medit.
+// Reads NAME.sol, and the header that it shares with NAME.mesh. Works inside read_medit.
 #pragma once
 
 #include <filesystem>
@@ -19,13 +19,13 @@ result<int> read_medit_header(text_scanner& source, std::optional<double>* corne
 
 // Reads one tensor a site of `m` from a .sol file, or from one of BAMG's, NAME.mtr: the number of
 // vertices, 1 or 3, and for each a length h, meaning the tensor I/h^2, or m11 m12 m22. One number a
-// vertex in a .sol is such a length, too, where a metric is wanted. Where none need be there, what
-// holds anything else than tensors is passed over. Returns whether there was a metric; else every
-// site has the identity.
+// vertex in a .sol is such a length, too, where a metric is wanted. If no metric is required, a
+// file with other data than tensors is ignored. Returns whether there was a metric; else every site
+// has the identity.
 result<bool> read_medit_solution(const std::filesystem::path& path, mesh& m,
                                  const medit_read_options& options);
 
-// True if the file is there and holds one symmetric tensor a vertex: a metric by itself.
+// True if the file exists and holds one symmetric tensor for each vertex: a metric by itself.
 bool holds_tensors(const std::filesystem::path& path);
 
 }  // namespace asterism::internal

@@ -68,7 +68,7 @@ void write_list(std::string& to, const char* keyword, const std::vector<vertex_i
   }
 }
 
-// Comments of at most 80 characters: some readers take lines in subsegments of a fixed length.
+// Splits comments at 80 characters: some readers take lines in subsegments of a fixed length.
 void write_segments(text out, const mesh& m) {
   std::string line = "#segments";
   for (const boundary_edge& e : m.boundary) {
@@ -133,7 +133,7 @@ void write_medit_mesh(const mesh& m, const medit_smooth& smooth, const byte_sink
 }
 
 void write_medit_solution(const mesh& m, const byte_sink& put) {
-  // One field, of type 3: a symmetric tensor, its upper triangle column by column.
+  // Writes one field, of type 3: a symmetric tensor, its upper triangle column by column.
   put(fmt::format("MeshVersionFormatted 2\n\nDimension 2\n\nSolAtVertices\n{}\n1 3\n",
                   m.sites.size()));
   make_lines(

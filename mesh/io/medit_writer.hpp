@@ -10,8 +10,8 @@
 
 namespace asterism::internal {
 
-// Given vertices, ascending, that are no corners, as they divide a curve. Where comments are kept,
-// they need not be required either: how many are given is a comment.
+// Given vertices, ascending, that are no corners since they divide a curve. If comments are kept,
+// these need not be required either: a comment has the number of given vertices.
 struct medit_smooth {
   std::vector<vertex_index> vertices = {};
   bool keeps_comments = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells the formats in which meshes are written by the names of files, and the files of each.
+// Finds the format of a mesh by the name of its file, and the files of each format.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,20 @@
 
 namespace asterism {
 
-// Returns the format that the extension names, in upper or lower case; the error lists the known
+// Returns the format of the extension, in upper or lower case; the error lists the known
 // ones.
 ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& path);
 
 // Checks that a mesh could be written there. Refuses unknown extensions, missing or unwritable
-// directories, places taken by something that is not a regular file, and pictures where cairo is
-// missing; for finding out before a long computation.
+// directories, places taken by something that is not a regular file, and pictures if cairo is
+// missing. Called before a long computation.
 ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
 
-// Returns every file that is written with `path`, itself first.
+// Returns all files that are written with `path`, itself first.
 ASTERISM_EXPORT std::vector<std::filesystem::path> files_of_output(
     const std::filesystem::path& path);
 
-// True of .svg, .png and .pdf.
+// True for .svg, .png and .pdf.
 ASTERISM_EXPORT bool is_picture(mesh_format format);
 
 // True if files of the format can hold triangles of second order.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says what a file is that was given where a file of another kind is wanted, and what takes it.
+// Returns a hint for a file of the wrong kind: what it is, and which command reads it.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace asterism {
 
-// Returns the end of a message, "; it is a domain, ..."; empty where the name tells nothing. Does
-// not open the file.
+// Returns the end of a message, "; it is a domain, ..."; empty if the name shows no kind. Does not
+// open the file.
 ASTERISM_EXPORT std::string what_it_is(std::string_view name);
 
 }  // namespace asterism

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Names that a file gives to markers and regions, as gmsh's physical groups have them.
+// Holds the names that a file gives to markers and regions, as gmsh's physical groups have them.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace asterism {
 
-// Names by number. What has no name here is written as "marker 3", "region 2".
+// Names by number. A number without a name is written as "marker 3" or "region 2".
 struct physical_names {
   std::map<int, std::string> markers, regions;
 };

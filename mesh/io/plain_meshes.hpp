@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes meshes for programs that know neither metrics nor segments inside: SU2's .su2, and
-// Triangle's .node, .ele and .edge.
+// Writes meshes for programs without metrics and segments inside: SU2's .su2, and Triangle's .node,
+// .ele and .edge.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@
 namespace asterism::internal {
 
 // Returns the contents of a .su2 file: triangles, points, and the boundary by markers, each with
-// its number or its name, blanks as underscores, for a tag. Internal segments and regions have no
-// place in it. Source: SU2 v8 documentation, "Mesh File".
+// its number or its name, blanks as underscores, for a tag. The format has no place for internal
+// segments and regions. Source: SU2 v8 documentation, "Mesh File".
 std::string su2_text(const mesh& m, const physical_names& names);
 
 // Returns the contents of NAME.node: positions, the metric as three attributes, and a marker of the

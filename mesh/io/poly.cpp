@@ -25,7 +25,7 @@ namespace {
 using words = std::vector<word>;
 using failure = std::optional<error>;
 
-// Returns the number that the attribute of a region is; none where it is no whole one of 32 bits.
+// Returns the region number in an attribute; none if it is no whole number of 32 bits.
 std::optional<int> whole_number(double attribute) {
   constexpr double low = std::numeric_limits<int>::min(), high = std::numeric_limits<int>::max();
   if (!(attribute >= low && attribute <= high) || std::floor(attribute) != attribute)
@@ -33,7 +33,7 @@ std::optional<int> whole_number(double attribute) {
   return static_cast<int>(attribute);
 }
 
-// Reads one file, a .poly or a .node, into a domain that is still being put together.
+// Reads one file, a .poly or a .node, into a domain that is being put together.
 class poly_reader {
  public:
   poly_reader(text_scanner& source, domain& d) : source_(source), d_(d) {}
@@ -54,19 +54,19 @@ class poly_reader {
   failure read_segment(const words& record, std::size_t expected_size);
   failure read_region(const words& record);
   failure read_point(const words& record, std::string_view what, point& p);
-  // Reads x, word 1 of the record, or y, word 2. What it means is put into words only for a
+  // Reads x, word 1 of the record, or y, word 2. Makes the words of an error only for a
   // failure.
   failure read_coordinate(const words& record, std::size_t at, std::string_view what,
                           double& value);
   // Reads a header line with 1 to `most` words; `wanted` says what it should hold.
   failure read_header(std::string_view wanted, std::size_t most, words& header);
-  // Reads the next line, as record `position` (from 0) of `count`: its number must follow on.
+  // Reads the next line, as record `position` (from 0) of `count`: its number must be the next one.
   failure read_record(std::string_view what, std::size_t position, std::size_t count,
                       std::size_t least, std::size_t most, words& record);
   failure check_number(std::string_view what, const word& number, std::size_t position);
-  // Returns the error for a record whose number is not the one after the record before.
+  // Returns the error for a record whose number does not follow the one before.
   error wrong_number(const std::string& name, const word& number, std::size_t position) const;
-  // Words `from` and later are numbers; they are not used.
+  // Checks that the words from `from` on are numbers; they are not used.
   failure check_unused(const words& record, std::size_t from, std::string_view what);
   failure read_flag(const words& header, std::size_t at, std::string_view what, std::size_t& flag);
 
@@ -159,7 +159,7 @@ failure poly_reader::read_vertex_header(std::size_t& count, std::size_t& record_
   const auto announced = to_count(source_, header[0], "number of vertices");
   if (!announced.ok()) return announced.failure();
   count = announced.value();
-  // The mesh adds vertices of its own to these.
+  // Limits the number of vertices, as the mesh adds vertices of its own.
   if (count > std::numeric_limits<vertex_index>::max() / 4)
     return source_.failure(header[0].line, "more vertices than 32-bit numbers can name");
   if (header.size() > 1) {
@@ -295,7 +295,7 @@ failure poly_reader::read_region(const words& record) {
   if (!attribute.ok()) return attribute.failure();
   const auto number = whole_number(attribute.value());
   region.number = number.value_or(0);
-  // Triangle takes the only number of a line for both.
+  // Takes the only number of a line for both attribute and area, as Triangle does.
   if (!number) {
     other_attributes_.emplace_back(d_.regions.size(), attribute.value());
     if (record.size() == 4) region.largest_area = std::max(attribute.value(), 0.0);

@@ -33,7 +33,7 @@
 
 namespace asterism::internal {
 
-// Reads the domain as written: check_domain has yet to accept it. `name` is the path as given.
+// Reads the domain as written, before check_domain. `name` is the path as given.
 result<domain> read_poly(const std::filesystem::path& path);
 
 // Returns the names of regions whose attributes are no whole numbers, by their numbers.

@@ -18,7 +18,7 @@ using failure = std::optional<error>;
 
 double root(double x) { return std::sqrt(std::sqrt(x)); }
 
-// Returns the square root of the distance of two points: their distance in a centripetal
+// Returns the square root of the distance between two points: their difference in a centripetal
 // parameter.
 double centripetal(const point& a, const point& b) {
   const double x = b.x - a.x, y = b.y - a.y;
@@ -140,7 +140,7 @@ class curve_reader {
     return std::nullopt;
   }
 
-  // Puts a segment without length under the circle, for its chords to replace.
+  // Adds a segment without length for the circle, which its chords replace.
   failure read_circle(const words& record) {
     if (auto failed =
             expect(record, 5, 6, "<number> circle <vertex> <centre x> <centre y> [marker]"))
@@ -175,7 +175,8 @@ class curve_reader {
     return std::nullopt;
   }
 
-  // Finds the vertices along the segments, each of which starts where the one before it ends.
+  // Collects the vertices along the segments, each of which must start where the one before it
+  // ends.
   failure chain_of(const words& record, const std::vector<vertex_index>& on,
                    std::vector<vertex_index>& chain) const {
     const auto has = [&](std::size_t i, vertex_index v) {

@@ -25,8 +25,8 @@
 
 namespace asterism::internal {
 
-// Reads what may follow the regions into the domain, which holds vertices and segments already.
-// Curves are not divided yet; divide_curves judges their places.
+// Reads the part after the regions into the domain, which has vertices and segments already. Curves
+// are not divided yet; divide_curves checks them.
 std::optional<error> read_poly_curves(text_scanner& source, domain& d);
 
 }  // namespace asterism::internal

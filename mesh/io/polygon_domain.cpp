@@ -13,7 +13,7 @@
 namespace asterism::internal {
 namespace {
 
-// Appends the ring's vertices and segments; returns the numbers of these.
+// Appends the ring's vertices and segments; returns the indices of the segments.
 std::vector<std::uint32_t> add_ring(const ring& corners, int marker, domain& d) {
   const auto first = static_cast<vertex_index>(d.vertices.size());
   std::size_t n = corners.size();
@@ -29,9 +29,10 @@ std::vector<std::uint32_t> add_ring(const ring& corners, int marker, domain& d) 
   return added;
 }
 
-// True if the area, by doubles, is not 0. With u half an epsilon, a product of two differences is
-// off by 3u of its size, the difference of two by u more, each of n sums by u, and the sum of the
-// sizes itself by (n + 3)u: less than (2n + 8)u of that in all. What underflows is far less.
+// True if the area is certainly not 0, in doubles with an error bound. With u half an epsilon, a
+// product of two differences is off by 3u of its size, the difference of two by u more, each of n
+// sums by u, and the sum of the sizes itself by (n + 3)u: less than (2n + 8)u of that in all.
+// Underflow is far less.
 bool surely_has_area(const ring& corners) {
   double area = 0, terms = 0;
   const point& o = corners[0];
@@ -47,8 +48,8 @@ bool surely_has_area(const ring& corners) {
          std::abs(area) > off;
 }
 
-// True if the ring runs along each of its edges an even number of times: it separates nothing from
-// anything. One that crosses itself does.
+// True if the ring runs along each of its edges an even number of times: it then separates nothing.
+// A ring that crosses itself is not refused.
 bool encloses_nothing(const ring& corners) {
   if (corners.size() < 3) return true;
   if (surely_has_area(corners)) return false;
@@ -60,7 +61,7 @@ bool encloses_nothing(const ring& corners) {
                               [](const graph_edge& e) { return e.covered % 2 == 0; });
 }
 
-// Returns "what: 3, the first: ...".
+// Returns a sentence of the form "what: 3, the first: ...".
 std::string text_of(const std::string& what, const occurrences& of) {
   return what + ": " + std::to_string(of.count) + (of.count == 1 ? ", " : ", the first: ") +
          of.first;
@@ -70,7 +71,7 @@ void note(const std::string& what, const occurrences& of, domain& d) {
   if (of.count > 0) d.origin.notes.push_back(d.name + ": " + text_of(what, of));
 }
 
-// A refusal for a file in which nothing is left to mesh, with what there was.
+// Returns the refusal of a file in which nothing is left to mesh, with its contents.
 error nothing_left(const polygons_read& read, const occurrences& flat, const std::string& name) {
   std::string beside;
   const auto add = [&](const std::string& what, const occurrences& of) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a domain of the polygons that a file has, and collects what its reader passed over.
+// Makes a domain from the polygons of a file, and counts what its reader skipped.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,12 @@ struct polygon {
   std::optional<int> region;
 };
 
-// Something that occurs in a file, how often, and its first case.
+// Number of occurrences of one kind in a file, and the first of them.
 struct occurrences {
   std::size_t count = 0;
   std::string first;
 
-  // `describe` is called the first time.
+  // Counts one more. Calls `describe` for the first.
   template <class Describe>
   void add(const Describe& describe) {
     if (count++ == 0) first = describe();
@@ -40,9 +40,9 @@ struct polygons_read {
   occurrences heights;  // points with a third coordinate that is not 0, or more
 };
 
-// Returns the domain, with notes of what was passed over or dropped: of the polygons these are
-// rings that enclose nothing, and rings that were closed. The rings of polygon k, from 1, have the
-// marker k. `name` is the file's. Fails if there is no polygon.
+// Returns the domain, with notes on what was skipped or dropped: of the polygons, rings that
+// enclose nothing and rings that were closed. The rings of polygon k, from 1, have the marker k.
+// `name` is the file's. Fails if there is no polygon.
 result<domain> domain_of_polygons(const polygons_read& read, const std::string& name);
 
 }  // namespace asterism::internal

@@ -18,7 +18,7 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// BAMG's meshes are named .msh, too.
+// Distinguishes gmsh's from FreeFEM's files: BAMG's meshes are named .msh, too.
 bool begins_as_medit(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::string first;
@@ -46,7 +46,7 @@ std::optional<error> check_metric(const file_kind& kind, const listed_mesh& m,
 
 bool is_of_medit(const file_kind& kind) { return kind.read == read_listed_medit; }
 
-// Returns the kind by which the file is read: Medit's where the name says nothing.
+// Returns the kind by which the file is read: Medit's if the name has no known ending.
 const file_kind& kind_to_read(const std::filesystem::path& path) {
   const file_kind& medit = *kind_of_file(".mesh");
   const file_kind* const kind = kind_of_file(path.string());
@@ -58,7 +58,8 @@ const file_kind& kind_to_read(const std::filesystem::path& path) {
   return *kind;
 }
 
-// Takes the metric of a file with numbers for all vertices of the mesh's, those left out, too.
+// Takes the metric of a file that has numbers for all vertices of the mesh's file, those left out
+// included.
 std::optional<error> take_metric(const std::filesystem::path& file, listed_mesh& m) {
   mesh whole;
   whole.sites.resize(m.content.sites.size() + m.left_out.size());

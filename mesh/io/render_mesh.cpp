@@ -35,7 +35,7 @@ picture_format picture_format_of(mesh_format format) {
   return format == mesh_format::png ? picture_format::png : picture_format::pdf;
 }
 
-// Writers index by these; a mesh made by hand may be wrong.
+// Checks the indices of a mesh made by hand: writers use them unchecked.
 std::optional<error> check_indices(const mesh& m) {
   const auto bad = [&](vertex_index v) { return v >= m.sites.size(); };
   for (const auto* triangles : {&m.triangles, &m.disagreeing})
@@ -52,7 +52,7 @@ std::optional<error> check_indices(const mesh& m) {
   return {};
 }
 
-// Gives what `write` gives, with the note in its first piece.
+// Gives the pieces of `write`, with the note in the first one.
 std::function<void(const byte_sink&)> with_note(std::function<void(const byte_sink&)> write,
                                                 mesh_format format, const std::string& note) {
   return [write = std::move(write), format, note](const byte_sink& put) {
@@ -81,14 +81,14 @@ result<output_files> render_page(const fs::path& path, const mesh& m,
   return output_files{{path, std::move(page).value()}};
 }
 
-// The note as a line of its own; nothing where there is none.
+// Returns the note as a line of its own; empty if there is no note.
 std::string comment(const std::string& mark, std::string note) {
   std::replace_if(
       note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return note.empty() ? "" : mark + note + "\n";
 }
 
-// The note follows the first section, before which nothing may stand.
+// Writes the note after the first section, which must come first.
 std::string render_gmsh(const mesh& m, const write_options& options, gmsh_version version,
                         const side_node_mesh* nodes) {
   std::string text =
@@ -99,7 +99,7 @@ std::string render_gmsh(const mesh& m, const write_options& options, gmsh_versio
                      "$Comments\n" + comment("", options.note) + "$EndComments\n");
 }
 
-// Numbers, from 1, of the edges with triangles on both sides.
+// Returns the numbers, from 1, of the edges with triangles on both sides.
 std::vector<std::size_t> inner_edges(const mesh& m) {
   std::vector<std::size_t> inner;
   for (std::size_t e = 0; e < m.boundary.size(); ++e)
@@ -128,7 +128,7 @@ result<output_files> render_vtu(const fs::path& path, const mesh& m, const write
   return output_files{{.path = path, .rest = with_note(vtu, mesh_format::vtu, options.note)}};
 }
 
-// Writes the triangles with nodes of their sides, and what is at the vertices at these, too.
+// Writes the triangles with the nodes of their sides, and the values at these as well.
 result<output_files> render_second_order(const fs::path& path, mesh_format format, const mesh& m,
                                          const write_options& options) {
   const auto nodes =
@@ -212,8 +212,8 @@ solution fields_in(const parted_mesh& parted, const solution& fields) {
   return made;
 }
 
-// Writes the mesh with the vertices of both sides of its cracks. It lives as long as the files are
-// made.
+// Writes the mesh with the vertices of both sides of its cracks. The mesh lives as long as its
+// files are rendered.
 result<output_files> render_parted(const fs::path& path, mesh_format format, const mesh& m,
                                    const write_options& options) {
   struct parted {
@@ -247,7 +247,8 @@ result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, 
   const auto format = check_output(path);
   if (!format.ok()) return format.failure();
   if (auto failed = check_indices(m)) return failed->at(path.string());
-  // Pictures and pages show the mesh with one vertex at each place, as their facts have it.
+  // Renders pictures and pages of the mesh with one vertex at each place, to which their facts
+  // refer.
   if (options.cracks.empty() || is_drawing(format.value()))
     return render(path, format.value(), m, options);
   return render_parted(path, format.value(), m, options);

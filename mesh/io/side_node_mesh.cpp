@@ -7,7 +7,7 @@
 namespace asterism::internal {
 namespace {
 
-// A side, and the place that its node's number belongs in.
+// A side, and the place for the number of its node.
 struct used_side {
   std::array<vertex_index, 2> ends;
   vertex_index* number;

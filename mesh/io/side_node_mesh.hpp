@@ -17,7 +17,7 @@ namespace asterism::internal {
 // field has in the middle.
 struct side_node_mesh {
   mesh content;  // its sites go on with the nodes
-  // Nodes of the sides 01, 12, 20: of each triangle, and after these of each that disagrees.
+  // Nodes of the sides 01, 12, 20 of each triangle, then of each disagreeing triangle.
   std::vector<std::array<vertex_index, 3>> of_triangles;
   std::vector<vertex_index> of_edges;  // of each boundary edge
   solution fields;

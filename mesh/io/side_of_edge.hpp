@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Names a part of the plane by an edge beside it.
+// Identifies a part of the plane by an edge beside it.
 #pragma once
 
 #include <cstddef>
 
 namespace asterism {
 
-// The part of the plane on one side of an edge, and its number.
+// A part of the plane beside an edge, and its number.
 struct side_of_edge {
   std::size_t edge = 0;  // of mesh::boundary
   bool left = true;      // of the edge as it is listed

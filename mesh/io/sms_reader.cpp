@@ -16,8 +16,8 @@ namespace {
 using failure = std::optional<error>;
 using words = std::vector<word>;
 
-// Cards of elements: so many nodes, around the element; of those with nodes on sides every second
-// is a corner.
+// Cards of elements: the number of nodes around the element, and whether every second one is a
+// corner.
 struct element_card {
   std::string_view name;
   std::size_t corners, nodes;
@@ -146,7 +146,7 @@ failure sms_reader::read_element(const element_card& card, const words& line) {
   return {};
 }
 
-// A string goes on over lines until a negative number; its own number, or name, may follow.
+// Reads a string over several lines, up to a negative number; its own number, or name, may follow.
 failure sms_reader::read_string(const words& line) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     word node = line[i];

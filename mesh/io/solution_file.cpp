@@ -25,7 +25,7 @@ namespace {
 
 using failure = std::optional<error>;
 
-// Numbers a field of this kind has in a file of this dimension.
+// Returns the number of values that a field of this kind has in a file of this dimension.
 std::size_t numbers_of(field_kind kind, int dimension) {
   if (dimension == 2 || kind == field_kind::scalar) return components_of(kind);
   return kind == field_kind::vector ? 3 : 6;
@@ -76,7 +76,7 @@ failure values_reader::read_kind() {
 
 result<double> values_reader::read_number(std::size_t field, std::size_t v) {
   const word w = source_.next();
-  // The place is put into words for a failure alone.
+  // Makes the words for the place of an error only for a failure.
   if (auto value = to_number(source_, w, ""); value) return value;
   return to_number(source_, w, fmt::format("field {}, vertex {}", field + 1, v + 1));
 }
@@ -145,7 +145,7 @@ failure values_reader::read_bamg(bool with_types) {
   return check_end();
 }
 
-// True if the file says so by capital letters: BAMG tells .BB, with types, from .bb.
+// True if the file's ending is in capital letters: BAMG distinguishes .BB, with types, from .bb.
 bool has_types(const std::filesystem::path& path) { return path.extension() == ".BB"; }
 
 failure check_fields(const solution& s, const std::string& file) {
@@ -199,7 +199,7 @@ std::string names_of(const solution& s) {
   return all;
 }
 
-// Appends a line of all fields' components for each vertex.
+// Appends a line with all components of all fields for each vertex.
 void append_values(std::string& contents, const solution& s) {
   append_lines(contents, s.vertices, [&](std::size_t v, std::string& line) {
     for (const solution_field& f : s.fields)
@@ -244,7 +244,7 @@ result<solution> internal::read_fields(const std::filesystem::path& path, const 
     auto read = read_gmsh_solution(text.value(), file);
     if (!read) return read;
     made = std::move(read).value();
-    // Without a field it may be another program's file of this name.
+    // Accepts a file without fields, which may be another program's of this name.
     if (made.fields.empty()) made.vertices = m.sites.size() + left_out.size();
     if (made.vertices != m.sites.size() + left_out.size())
       return error{fmt::format("{}: values at {} nodes, and the mesh has {}", file, made.vertices,

@@ -29,8 +29,8 @@ namespace asterism {
 
 // Reads the solution on `m`, whose vertices it must have, in their order. Of a .vtu, arrays of
 // floating-point numbers with 1, 2 or 3 components are read, the third being 0, and with 9 that are
-// a symmetric tensor of the plane; its points must be those of `m` to six digits. A file that holds
-// one tensor and nothing else is a metric and refused.
+// a symmetric tensor of the plane; its points must be those of `m` to six digits. A file with a
+// single tensor field is a metric, and is refused.
 ASTERISM_EXPORT result<solution> read_solution(const std::filesystem::path& path, const mesh& m);
 
 // Reads the solution on a mesh of whose file some vertices were left out (read_mesh_file), by their
@@ -39,8 +39,8 @@ ASTERISM_EXPORT result<solution> read_solution(const std::filesystem::path& path
                                                const std::vector<vertex_index>& left_out);
 
 // Returns the scalars named: `NAME`, all components of it, or NAME.x, NAME.y. Without names: all
-// scalars and vectors. They are sorted by name, each once. Fails for names that are not there, for
-// tensors, and where nothing is left.
+// scalars and vectors. They are sorted by name, each once. Fails for names that do not exist, for
+// tensors, and if no field is left.
 ASTERISM_EXPORT result<std::vector<nodal_values>> select_values(
     const solution& from, const std::vector<std::string>& names);
 

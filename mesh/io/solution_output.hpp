@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Prepares files of solutions for commands that write several files at once.
+// Renders files of solutions for commands that write several files at once.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,8 @@
 
 namespace asterism::internal {
 
-// Returns what read_solution does, also where the file has no field, or nothing but one tensor.
+// Returns the solution as read_solution does, but also accepts a file without fields, or with a
+// single tensor.
 result<solution> read_fields(const std::filesystem::path& path, const mesh& m,
                              const std::vector<vertex_index>& left_out);
 

@@ -27,7 +27,8 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-// Text files begin with "solid", and so do some binary ones: these have the length that they say.
+// Distinguishes binary files by their length: text files begin with "solid", and so do some binary
+// ones, but only these have the length that they state.
 bool is_binary(std::string_view text) {
   return text.size() >= header_bytes &&
          text.size() == header_bytes + facet_bytes * std::size_t{word_at(text, 80)};
@@ -128,7 +129,7 @@ failure facet_reader::read_corner() {
     if (!value) return value.failure();
     p[i] = value.value();
   }
-  // Adding zero makes one of the two zeros.
+  // Adds zero, which makes -0 a 0.
   made_.corners.push_back({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0, source_.line()});
   return {};
 }

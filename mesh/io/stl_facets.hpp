@@ -13,7 +13,7 @@
 
 namespace asterism::internal {
 
-// Neither zero has a sign. `line` is 1 in binary files.
+// A corner of a facet; zeros have no sign. `line` is 1 in binary files.
 struct stl_corner {
   double x, y, z;
   std::size_t line;

@@ -14,7 +14,7 @@ namespace {
 
 using failure = std::optional<error>;
 
-// True if one corner is at the other, or above it.
+// True if one corner has the same place in the plane as the other.
 bool is_above(const stl_corner& a, const stl_corner& b) { return a.x == b.x && a.y == b.y; }
 
 // Makes corners at one place one vertex, numbered in the order in which they first occur.
@@ -42,7 +42,7 @@ failure join_corners(const std::vector<stl_corner>& corners, listed_mesh& made) 
     }
     number[i] = number[first[i]];
     if (first[i] == i && c.z != 0) made.heights.push_back({number[i], c.line, c.z});
-    // Rounding is for put_in_order to judge, where it is of one vertex.
+    // Leaves heights of one vertex that differ by rounding to put_in_order.
     if (!(std::abs(c.z - corners[first[i]].z) <= rounding_of_heights * extent))
       return text_scanner(made.file, "")
           .failure(c.line,

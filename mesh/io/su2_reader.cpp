@@ -16,7 +16,7 @@ namespace {
 using failure = std::optional<error>;
 using words = std::vector<word>;
 
-// VTK's numbers of cells: so many corners, which are all of their nodes.
+// VTK's numbers of cells with their numbers of corners, which are all of their nodes.
 constexpr long long vertex_type = 1, line_type = 3, triangle_type = 5, quadrilateral_type = 9;
 
 class su2_reader {
@@ -105,7 +105,7 @@ failure su2_reader::read_entry(const std::string& key, const words& values, std:
     const bool is_known = key == "NMARK" || key == "IZONE";
     const bool is_number = !key.empty() && ((key[0] >= '0' && key[0] <= '9') || key[0] == '-' ||
                                             key[0] == '+' || key[0] == '.');
-    // Numbers after an entry that is passed over are its own.
+    // Skips numbers after an entry that is skipped, as they belong to it.
     if (key.empty() || (is_number && !passing_))
       return source_.failure(line, "a line KEY= wanted, not " + quoted_token(key));
     if (!is_number) passing_ = !is_known;
@@ -132,7 +132,8 @@ result<vertex_index> su2_reader::vertex(const word& w) {
   if (number.value() < 0 || number.value() > std::numeric_limits<vertex_index>::max() / 4)
     return source_.failure(w.line, "point " + quoted_token(w.text) + " does not exist");
   const auto v = static_cast<vertex_index>(number.value());
-  // Points may follow the elements; what lies beyond those read so far is checked at the end.
+  // Notes points beyond those read so far, to be checked at the end: points may follow the
+  // elements.
   if (v >= made_.content.sites.size()) uses_.push_back({v, w.line});
   return v;
 }
@@ -213,7 +214,7 @@ failure su2_reader::read_marker_elements(std::size_t count, marker_edges& to) {
   words line;
   for (std::size_t i = 0; i < count; ++i) {
     source_.next_line(line);
-    // Between the count and the elements of parallel markers is a line SEND_TO=.
+    // Skips the line SEND_TO= between the count and the elements of parallel markers.
     if (!line.empty() && line.front().text.starts_with("SEND_TO")) source_.next_line(line);
     if (line.empty()) return source_.failure(source_.line(), "the file ends within MARKER_ELEMS=");
     const auto type = to_integer(source_, line.front(), "type of an element");
@@ -230,7 +231,7 @@ failure su2_reader::read_marker_elements(std::size_t count, marker_edges& to) {
   return {};
 }
 
-// Numbers markers: those whose tag is a number by it, the others by the least number that is free.
+// Numbers the markers: a tag that is a number has that one, other tags the least free numbers.
 void su2_reader::number_markers() {
   std::set<int> used;
   std::vector<std::optional<int>> numbers;

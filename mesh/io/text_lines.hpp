@@ -31,8 +31,8 @@ void append_integer(std::string& text, Integer n) {
 inline constexpr std::size_t lines_of_a_part = 2048;
 
 // Calls take(part) with the text that line(i, text) appends, for i in [0, count), part by part in
-// order. Some parts are made at a time, so that little is held; by one thread only one, as each
-// takes memory that nothing was in before.
+// order. Makes a few parts at a time, so that little memory is held; with one thread one at a time,
+// as each part takes new memory.
 template <class Line, class Take>
 void make_lines(std::size_t count, const Line& line, const Take& take) {
   constexpr std::size_t chunk = lines_of_a_part, most_parts = 64;
@@ -48,7 +48,7 @@ void make_lines(std::size_t count, const Line& line, const Take& take) {
   }
 }
 
-// Appends those parts to a text.
+// Appends the text of all lines to a text.
 template <class Line>
 void append_lines(std::string& text, std::size_t count, const Line& line) {
   constexpr std::size_t beginning = 16384;  // lines
@@ -57,7 +57,7 @@ void append_lines(std::string& text, std::size_t count, const Line& line) {
   make_lines(count, line, [&](const std::string& part) {
     text += part;
     const std::size_t lines = ++parts * lines_of_a_part;
-    // Makes room for the rest, if it is like the beginning, and a little more.
+    // Reserves room for the rest, assuming that it is like the beginning, and a little more.
     if (lines == beginning && lines < count)
       text.reserve(before + static_cast<std::size_t>(
                                 1.1 * static_cast<double>(text.size() - before) *

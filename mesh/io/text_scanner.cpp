@@ -14,7 +14,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Returns a number in Fortran's spelling, 1.5D+00 or 1.5+100, with the exponent letter e. Returns
-// nothing where it is in neither spelling.
+// nothing for other spellings.
 std::string with_plain_exponent(std::string_view number) {
   constexpr std::string_view marks = "dD";
   std::string plain(number);
@@ -22,7 +22,8 @@ std::string with_plain_exponent(std::string_view number) {
     plain[at] = 'e';
     return at > 0 && (is_digit(number[at - 1]) || number[at - 1] == '.') ? plain : std::string();
   }
-  // Three digits leave no room for a letter, and a point is always there.
+  // Finds the exponent's sign: three digits leave no room for a letter, and a point is always
+  // there.
   const std::size_t at = number.find_last_of("+-");
   if (at == std::string_view::npos || at < 2 || number.size() - at != 4 || number.find('.') > at ||
       !is_digit(number[at + 1]))

@@ -18,7 +18,7 @@ namespace asterism::internal {
 // when it is missing, no regular file, or unreadable.
 result<std::string> read_text_file(const std::filesystem::path& path);
 
-// Returns the text with `?` for control characters: parts of files get into messages, and a
+// Returns the text with `?` for control characters: messages may contain parts of files, and a
 // terminal would obey them.
 std::string without_controls(std::string text);
 
@@ -43,15 +43,15 @@ class text_scanner {
   std::vector<word> next_line();
   // Returns the rest of the current line, without its end, and goes on with the next one.
   std::string_view rest_of_line();
-  // Returns so many bytes from here on; fewer where the text ends before.
+  // Returns this many bytes from the present place; fewer if the text ends before.
   std::string_view take_bytes(std::size_t count);
-  // Puts them in the place of `words`, which a file of many lines asks for once.
+  // Writes the words of the next line to `words`, whose memory is used again for each line.
   void next_line(std::vector<word>& words);
-  // Returns the comments passed so far, without their `#`.
+  // Returns the comments read so far, without their `#`.
   const std::vector<std::string_view>& comments() const { return comments_; }
 
   std::size_t line() const { return line_; }
-  // Bytes not yet read: no more records than that can follow.
+  // Returns the number of bytes not yet read: no more records than that can follow.
   std::size_t remaining() const { return text_.size() - position_; }
   const std::string& file() const { return file_; }
   // Returns the failure `file:line: what`.
@@ -73,7 +73,7 @@ class text_scanner {
 // Fortran's: 1.5D-3, 1.5d-3, and 1.5-103, which has no room for the letter.
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
-// Reads a marker or reference, which is kept as an int.
+// Reads a marker or reference, an int.
 result<int> to_marker(const text_scanner& source, const word& w, std::string_view meaning);
 // Reads a number of records to come: not negative, and no more than the rest of the file can hold
 // when each takes at least two bytes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads files. Apart from the scanner, so that a build without files can have texts in their place.
+// Reads files. Separate from the scanner, so that a build without files can replace it by texts.
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -13,7 +13,8 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
   std::error_code status;
   if (!std::filesystem::exists(path, status))
     return error{path.string() + ": no such file", error_code::unreadable_file};
-  // A directory opens like a file and only fails later, a pipe may never end.
+  // Accepts regular files only: a directory opens like a file and fails later, and a pipe may never
+  // end.
   if (!std::filesystem::is_regular_file(path, status))
     return error{path.string() + ": not a regular file", error_code::unreadable_file};
   std::ifstream in(path, std::ios::binary);
@@ -21,7 +22,7 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
     return error{path.string() + ": cannot be opened for reading", error_code::unreadable_file};
   std::string text;
   constexpr std::size_t part = 1 << 16;
-  // Sizes that systems tell of files are not asked for: some have more in them than they say.
+  // Reads until the end, since the size that a system states may be less than the contents.
   while (in) {
     const std::size_t before = text.size();
     text.resize(before + part);

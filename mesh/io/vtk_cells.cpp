@@ -16,7 +16,8 @@ using failure = std::optional<error>;
 constexpr int point_cell = 1, points_cell = 2, polyline_cell = 4, strip_cell = 6, polygon_cell = 7,
               pixel_cell = 8;
 
-// Cells of so many corners, which are the first of so many points; 0 points: of any number.
+// Cells by number: the number of corners, which are the first of its points, and the number of
+// points; 0 points mean any number.
 struct cell_kind {
   int type;
   std::size_t corners, points;
@@ -40,7 +41,7 @@ constexpr std::array<cell_kind, 13> kinds = {{{3, 2, 2},
 constexpr std::array<std::string_view, 12> names_of_regions = {
     "region",      "regions",   "gmsh:physical", "medit:ref", "Label",      "CellEntityIds",
     "GeometryIds", "cell_tags", "reference",     "material",  "MaterialID", "materialid"};
-// Whole numbers that are no region: counts and numbers of the cells themselves.
+// Names of whole numbers that are no regions: counts and numbers of the cells themselves.
 constexpr std::array<std::string_view, 7> other_names = {
     "disagreeing",      "vtkGhostType",     "vtkOriginalCellIds", "GlobalCellIds",
     "GlobalElementIds", "gmsh:geometrical", "vtkGhostLevels"};

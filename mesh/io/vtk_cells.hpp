@@ -5,9 +5,9 @@
 // Triangles (5), strips of them (6), pixels (8), quadrilaterals (9), polygons (7) of three or four
 // points and lines (3, 4) are read; those of higher order (21 to 23, 28, 34, 35, 68 to 70) by their
 // corners; points (1, 2) are passed over; other cells are refused. Regions and markers are the
-// values that one array of cell data has for them: the first of those that programs name so
-// (region, gmsh:physical, medit:ref and the like), else the only one of whole numbers, with a note.
-// Source: vtkCellType.h, as "VTK File Formats" has it.
+// values of one array of cell data: the first one with a name that programs use for them (such as
+// region, gmsh:physical, medit:ref), else the only one of whole numbers, with a note. Source:
+// vtkCellType.h, as "VTK File Formats" has it.
 #pragma once
 
 #include <cstddef>
@@ -33,9 +33,9 @@ class vtk_cells {
   explicit vtk_cells(listed_mesh& made) : made_(made) {}
 
   std::optional<error> add(const vtk_cell& cell);
-  // Numbers regions and markers: one number a cell, each a whole one.
+  // Regions and markers: one whole number for each cell.
   void set_numbers(const std::vector<double>& of_cells);
-  // Returns the cell of each triangle.
+  // Returns the index of each triangle's cell.
   const std::vector<std::size_t>& triangles() const { return triangles_; }
 
  private:
@@ -54,9 +54,9 @@ struct vtk_candidate {
   std::size_t line;
 };
 
-// Chooses the array of cell data that numbers the regions; none where there is none. What might be
-// one by its values alone is taken, with a note, where there is no doubt about it, and never
-// dropped.
+// Chooses the array of cell data that numbers the regions; none where there is none. An array that
+// fits only by its values is taken, with a note, if it is the only one; if there are several the
+// file is refused.
 result<std::optional<std::size_t>> choose_region_array(const std::vector<vtk_candidate>& arrays,
                                                        listed_mesh& m);
 

@@ -44,7 +44,7 @@ constexpr std::array<number_type, 13> number_types = {
      {"double", 8, number_kind::real}}};
 constexpr number_type whole_type = number_types[4];
 
-// Returns a number of the file's bytes, the most significant first.
+// Returns a number from the file's bytes, the most significant first.
 double number_of(std::string_view bytes, const number_type& type) {
   std::uint64_t word = 0;
   for (const char byte : bytes) word = word << 8U | static_cast<unsigned char>(byte);
@@ -75,11 +75,11 @@ class vtk_reader {
   listed_mesh take() { return std::move(made_); }
 
  private:
-  // Lists of points, one a cell.
+  // Lists of points, one for each cell.
   struct cell_lists {
     numbers ends, points;
   };
-  // An array of cell data with one number a cell.
+  // An array of cell data with one number for each cell.
   struct cell_array {
     std::string name;
     bool whole_numbers;
@@ -101,7 +101,7 @@ class vtk_reader {
                      std::size_t tuples);
   result<std::size_t> count(std::string_view what);
   result<number_type> type();
-  // Reads so many numbers; where they are not wanted, they need not be any.
+  // Reads this many numbers; where they are not used, they may be other words.
   result<numbers> values(std::size_t count, const number_type& type, bool wanted);
   failure add_cells();
   failure add_list(const cell_lists& lists, const numbers* types, int type, std::size_t& cell);
@@ -123,7 +123,7 @@ failure vtk_reader::read() {
   if (auto failed = read_header()) return failed;
   std::string upper;
   for (word head = source_.next(); !head.empty(); head = source_.next()) {
-    // Keywords are in any case: FreeFEM has Scalars.
+    // Accepts keywords in any case: FreeFEM writes Scalars.
     upper = in_capitals(head.text);
     if (auto failed = read_entry({upper, head.line})) return failed;
   }
@@ -177,8 +177,8 @@ failure vtk_reader::read_entry(const word& head) {
   return read_attribute(head);
 }
 
-// Counts of bytes may be more than a text has room for; what is allocated for them is bounded by
-// values().
+// Reads counts of bytes, which may exceed the length of a text; values() bounds the memory
+// allocated for them.
 result<std::size_t> vtk_reader::count(std::string_view what) {
   constexpr long long most = 1'000'000'000'000'000;
   const word w = source_.next();
@@ -251,7 +251,8 @@ failure vtk_reader::read_points() {
   return {};
 }
 
-// Until version 5 each list begins with its length; from then on all ends of lists come first.
+// Reads lists of points. Until version 5 each list begins with its length; from then on all ends of
+// lists come first.
 result<vtk_reader::cell_lists> vtk_reader::read_lists(const word& head) {
   const auto first = count("number of cells"), second = count("size of the list of cells");
   if (!first) return first.failure();
@@ -360,7 +361,7 @@ failure vtk_reader::read_attribute(const word& head) {
   const auto of = type();
   if (!of) return of.failure();
   if (head.text == "SCALARS") {
-    // The width and the table of colours may be left out.
+    // Accepts that the width and the table of colours are left out.
     components = 1;
     word next = text_scanner(source_).next();
     if (next.line == head.line && in_capitals(next.text) != "LOOKUP_TABLE" && !next.empty()) {
@@ -426,7 +427,8 @@ failure vtk_reader::add_list(const cell_lists& lists, const numbers* of_types, i
   return {};
 }
 
-// Polygons are numbered after the vertices and lines, in whatever order the file has them.
+// Adds the cells. Polygons are numbered after the vertices and lines, in whatever order the file
+// has them.
 failure vtk_reader::add_cells() {
   if (types_line_ == 0) types_line_ = source_.line();
   std::size_t cells = 0;

@@ -29,13 +29,13 @@ constexpr std::string_view type_name() {
   if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
 }
 
-// Collects the tags, and how the bytes are made that they lead to, which come after all of them.
+// Collects the tags, and the functions that make their bytes, which come after all tags.
 class vtu_writer {
  public:
   void add(std::string_view text) { tags_ += text; }
 
-  // Adds an array of so many numbers, number(i) each: its tag has the place, among the bytes, of
-  // the count before its numbers. What `number` refers to must live until the file is written.
+  // Adds an array of `count` numbers, number(i) each: its tag has the offset of the count that
+  // precedes its numbers. Data that `number` refers to must live until the file is written.
   template <class Number, class Make>
   void add_array(std::string_view name, int components, std::size_t count, const Make& number,
                  std::string_view more = {}) {
@@ -83,7 +83,7 @@ std::vector<std::int32_t> star_sizes(const mesh& m) {
   return sizes;
 }
 
-// The triangles, and after them the disagreeing ones.
+// Adds the triangles, and after them the disagreeing ones.
 struct mesh_cells {
   const mesh& m;
   std::size_t size() const { return m.triangles.size() + m.disagreeing.size(); }
@@ -93,8 +93,8 @@ struct mesh_cells {
   }
 };
 
-// Adds the subsegments beside the cells, as cells of lines would be in the way of what has a value
-// for each triangle: two points, the marker, and the segment.
+// Adds the subsegments as field data, since cells of lines would need a value in all data of
+// triangles: two points, the marker, and the segment.
 void add_boundary(vtu_writer& out, const mesh& m) {
   if (m.boundary.empty()) return;
   constexpr std::size_t each = 4;
@@ -119,7 +119,7 @@ void add_points(vtu_writer& out, const mesh& m) {
   out.add("</Points>\n");
 }
 
-// Vectors get a third component of 0; tensors have their three numbers, as the metric.
+// Gives vectors a third component of 0; tensors have three numbers, like the metric.
 void add_field(vtu_writer& out, const solution_field& field, std::size_t vertices) {
   const std::size_t c = components_of(field.kind), width = c == 1 ? 1 : 3;
   out.add_array<double>(escaped_markup(field.name), static_cast<int>(width), width * vertices,

@@ -23,11 +23,11 @@ namespace asterism::internal {
 struct vtu_contents {
   bool with_metric = true;
   const solution* fields = nullptr;  // point data; none, or not owned
-  // Nodes of second-order triangles; none, or not owned, and the mesh is its content.
+  // Nodes of second-order triangles; null for straight sides. Not owned; the mesh is its content.
   const side_node_mesh* nodes = nullptr;
 };
 
-// Gives the contents of the file to the sink; the first line is in the first piece.
+// Gives the contents of the file to the sink; the first piece contains the first line.
 void write_vtu(const mesh& m, const vtu_contents& values, const byte_sink& put);
 
 }  // namespace asterism::internal

@@ -56,7 +56,7 @@ failure_or_none vtu_file::read_encoding(const xml_tag& tag) {
   return {};
 }
 
-// Reads how many there are: no more than 32-bit numbers can name, so that no product with it wraps.
+// Reads a count of at most 32 bits, so that no product with it wraps.
 result<std::size_t> vtu_file::count_of(const xml_tag& tag, std::string_view attribute) const {
   constexpr std::size_t most = std::size_t{1} << 30;
   const auto count = whole_number(tag[attribute]);
@@ -166,9 +166,9 @@ result<std::string_view> vtu_file::appended_at(const vtu_array& a) const {
   return appended_.substr(offset.value());
 }
 
-// Counts the bytes of arrays, of which a file has not more than it can hold: where several arrays
-// are at one place, memory would not be in proportion to the file. Deflate makes 258 bytes of two
-// bits at most, so 1032 of one byte.
+// Counts the bytes of arrays, and limits them by the size of the file: if several arrays claim one
+// place, memory would not be proportional to the file. Deflate makes 258 bytes of two bits at most,
+// so 1032 of one byte.
 failure_or_none vtu_file::account_for(const vtu_array& a, std::size_t count) {
   constexpr std::size_t most_expansion = 1032;
   const std::size_t can_hold = file_bytes_ * (how_.zlib ? most_expansion : 1);

@@ -16,7 +16,7 @@
 
 namespace asterism::internal {
 
-// An array of the file: what it is part of, and where its numbers are.
+// An array of the file: its section, its form, and the place of its numbers.
 struct vtu_array {
   xml_tag tag;
   std::string_view section;  // Points, PointData, Cells, CellData or FieldData
@@ -30,21 +30,21 @@ struct vtu_array {
 // they are.
 class vtu_file {
  public:
-  // Fails, naming the line, for what is no such file.
+  // Reads the tags of a text. Fails, naming the line, if it is no such file.
   static result<vtu_file> open(std::string_view text, const std::string& file);
 
   std::size_t points() const { return points_; }
   std::size_t cells() const { return cells_; }
   std::size_t piece_line() const { return piece_line_; }
-  // All arrays, in the order of the file.
+  // Returns all arrays, in the order of the file.
   const std::vector<vtu_array>& arrays() const { return arrays_; }
   // Returns the first array of a section, of this name if it is not empty; null if there is none.
   const vtu_array* find(std::string_view section, std::string_view name = {}) const;
 
-  // Returns how many numbers each point or cell has, 1 to 9.
+  // Returns the number of values of each point or cell, 1 to 9.
   result<std::size_t> components(const vtu_array& a) const;
-  // Returns the numbers. Fails where the array does not have so many, or where the arrays asked for
-  // so far are more than the file can hold: several may claim one place.
+  // Returns the numbers. Fails if the array has another number of them, or if the arrays decoded so
+  // far exceed the size of the file: several may claim one place.
   result<std::vector<double>> numbers(const vtu_array& a, std::size_t count);
 
   error failure(std::size_t line, const std::string& what) const {

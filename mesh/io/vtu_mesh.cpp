@@ -128,8 +128,8 @@ failure vtu_mesh_reader::read_cells() {
   return {};
 }
 
-// Chooses the array of cell data that numbers the regions. What might be one by its values alone is
-// taken where there is no doubt about it, and never dropped.
+// Chooses the array of cell data that numbers the regions, as vtk_cells.hpp
+// describes.
 failure vtu_mesh_reader::choose_regions() {
   std::vector<const vtu_array*> arrays;
   std::vector<vtk_candidate> candidates;
@@ -157,7 +157,7 @@ failure vtu_mesh_reader::read_regions() {
   return {};
 }
 
-// Takes the cells away that a run which was not complete wrote beside its triangles.
+// Removes the cells that an incomplete run wrote in addition to its triangles.
 failure vtu_mesh_reader::read_disagreeing() {
   const vtu_array* const a = from_.find("CellData", "disagreeing");
   if (a == nullptr) return {};
@@ -179,7 +179,7 @@ failure vtu_mesh_reader::read_disagreeing() {
   return {};
 }
 
-// Reads the subsegments of a file of ours: two points, the marker, and the segment from 0.
+// Reads the subsegments of a file of this library: two points, the marker, and the segment from 0.
 failure vtu_mesh_reader::read_boundary() {
   const vtu_array* const a = from_.find("FieldData", "boundary");
   if (a == nullptr || a->tag["NumberOfComponents"] != "4" || !holds_integers(*a)) return {};
@@ -226,7 +226,7 @@ failure vtu_mesh_reader::read_metric() {
   return {};
 }
 
-// Counts the vertices of the domain, where these are the first ones.
+// Counts the vertices of the domain, if these are the first ones.
 failure vtu_mesh_reader::read_given() {
   const vtu_array* const a = from_.find("PointData", "given");
   if (a == nullptr || !holds_integers(*a)) return {};

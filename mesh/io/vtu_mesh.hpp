@@ -2,9 +2,9 @@
 //
 // Reads a plane mesh from a VTK unstructured grid (.vtu).
 //
-// Which cells are triangles, quadrilaterals and segments, and which array numbers the regions and
-// markers, vtk_cells.hpp says. A file of ours has its boundary in the field data "boundary", and
-// its metric in the point data "metric".
+// vtk_cells.hpp defines which cells are triangles, quadrilaterals and segments, and which array
+// numbers the regions and markers. A file of this library has its boundary in the field data
+// "boundary", and its metric in the point data "metric".
 #pragma once
 
 #include <string>

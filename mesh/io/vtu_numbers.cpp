@@ -26,7 +26,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 10> array_types =
                                                                                    {"Int8", 1},
                                                                                    {"UInt8", 1}}};
 
-// Returns 0 to 63, or none.
+// Returns the value of a base64 digit, 0 to 63, or none.
 std::optional<std::uint32_t> sextet_of(char c) {
   if (c >= 'A' && c <= 'Z') return static_cast<std::uint32_t>(c - 'A');
   if (c >= 'a' && c <= 'z') return static_cast<std::uint32_t>(c - 'a' + 26);
@@ -94,7 +94,7 @@ struct block_sizes {
   std::vector<std::size_t> whole, compressed;
 };
 
-// Returns the bytes that the text begins with, `most` of them or all there are.
+// Returns the first bytes that the text encodes, at most `most`.
 std::string first_bytes(std::string_view text, std::size_t most, bool raw) {
   if (raw) return std::string(text.substr(0, most));
   std::string bytes = decode_base64(text, most);
@@ -102,7 +102,8 @@ std::string first_bytes(std::string_view text, std::size_t most, bool raw) {
   return bytes;
 }
 
-// Reads a header of blocks which together have `total` bytes, and no more than the text may hold.
+// Reads the header of blocks with `total` bytes together, and no more blocks than the text may
+// hold.
 result<block_sizes> read_block_sizes(std::string_view text, std::size_t total,
                                      const vtu_encoding& how, bool raw) {
   const std::size_t word = how.wide_header ? 8 : 4;
@@ -111,7 +112,7 @@ result<block_sizes> read_block_sizes(std::string_view text, std::size_t total,
   const std::uint64_t count = word_at(three, 0, word, how.big_endian);
   const std::uint64_t block = word_at(three, word, word, how.big_endian);
   const std::uint64_t last = word_at(three, 2 * word, word, how.big_endian);
-  // Blocks of no bytes, or none, hold nothing.
+  // Checks the case of no blocks, or of blocks without bytes: they hold nothing.
   const bool fits = block == 0 ? count == 0 && total == 0
                                : count == total / block + (total % block != 0 ? 1 : 0) &&
                                      (count == 0 || last == total % block);
@@ -133,7 +134,7 @@ result<block_sizes> read_block_sizes(std::string_view text, std::size_t total,
   return sizes;
 }
 
-// Returns the `total` bytes that compressed blocks stand for.
+// Returns the `total` bytes of compressed blocks.
 result<std::string> inflated(std::string_view text, std::size_t total, const vtu_encoding& how,
                              bool raw) {
   const auto sizes = read_block_sizes(text, total, how, raw);

@@ -14,17 +14,17 @@
 
 namespace asterism::internal {
 
-// How a file writes bytes.
+// Encoding of bytes in a file.
 struct vtu_encoding {
   bool big_endian = false;
   bool wide_header = false;  // counts of bytes have 64 bits, else 32
   bool zlib = false;         // the bytes are in blocks, each compressed
 };
 
-// Returns the bytes of one type of number; none for a type that is not known.
+// Returns the number of bytes of a type of number; none for an unknown type.
 std::optional<std::size_t> vtu_bytes_of(std::string_view type);
 
-// Returns what base64 text stands for, blanks left out; stops at the first other character. Padding
+// Returns the bytes of a base64 text, blanks ignored; stops at the first other character. Padding
 // may occur where one block ends and another begins.
 std::string decode_base64(std::string_view text, std::size_t most_bytes);
 

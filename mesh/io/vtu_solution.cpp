@@ -18,7 +18,7 @@ namespace {
 
 using failure = std::optional<error>;
 
-// The points of the file may have been written in single precision.
+// Compares points to single precision, in which the file may have been written.
 failure check_points(vtu_file& from, const mesh& m, const std::vector<vertex_index>& left_out) {
   const vtu_array* const points = from.find("Points");
   if (points == nullptr) return {};
@@ -48,8 +48,8 @@ failure check_points(vtu_file& from, const mesh& m, const std::vector<vertex_ind
   return {};
 }
 
-// Adds a symmetric tensor of the plane, as its nine entries by rows. Another one, and the metric,
-// is no field of a solution.
+// Adds a symmetric tensor of the plane, given as nine entries by rows. Skips other tensors, and the
+// metric.
 failure add_tensor(vtu_file& from, const vtu_array& a, solution& made) {
   constexpr std::size_t width = 9;
   const auto found = from.numbers(a, width * made.vertices);
@@ -70,7 +70,7 @@ failure add_tensor(vtu_file& from, const vtu_array& a, solution& made) {
   return {};
 }
 
-// Integers, and vectors out of the plane, are no fields of a solution.
+// Skips integers, and vectors out of the plane: they are no fields of a solution.
 failure add_field(vtu_file& from, const vtu_array& a, solution& made) {
   if (!a.tag["type"].starts_with("Float")) return {};
   const auto width = from.components(a);

@@ -11,8 +11,8 @@
 namespace asterism::internal {
 namespace {
 
-// References below it have place holders too, so that none is taken for one, and stay what they
-// are.
+// Least reference that is kept: smaller ones get place holders too, so that none is taken for
+// one.
 constexpr int first_reference = std::numeric_limits<int>::min() / 2;
 
 void replace_keys(std::map<int, std::string>& names, const std::map<int, int>& by) {

@@ -15,8 +15,8 @@
 
 namespace asterism::internal {
 
-// References of one file. Which number stands for a wide one is known when all have been read: the
-// least positive one that the file does not have.
+// References of one file. The number that replaces a wide one is chosen when all have been read:
+// the least positive one that the file does not have.
 class wide_references {
  public:
   // Returns the reference, or a place holder that settle() replaces.

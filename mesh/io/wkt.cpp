@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Well-known text (OGC 06-103r4, section 7): POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTIONs of
-// these, one or several a file, with or without "SRID=4326;" before and Z, M or ZM after the name.
+// Reads well-known text (OGC 06-103r4, section 7): POLYGON, MULTIPOLYGON and GEOMETRYCOLLECTIONs of
+// these, one or several in a file, with or without "SRID=4326;" before and Z, M or ZM after the
+// name.
 #include "asterism/mesh/io/wkt.hpp"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-// The name of a geometry without the Z, M or ZM that some write at its end.
+// Returns the name of a geometry without a Z, M or ZM at its end.
 std::string plain_kind(std::string kind) {
   for (const std::string_view more : {"zm", "z", "m"})
     if (kind.ends_with(more)) {
@@ -81,7 +82,7 @@ class wkt_reader {
   int depth_ = 0;
 };
 
-// Takes the word for a geometry, polygon or ring without anything in it.
+// Takes the word EMPTY for a geometry, polygon or ring without contents.
 bool wkt_reader::take_empty() {
   if (lower(token_.text) != "empty") return false;
   made.empty.add([&] { return "on line " + std::to_string(token_.line); });
@@ -89,7 +90,7 @@ bool wkt_reader::take_empty() {
   return true;
 }
 
-// Reads "( one, one, one )".
+// Reads a list "( one, one, one )".
 failure wkt_reader::read_list(reader one) {
   if (!take("(")) return wanted("'('");
   do {
@@ -136,7 +137,7 @@ failure wkt_reader::read_geometry() {
   return failed;
 }
 
-// Passes over brackets and what is between them.
+// Skips brackets and everything between them.
 failure wkt_reader::pass_over(const std::string& kind) {
   if (token_.text != "(") return wanted("'(' after " + kind);
   std::size_t open = 0;

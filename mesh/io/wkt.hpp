@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads polygons of well-known text (WKT). What is read, passed over and refused is as in
+// Reads polygons of well-known text (WKT). Rules are those of
 // mesh/io/geojson.hpp.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what is written of a mesh.
+// Holds the options of writing a mesh.
 #pragma once
 
 #include <string>
@@ -21,24 +21,24 @@ struct write_options {
   picture_options picture;    // for .svg, .png and .pdf
   report_facts report = {};   // for .html
   physical_names names = {};  // for .msh, .su2 and .14
-  // A sentence about the mesh for whoever opens the file: a comment in .mesh, .vtu and .svg.
+  // Sentence about the mesh, written as a comment in .mesh, .vtu and .svg.
   std::string note = {};
   // Given vertices, ascending, that are no corners though the boundary turns there: they divide a
-  // curve. For .mesh and .meshb, which list corners and what must stay.
+  // curve. For .mesh and .meshb, which list corners and required vertices.
   std::vector<vertex_index> smooth = {};
-  // False for a mesh whose metric says nothing, and is left out, as is what is measured by it.
+  // False for a mesh without a meaningful metric, which is left out with all measures by it.
   bool with_metric = true;
   // Fields on the mesh: node data of .msh and .vtu; in NAME.sol beside a .mesh, where there is no
   // metric, and else in NAME.fields.sol. Other formats have no place for them. Not owned.
   const solution* fields = nullptr;
-  // 2: triangles of second order, for .msh, .msh2 and .vtu; other formats have straight sides
-  // alone. What is at the vertices is at the nodes of sides, too: the mean of what is at their
+  // Order of triangles: 2 for second order, in .msh, .msh2 and .vtu; other formats have
+  // straight sides. Values at vertices get values at the nodes of sides: the mean of both
   // ends.
   int order = 1;
   // Nodes of the sides that are not straight, ascending by their ends (pipeline/curved_sides.hpp
   // makes them, and proves that no triangle folds).
   std::vector<side_node> curved = {};
-  // Edges of these markers are parted: files of meshes have the vertices of both their sides.
+  // Markers of cracks: files of meshes have the vertices of both sides of their edges.
   crack_markers cracks = {};
 };
 

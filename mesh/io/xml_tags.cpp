@@ -64,7 +64,7 @@ result<xml_tag> xml_scanner::next() {
   }
 }
 
-// Reads `/name`, or `name attribute="value" ...` with a slash at the end or none.
+// Reads `/name`, or `name attribute="value" ...` with or without a slash at the end.
 result<xml_tag> xml_scanner::parse(std::string_view inside) const {
   xml_tag tag;
   tag.line = line_;

@@ -25,17 +25,17 @@ struct xml_tag {
   std::string_view operator[](std::string_view attribute) const;
 };
 
-// The text must outlive the scanner and its tags.
+// Splits a text, which must outlive the scanner and its tags.
 class xml_scanner {
  public:
   xml_scanner(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
 
   // Returns the next tag; one without a name at the end of the text. Fails, naming the line, for a
-  // tag that does not end or is none.
+  // tag that does not end or is malformed.
   result<xml_tag> next();
-  // Returns the text from here to the next tag.
+  // Returns the text from the present place to the next tag.
   std::string_view content() const;
-  // Returns the text from here on.
+  // Returns the text from the present place on.
   std::string_view rest() const { return text_.substr(position_); }
   std::size_t line() const { return line_; }
   error failure(std::size_t line, const std::string& what) const;

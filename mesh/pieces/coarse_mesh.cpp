@@ -16,10 +16,11 @@
 namespace asterism::internal {
 namespace {
 
-// Triangles of the coarse mesh for each piece, and the least number of wanted triangles in one of
-// them: edges of the cut are then at least about four of the mesh's (docs/results/pieces.md).
+// Number of triangles of the coarse mesh for each piece, the least number of wanted triangles in
+// one of them, and the least for a piece: edges of the cut are then at least about four of the
+// mesh's (docs/results/pieces.md).
 constexpr double coarse_for_piece = 100, least_in_coarse = 16, fewest_for_piece = 6;
-// Triangles in a unit of metric area: what meshes have, of equilateral ones there are 2.31.
+// Number of triangles in a unit of metric area, as in meshes made; of equilateral ones it is 2.31.
 constexpr double triangles_for_area = 2.4;
 
 result<int> halvings_for(double triangles, const cut_wishes& wishes) {

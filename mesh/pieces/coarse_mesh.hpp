@@ -11,9 +11,9 @@
 
 namespace asterism::internal {
 
-// Returns a mesh of the domain, in the metric, whose triangles are larger than those wanted by a
-// power of two: about a hundred a piece where that many are wanted, else fewer. It is proved to be
-// a triangulation of the domain; whether its stars agree is of no importance. Fails as cut_domain
+// Returns a mesh of the domain, in the metric, whose triangles are larger than those wanted
+// by a power of two: about a hundred a piece if the mesh has that many, else fewer. It is
+// proved to be a triangulation of the domain; its stars need not agree. Fails as cut_domain
 // does.
 result<mesh> make_coarse_mesh(const domain& d, const metric_field& field, const cut_wishes& wishes);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what is wished of a cut of a domain into pieces, and how these are numbered.
+// Holds the options of a cut of a domain into pieces, and the numbers of these.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace asterism::internal {
 using piece_index = std::uint32_t;  // from 0
 inline constexpr piece_index no_piece = std::numeric_limits<piece_index>::max();
 
-// Wishes for a cut.
+// Options of a cut.
 struct cut_wishes {
   std::size_t pieces = 1;
   double angle_bound = 20;  // degrees: of the corners that cuts make, as their ends measure

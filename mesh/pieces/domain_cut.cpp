@@ -54,7 +54,7 @@ class cutting {
     return t == left_of_.end() || mesh_.regions.empty() ? 1 : mesh_.regions[t->second];
   }
 
-  // Notes which edges are parts of segments, and which follows which along each.
+  // Records which edges are parts of segments, and the order of these along each segment.
   void note_segments() {
     next_.resize(domain_.segments.size());
     for (const boundary_edge& e : mesh_.boundary) {
@@ -79,7 +79,7 @@ class cutting {
     return cuts;
   }
 
-  // Gives numbers to the vertices of the coarse mesh that cuts end at, after those given.
+  // Numbers the vertices of the coarse mesh at which cuts end, after the given vertices.
   void number_ends(const std::vector<cut_edge>& cuts) {
     for (vertex_index v = 0; v < cut_.given; ++v) number_[v] = v;
     std::vector<vertex_index> at;
@@ -94,8 +94,8 @@ class cutting {
     }
   }
 
-  // Adds the parts of a segment between its ends and the ends of cuts on it. Between two of these
-  // no cut begins, so that the same pieces are beside it all along.
+  // Adds the parts of a segment between its ends and the ends of cuts on it. No cut begins between
+  // two of these, so that each part has the same pieces beside it throughout.
   void add_parts(vertex_index s) {
     const segment& whole = domain_.segments[s];
     for (vertex_index from = whole.a, at = from; at != whole.b;) {

@@ -5,8 +5,8 @@
 // A star does not see across a segment. So where a domain is cut along segments, each piece can be
 // meshed and certified by itself, and the meshes together are one of the whole domain if they meet
 // bit for bit (docs/math/pieces.md). The cuts are edges of a coarse mesh of the domain, in the
-// metric itself: they end in corners that the metric sees as wide as angles of that mesh are, and
-// go round what is narrow. Pieces have about the same area as the metric measures it.
+// metric itself: they end in corners that are in the metric as wide as angles of that mesh, and go
+// around narrow places. Pieces have about the same metric area.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace asterism::internal {
 inline constexpr vertex_index no_segment = std::numeric_limits<vertex_index>::max();
 
 // An edge of the cut domain: a part of a segment of the domain, or a cut. `left` is the piece on
-// the left of a -> b, `right` the one on the right, if the domain is there.
+// the left of a -> b, `right` the one on the right, if the domain is on that side.
 struct cut_edge {
   vertex_index a = 0, b = 0;  // into domain_cut::vertices
   int marker = 0;
@@ -33,7 +33,7 @@ struct cut_edge {
   piece_index left = no_piece, right = no_piece;
 
   bool is_cut() const { return segment == no_segment; }
-  // True if two pieces meet there.
+  // True if two pieces meet in the edge.
   bool is_seam() const { return left != right && left != no_piece && right != no_piece; }
 };
 
@@ -44,14 +44,14 @@ struct domain_cut {
   std::vector<point> vertices;
   // The parts of the domain's segments, in the order of these and along each; then the cuts.
   std::vector<cut_edge> edges;
-  // By given vertex: the piece that one on no edge is in; else none.
+  // Piece of each given vertex that is on no edge; none for the others.
   std::vector<piece_index> piece_of_loose;
   int marker = 0;  // of cuts: greater than all of the domain's
 };
 
-// Cuts a domain, accepted by check_domain, into so many pieces. Of curves the chords are cut. Fails
-// where the field does, where there would be less than about six triangles a piece, and where the
-// coarse mesh is no triangulation of the domain or was stopped. The same for any number of threads.
+// Cuts a domain, accepted by check_domain, into so many pieces. Cuts curves along their chords.
+// Fails where the field does, for less than about six triangles a piece, and if the coarse mesh is
+// no triangulation of the domain or was stopped. The same for any number of threads.
 result<domain_cut> cut_domain(const domain& d, const metric_field& field, const cut_wishes& wishes);
 
 // Returns the cut along the edges of a mesh of the domain, between triangles of different pieces.

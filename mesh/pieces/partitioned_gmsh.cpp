@@ -19,8 +19,8 @@ namespace asterism::internal {
 namespace {
 
 using place = std::pair<double, double>;
-// A part of a curve: its marker, the pieces on both sides, the least first; none where there is
-// one.
+// A part of a curve: its marker, and the pieces on its sides, the lesser one first; none for a
+// missing one.
 using part_of_curve = std::tuple<int, piece_index, piece_index>;
 using part_of_surface = std::pair<int, piece_index>;  // a region, and the piece
 
@@ -40,8 +40,8 @@ std::string line_of(Integers... numbers) {
   return text;
 }
 
-// Tags of the vertices that several pieces have; 0 before one is given. A seam's ends are among
-// them, and are of all pieces around.
+// Returns the vertices that several pieces have, for their tags; 0 before a tag is given. The ends
+// of a seam are among them, for all pieces around.
 std::map<place, std::size_t> shared_vertices(const pieces_index& index) {
   std::map<place, std::size_t> shared;
   for (std::size_t e = 0; e < index.cut.edges.size(); ++e) {
@@ -54,7 +54,7 @@ std::map<place, std::size_t> shared_vertices(const pieces_index& index) {
   return shared;
 }
 
-// Counts the vertices and elements that a piece writes, each by its entity.
+// Counts the vertices and elements that a piece writes, by entity.
 struct piece_counts {
   std::size_t first_vertex = 1, vertices = 0;  // tags that it gives
   std::map<part_of_curve, std::size_t> lines;
@@ -125,7 +125,7 @@ class partitioned_writer {
     return std::nullopt;
   }
 
-  // The box of the domain's vertices, of each entity: readers of meshes do not look at it.
+  // Returns the box of the domain's vertices, for each entity: readers of meshes ignore it.
   std::string box() const {
     const bounding_box all = index_.original.box();
     std::string text;
@@ -168,7 +168,7 @@ class partitioned_writer {
     put_("$EndPartitionedEntities\n");
   }
 
-  // The edges of the cut that the piece's segments are, in their order.
+  // Returns the edges of the cut for the piece's segments, in their order.
   std::vector<std::size_t> edges_of(piece_index p) const {
     std::vector<std::size_t> edges;
     for (std::size_t e = 0; e < index_.cut.edges.size(); ++e)
@@ -190,7 +190,7 @@ class partitioned_writer {
     return {region_of(m, t), p};
   }
 
-  // Counts the piece's elements too, which come after all nodes.
+  // Counts the piece's elements as well, which come after all nodes.
   void write_nodes(piece_index p, const mesh& m) {
     piece_counts& own = counts_.emplace_back();
     own.first_vertex = next_vertex_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The curves of a domain as one piece of it has them.
+// Finds the parts of a domain's curves in one of its pieces.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@
 namespace asterism::internal {
 
 // Returns the parts of the domain's curves along chords in a row that are the piece's, in the
-// numbers of the cut's vertices. A chord that a cut ends on, inside it, and one that is a seam stay
-// straight in both pieces. The control points of a part of a cubic are computed and rounded; arcs
-// keep their centre.
+// numbers of the cut's vertices. A chord with the end of a cut inside it, and one that is a seam,
+// stay straight in both pieces. The control points of a part of a cubic are computed and rounded;
+// arcs keep their centre.
 std::vector<domain_curve> curves_of_piece(const domain& d, const domain_cut& cut,
                                           piece_index piece);
 

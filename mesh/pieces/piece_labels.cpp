@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t no_triangle = std::numeric_limits<std::size_t>::max();
 
-// The triangle across each side of a triangle, if there is one, and the length of that side as a
-// cut: none along segments, where two pieces may meet for nothing.
+// Neighbour across each side of a triangle, if there is one, and the length of that side as a cut:
+// 0 along segments, where two pieces may meet at no cost.
 struct neighbours {
   std::array<std::size_t, 3> across{no_triangle, no_triangle, no_triangle};
   std::array<double, 3> length{};
@@ -48,7 +48,7 @@ std::vector<neighbours> neighbours_of(const mesh& m) {
   return all;
 }
 
-// Returns the area of a triangle as the field measures it, sampled in the middles of 16 parts.
+// Returns the metric area of a triangle, sampled in the middles of 16 parts.
 result<double> area_in(const metric_field& field, const point& a, const point& b, const point& c) {
   constexpr int parts = 4;
   double sum = 0;
@@ -85,7 +85,7 @@ class labelling {
   }
 
  private:
-  // Unit vectors at multiples of 22.5 degrees, to six digits: any will do.
+  // Unit vectors at multiples of 22.5 degrees, to six digits, which is enough.
   static constexpr std::array<point, 8> directions = {{{1, 0},
                                                        {0.923880, 0.382683},
                                                        {0.707107, 0.707107},
@@ -200,8 +200,8 @@ class labelling {
     return std::accumulate(area.begin(), area.end(), 0.0);
   }
 
-  // Returns the piece that most of the triangle's sides are towards, by length; its own unless
-  // another has clearly more.
+  // Returns the piece beyond most of the triangle's sides, by length; its own unless another has
+  // clearly more.
   piece_index better_piece(std::size_t t) const {
     constexpr double clearly = 1 + 1e-9;
     std::array<std::pair<piece_index, double>, 3> to{};

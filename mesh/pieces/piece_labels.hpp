@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shares the triangles of a coarse mesh out among pieces.
+// Assigns the triangles of a coarse mesh to pieces.
 #pragma once
 
 #include <vector>

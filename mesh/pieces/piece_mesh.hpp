@@ -11,10 +11,10 @@
 
 namespace asterism::internal {
 
-// Makes the mesh of a piece in the metric wanted, and audits it. Seams are divided as prescribed,
-// and further where the piece takes that. The metric is not changed: one that is delivered in place
-// of the one wanted would be another in each piece. Requires a size; the options are otherwise
-// those of make_certified_mesh, and so are the failures.
+// Makes the mesh of a piece in the metric wanted, and audits it. Divides seams as prescribed, and
+// further where the piece needs it. The metric is not changed: a delivered metric would differ
+// between pieces. Requires a size; the options are otherwise those of make_certified_mesh, and so
+// are the failures.
 result<certified_mesh> make_piece_mesh(const piece_shape& piece, const metric_field& field,
                                        const mesh_options& options,
                                        const progress_listener& progress = {});

@@ -11,7 +11,7 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the edge as a segment of the piece, which is on its left.
+// Returns the edge as a segment of the piece, with the piece on its left.
 segment segment_of(const cut_edge& e, piece_index piece) {
   segment s{e.a, e.b, e.marker, false, e.left_region, 1};
   if (e.left == piece && e.right == piece) {

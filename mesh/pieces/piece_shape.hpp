@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The domain of one piece, with the divisions of its seams.
+// Defines the domain of one piece, with the divisions of its seams.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 
 namespace asterism::internal {
 
-// By edge of a cut: the points that divide it, in its direction, ends left out. Empty but on seams.
+// Points that divide each edge of a cut, in its direction, ends left out. Empty except on seams.
 using seam_points = std::vector<std::vector<point>>;
 
 // A piece of a cut domain.
 struct piece_shape {
-  // As check_domain leaves domains: oriented, with sides and regions.
+  // Domain of the piece, as check_domain leaves domains: oriented, with sides and regions.
   domain shape;
   std::vector<std::size_t> edge_of;  // by segment of the shape: the edge of the cut
   prescribed_divisions divisions;    // by segment; of seams alone

@@ -121,7 +121,7 @@ json index_json(const pieces_index& index) {
       {"pieces", std::move(pieces)}};
 }
 
-// Thrown by the readers below, inside parse_index and parse_rounds alone.
+// Exception of the readers below, which parse_index and parse_rounds catch.
 struct malformed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -316,7 +316,7 @@ result<pieces_index> parse_index(const std::string& text, const std::string& nam
   try {
     const json root = json::parse(text);
     pieces_index index = index_of(root);
-    // Whatever is not read back as it was written is not what it should be.
+    // Compares the index read with its text: a difference means an invalid text.
     const json written = with_digest(index_json(index));
     if (root.value("digest", std::string()) != written.at("digest").get<std::string>())
       return error{name + ": it was edited: it is not what its digest was made of"};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// States what the pieces of a mesh are pieces of, beside them.
+// States the whole that the pieces of a mesh belong to, in a file beside them.
 //
-// As a file: JSON, UTF-8, the same bytes for the same question, however the work was shared out.
+// The file is JSON, UTF-8, with the same bytes for the same question, however the work was shared.
 // Pieces, vertices and edges are counted from 1 there, and 0 is none. It ends with a digest of
 // itself, which tells files apart and protects against no forger; verify_pieces.hpp says what is
 // proved.
@@ -24,7 +24,7 @@
 
 namespace asterism::internal {
 
-// What the index says of one piece.
+// Entry of the index for one piece.
 struct piece_entry {
   std::string mesh, certificate;  // files, beside the index
   std::uint64_t fingerprint = 0;  // of the mesh (audit/certificate.hpp)
@@ -35,7 +35,7 @@ struct piece_entry {
   std::string reason;        // how its run ended
 };
 
-// Of a seam: its digest in the pieces on both sides, over positions and tensors of all its
+// Digest of each seam in the pieces on both sides, over positions and tensors of all its
 // vertices.
 using seam_digests = std::vector<std::uint64_t>;  // by edge of the cut; 0 but on seams
 
@@ -58,19 +58,21 @@ struct pieces_index {
 
 // Returns a 64-bit FNV-1a hash of the bytes.
 std::uint64_t digest_of(const std::string& bytes);
-// Returns sixteen hexadecimal digits.
+// Returns the number as sixteen hexadecimal digits.
 std::string digest_text(std::uint64_t digest);
 
 std::string index_text(const pieces_index& index);
-// Reads the text of a file. `name` is the file's, for messages. Nothing in it passes unread.
+// Reads the text of a file. `name` is the file's, for messages. Refuses a text with parts that are
+// not read.
 result<pieces_index> parse_index(const std::string& text, const std::string& name);
 result<pieces_index> read_index(const std::filesystem::path& path);
 
-// Returns the files of a piece of so many: "piece_03.mesh" of up to 99.
+// Returns the base name of a piece's files, with the digits that the number of pieces needs:
+// "piece_03" for up to 99.
 std::string name_of_piece(piece_index piece, std::size_t pieces, const std::string& ending);
 
-// How far the rounds of a run have come, for a run that goes on: the round that is next, the pieces
-// it makes, and the seams as they are then.
+// State of an unfinished run: the next round, the pieces it makes, and the present
+// seams.
 struct rounds_done {
   std::string question;  // digest of what the whole run was asked
   std::size_t rounds = 0, made = 0;
@@ -79,7 +81,7 @@ struct rounds_done {
 };
 
 std::string rounds_text(const rounds_done& done);
-// Returns nothing for a text that is not one of a run with this cut.
+// Returns the state; nothing for a text that does not belong to a run with this cut.
 std::optional<rounds_done> parse_rounds(const std::string& text, std::size_t edges,
                                         std::size_t pieces);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the file that has ParaView open the pieces of a mesh as one.
+// Makes the file by which ParaView opens the pieces of a mesh as one.
 #pragma once
 
 #include <string>

@@ -15,9 +15,9 @@
 namespace asterism::internal {
 namespace {
 
-// Longest subsegment of a seam, metric length. Those of a domain's boundary are at most 0.9 long,
-// 0.81 in the mean; edges inside are 1.00 in the mean, and a seam is inside. With 0.9 a mesh in 64
-// pieces of 6,000 triangles had 0.5 to 0.8 % more triangles, with this none
+// Greatest metric length of a subsegment of a seam. Those of a domain's boundary are at most 0.9
+// long, 0.81 in the mean; edges inside are 1.00 in the mean, and a seam is inside. With 0.9 a mesh
+// in 64 pieces of 6,000 triangles had 0.5 to 0.8 % more triangles, with this none
 // (docs/results/pieces.md). Above 1.2 a piece splits it.
 constexpr double longest_subsegment_of_seam = 1.05;
 // Number of vertices from which a fill spreads sites by features (refine/site_budget.cpp).
@@ -44,7 +44,7 @@ bool are_among(const std::vector<point>& few, const std::vector<point>& many) {
   return i == few.size();
 }
 
-// Returns the points before, and those that are new between two of them where there are none yet.
+// Returns the present points with those new ones that lie between two where there are none yet.
 std::vector<point> united(const std::vector<point>& before, const std::vector<point>& now,
                           const std::vector<point>& asked) {
   std::vector<point> all;

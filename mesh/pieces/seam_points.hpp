@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The points that divide seams: decided once before any piece is meshed, and added to where a piece
+// Chooses the points that divide seams before any piece is meshed, and adds points where a piece
 // had to split a subsegment of a seam.
 #pragma once
 
@@ -19,19 +19,19 @@ namespace asterism::internal {
 // Fails where the field does.
 result<seam_points> divide_seams(const domain& d, const domain_cut& cut, const metric_field& field);
 
-// A seam as the mesh of one of its pieces has it: all points, in the edge's own direction.
+// A seam in the mesh of one of its pieces: all points, in the edge's own direction.
 struct seam_in_mesh {
   std::size_t edge = 0;
   std::vector<point> points;
 };
 
-// Returns the seams of a piece that its mesh divides otherwise than the shape prescribes. Fails
-// where a point prescribed is missing.
+// Returns the seams of a piece that its mesh divides otherwise than the shape prescribes. Fails if
+// a prescribed point is missing.
 result<std::vector<seam_in_mesh>> seams_asked_for(const domain_cut& cut, const piece_shape& piece,
                                                   piece_index number, const mesh& m);
 
-// Unites what the pieces of one round ask for, in their order, with the points there are. Between
-// two points there are, the first piece that asks is heard. Returns the edges with new points,
+// Adds the points that the pieces of one round need, in their order, to the present ones. Between
+// two present points only the first piece's are added. Returns the edges with new points,
 // ascending.
 std::vector<std::size_t> unite_seams(const std::vector<seam_in_mesh>& asked, seam_points& points);
 

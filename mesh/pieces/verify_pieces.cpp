@@ -41,7 +41,7 @@ std::string edge_text(const pieces_index& index, std::size_t e) {
          text_of(index.cut.vertices[edge.a]) + " to " + text_of(index.cut.vertices[edge.b]);
 }
 
-// Returns what is wrong with the sides of an edge, if anything is.
+// Returns a contradiction about the sides of an edge, if there is one.
 std::optional<std::string> wrong_sides(const pieces_index& index, const cut_edge& e) {
   if (e.left == no_piece) return "has no piece on its left";
   if (e.is_cut()) {
@@ -99,7 +99,7 @@ void check_segments(const pieces_index& index, faults& all) {
       parts.push_back({e.a, e.b, e.segment, e.marker, s.internal});
       is_on_segment[e.a] = is_on_segment[e.b] = 1;
     }
-  // Vertices inside the domain that cuts alone end at divide no segment.
+  // Leaves out vertices inside the domain at which only cuts end: they divide no segment.
   std::vector<point> vertices(index.cut.vertices.begin(),
                               index.cut.vertices.begin() + index.cut.given);
   std::vector<vertex_index> number(index.cut.vertices.size(), 0);
@@ -186,7 +186,7 @@ void compare_loose(const pieces_index& index, piece_index piece, const domain& d
   if (here != wanted) all.push_back("the vertices given inside it are not those of the index");
 }
 
-// Finds the chains of a mesh between given vertices, by the first and last of each.
+// Chains of a mesh between given vertices, by the first and last of each.
 class given_chains {
  public:
   explicit given_chains(const mesh& m) : mesh_(m) {

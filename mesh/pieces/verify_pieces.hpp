@@ -21,11 +21,11 @@
 
 namespace asterism::internal {
 
-// Returns what is wrong with the index by itself, a sentence each.
+// Returns the contradictions of the index by itself, a sentence each.
 std::vector<std::string> faults_of_index(const pieces_index& index);
 
-// Returns what is wrong with the mesh and certificate of a piece as a part of the whole, a sentence
-// each. The mesh must be certified against the domain of its certificate.
+// Returns the contradictions of a piece's mesh and certificate with the whole, a sentence each. The
+// mesh must be certified against the domain of its certificate.
 std::vector<std::string> faults_of_piece(const pieces_index& index, piece_index piece,
                                          const mesh& subject, const certificate& claim);
 

@@ -69,7 +69,7 @@ std::vector<metric_tensor> weak_second_derivatives(const mesh& m, const mesh_lin
       const point& g = of_triangles[at.triangle];
       const point d =
           minus(m.sites[t[(at.corner + 2) % 3]].position, m.sites[t[(at.corner + 1) % 3]].position);
-      // The gradient of the hat function is (-d.y, d.x) over twice the area.
+      // Uses that the gradient of the hat function is (-d.y, d.x) over twice the area.
       const double fx = -d.y / 2, fy = d.x / 2;
       sum = {sum.m11 - g.x * fx, sum.m12 - (g.x * fy + g.y * fx) / 2, sum.m22 - g.y * fy};
       whole += doubled_area(m, t) / 6;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Derivatives of piecewise linear fields: of triangles, averaged at vertices, and in the weak form.
+// Computes derivatives of piecewise linear fields: of triangles, averaged at vertices, and in the
+// weak form.
 #pragma once
 
 #include <vector>
@@ -22,7 +23,7 @@ std::vector<point> mean_gradients(const mesh& m, const mesh_links& links,
 std::vector<metric_tensor> second_means(const mesh& m, const mesh_links& links,
                                         const std::vector<point>& gradients);
 
-// Returns the second derivatives in the weak form. Means nothing at the boundary.
+// Returns the second derivatives in the weak form. Meaningless at the boundary.
 std::vector<metric_tensor> weak_second_derivatives(const mesh& m, const mesh_links& links,
                                                    const std::vector<point>& of_triangles);
 

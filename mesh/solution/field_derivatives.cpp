@@ -47,7 +47,7 @@ result<one_field> derivatives_of(const mesh& m, const mesh_links& links,
   return made;
 }
 
-// Leaves what is of the mesh's own vertices, partners with the same.
+// Keeps the values of the mesh's own vertices, equal for periodic partners.
 void take_own(const glued_mesh& glued, std::size_t own, one_field& found) {
   for (auto* tensors : {&found.recovered.at, &found.moduli}) {
     tensors->resize(own);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Second derivatives of fields, of which their metric is made.
+// Computes second derivatives of fields, from which their metric is made.
 #pragma once
 
 #include <cstddef>
@@ -26,15 +26,15 @@ struct field_derivatives {
   std::size_t noise = 0, at_boundary = 0;
 };
 
-// Recovers them from values at the vertices, as the options say; on the continued mesh where there
-// is one.
+// Recovers second derivatives from values at the vertices, by the options; on the continued mesh if
+// there is one.
 result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links& links,
                                                 const std::vector<nodal_values>& fields,
                                                 const solution_metric_options& options,
                                                 const glued_mesh* glued = nullptr);
 
-// Takes them as they are given. The optimum needs no more of them than their moduli. Fails for a
-// field of another number of vertices, and for numbers of which products are not finite.
+// Takes second derivatives as they are given. The optimum needs only their moduli. Fails for a
+// field of another number of vertices, and for numbers whose products are not finite.
 result<field_derivatives> given_derivatives(const mesh& m,
                                             const std::vector<nodal_hessian>& fields);
 

@@ -11,11 +11,11 @@
 
 namespace asterism {
 
-// A mesh, and copies of some of its triangles where it goes on for periodic functions.
+// A mesh, and copies of some of its triangles beyond its periodic sides.
 struct glued_mesh {
   mesh continued;                    // the first vertices and triangles are the mesh's own
   std::vector<vertex_index> origin;  // of each vertex, the own one that has its value
-  // Own vertices that are one place: in this order, what the first has the second gets.
+  // Pairs of own vertices that are one place: in this order the second gets the value of the first.
   std::vector<std::array<vertex_index, 2>> partners;
 };
 

@@ -14,13 +14,13 @@ namespace asterism::internal {
 namespace {
 
 constexpr std::size_t most_rounds = 200;
-// Part of a squared length by which a neighbour must ask for more to be heard: without it rounds
-// creep.
+// Relative difference of squared lengths below which a neighbour's demand is ignored: without it
+// rounds go on in tiny steps.
 constexpr double slack = 1e-3;
 
 double eighth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 
-// Returns the tensor of p as it reaches as far as d.
+// Returns the tensor of p as it acts at the distance d.
 metric_tensor grown(const metric_tensor& m, const point& d, double log_beta,
                     gradation_space space) {
   const double along = 1 + log_beta * plain_length(m, d);
@@ -53,7 +53,7 @@ graph_gradation grade_on_graph(const mesh& m, const mesh_links& links, double be
       speaks[q] = 0;
       const point& at = m.sites[q].position;
       for (const vertex_index p : links.neighbours(static_cast<vertex_index>(q))) {
-        // The limit at q is never stronger than p itself.
+        // Skips a neighbour whose own tensor is no stronger: its limit at q never is either.
         if (spoke[p] == 0 || !exceeds(tensors[p], own, slack)) continue;
         const point d{at.x - m.sites[p].position.x, at.y - m.sites[p].position.y};
         const metric_tensor reached = grown(tensors[p], d, log_beta, space);

@@ -12,10 +12,11 @@
 
 namespace asterism::internal {
 
-// Names how the tensor of p reaches q. `metric`: all lengths grow alike, by 1 + ln(beta) d, with d
-// the length of pq as p measures it; the shape stays. `mixed`: each by that to the power of 7/8,
-// times 1 + sqrt(l) |pq| ln(beta) to 1/8, with l its own eigenvalue: the shape rounds off. Source:
-// Alauzet, "Size gradation control of anisotropic meshes", 2010; the exponent is refine's.
+// Ways in which the tensor of p acts at q. `metric`: all lengths grow by the same factor 1 +
+// ln(beta) d, with d the length of pq as p measures it; the shape stays. `mixed`: each length grows
+// by that to the power of 7/8, times 1 + sqrt(l) |pq| ln(beta) to 1/8, with l its own eigenvalue:
+// the shape rounds off. Source: Alauzet, "Size gradation control of anisotropic meshes", 2010; the
+// exponent is refine's.
 enum class gradation_space { metric, mixed };
 
 struct graph_gradation {
@@ -24,8 +25,8 @@ struct graph_gradation {
   bool ended = false;       // nothing was left to change
 };
 
-// Makes each tensor at least as strong as its neighbours' reach. All vertices are changed at once
-// from what they were, so that the order does not matter; those near a change are looked at again,
+// Makes each tensor at least as strong as its neighbours require. Changes all vertices at once from
+// their former tensors, so that the order does not matter; those near a change are tested again, in
 // 200 rounds at most.
 graph_gradation grade_on_graph(const mesh& m, const mesh_links& links, double beta,
                                gradation_space space, std::vector<metric_tensor>& tensors);

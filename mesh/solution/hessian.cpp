@@ -36,7 +36,7 @@ class recovery {
   }
 
  private:
-  // Averages inside; at the boundary fits, where that can be done.
+  // Averages gradients inside; fits quadratics at the boundary, where possible.
   std::vector<point> gradients() const {
     auto found = mean_gradients(mesh_, links_, triangle_gradients(mesh_, values_));
     for_each_node(found.size(), [&](std::size_t i) {
@@ -56,7 +56,8 @@ class recovery {
     });
   }
 
-  // A half of a patch says little of derivatives across the boundary; a quadratic says all it can.
+  // Fits quadratics at the boundary: half of a patch determines no derivatives across it by
+  // averages.
   void fit_boundary() {
     for_each_node(values_.size(), [&](std::size_t i) {
       const auto v = static_cast<vertex_index>(i);
@@ -68,7 +69,7 @@ class recovery {
     });
   }
 
-  // Keeps what the boundary has where there is nothing inside.
+  // Drops the values at the boundary if there are vertices inside.
   void forget_boundary() {
     bool any_inside = false;
     for (std::size_t v = 0; v < known_.size(); ++v) {
@@ -78,8 +79,8 @@ class recovery {
     if (!any_inside) std::fill(known_.begin(), known_.end(), char{1});
   }
 
-  // Gives means of neighbours that are known, ring by ring. A part of the mesh without any keeps
-  // what it has.
+  // Fills in means of known neighbours, ring by ring. A part of the mesh without any keeps its
+  // values.
   void fill_unknown() {
     std::vector<vertex_index> waiting;
     for (vertex_index v = 0; v < known_.size(); ++v)
@@ -109,7 +110,7 @@ class recovery {
     return true;
   }
 
-  // Sets to zero what rounding may have made. A second difference L^T H L, with L L^T the
+  // Sets to zero values that rounding may have made. A second difference L^T H L, with L L^T the
   // covariance of the displacements to the neighbours, is a combination of values with factors of
   // about one; each value is off by half a unit in the last place of the greatest.
   void silence() {
@@ -120,7 +121,7 @@ class recovery {
     for_each_node(values_.size(), [&](std::size_t v) {
       const metric_tensor c = neighbour_covariance(mesh_, links_, static_cast<vertex_index>(v));
       metric_tensor& h = made_.at[v];
-      // The trace of (H C)^2 is the sum of the squares of the entries of L^T H L.
+      // Computes the trace of (H C)^2, which is the sum of the squares of the entries of L^T H L.
       const double xx = h.m11 * c.m11 + h.m12 * c.m12, xy = h.m11 * c.m12 + h.m12 * c.m22,
                    yx = h.m12 * c.m11 + h.m22 * c.m12, yy = h.m12 * c.m12 + h.m22 * c.m22;
       if (!(std::sqrt(std::abs(xx * xx + 2 * xy * yx + yy * yy)) <= noise)) return;

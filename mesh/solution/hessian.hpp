@@ -35,13 +35,13 @@
 
 namespace asterism {
 
-// Second derivatives of a field at the vertices of a mesh, of either sign, from elsewhere.
+// Second derivatives of a field at the vertices of a mesh, of either sign, from another source.
 struct nodal_hessian {
   std::string name;
   std::vector<metric_tensor> at;  // m11 = xx, m12 = xy, m22 = yy
 };
 
-// The ways to recover.
+// Methods of recovering second derivatives.
 enum class hessian_method { l2_projection, green, least_squares };
 
 // Second derivatives at the vertices of a mesh, as m11 = xx, m12 = xy, m22 = yy, of either sign.

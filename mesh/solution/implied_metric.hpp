@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the metric that a mesh was made in, as far as its edges tell.
+// Finds the metric in which a mesh was made, as far as its edges show.
 #pragma once
 
 #include <vector>

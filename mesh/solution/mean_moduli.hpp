@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Spreads second derivatives over the triangles that feel them.
+// Averages the moduli of second derivatives over the triangles around each vertex.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ namespace asterism::internal {
 // triangle is the mean of its corners', and has the moduli of H's eigenvalues. The error of a
 // triangle is made of all of |H| on it; H of one ring of triangles is next to nothing on the line
 // where a front is steepest, and greatest one triangle beside it, so that without this the
-// triangles between would be left out. Signs are gone before the mean is taken: with them a wave's
-// two halves would cancel. Vertices of the boundary keep their own: a mean over what lies inside
-// takes from a layer at a wall, and from a corner.
+// triangles between would be left out. Signs are removed before the mean: with them a wave's two
+// halves would cancel. Vertices of the boundary keep their own: a mean over what lies inside takes
+// from a layer at a wall, and from a corner.
 std::vector<metric_tensor> mean_moduli(const mesh& m, const mesh_links& links,
                                        const std::vector<metric_tensor>& hessian);
 

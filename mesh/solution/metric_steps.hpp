@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Names the steps that make a metric, in the order in which they are done.
+// Names the steps that make a metric, in order.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace asterism::internal {
 
-// Returns the names of the steps that these wishes lead to, a word each and what it was done with.
-// `fields` is 0 for a metric that is given, `others` counts the metrics to intersect with; `given`
-// says that second derivatives were not recovered.
+// Returns the steps for these options, each as a word and its argument. `fields` is 0 for a metric
+// that is given, `others` counts the metrics to intersect with; `given` says that second
+// derivatives were not recovered.
 std::vector<std::string> metric_steps(const solution_metric_options& options, std::size_t fields,
                                       std::size_t others, bool given);
 

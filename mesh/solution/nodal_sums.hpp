@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Integrals over a mesh from values at its vertices, each with a third of the area of the triangles
-// at it. The same for any number of threads.
+// Integrates over a mesh by values at its vertices, each with a third of the area of the triangles
+// at it. The result is the same for any number of threads.
 #pragma once
 
 #include <cstddef>

@@ -42,8 +42,8 @@ double root_of(const metric_tensor& m) {
   return power == 0 ? root : std::scalbn(root, power);
 }
 
-// The optimum in logarithms, so that no power overflows: of the moduli as parts of the greatest of
-// all, of D, and of the least density and the least eigenvalue allowed.
+// Computes the optimum in logarithms, so that no power overflows: of the moduli as parts of the
+// greatest of all, of D, and of the least density and the least eigenvalue allowed.
 //
 // At each place the density is the greatest of three, which are those of no bound, of the weaker
 // eigenvalue at its bound, and the least. With r = (2p+2) / (2p+1), moduli a >= b, the bound w and
@@ -69,7 +69,7 @@ class optimum_search {
     if (is_flat_) bound_ = -elementary::log(area);
   }
 
-  // True if no place has second derivatives: the metric is the same everywhere.
+  // True if no place has second derivatives: then the metric is the same everywhere.
   bool is_flat() const { return is_flat_; }
 
   // Returns the eigenvalues of the metric at a place, in the order of its moduli.
@@ -91,7 +91,7 @@ class optimum_search {
     return at.is_turned ? std::array{weak, strong} : std::array{strong, weak};
   }
 
-  // Counts the places at a bound, and enters their parts of the complexity.
+  // Counts the places at a bound, and enters their shares of the complexity.
   void report(optimal_metric& made) const {
     if (is_flat_) return;
     for (std::size_t v = 0; v < logs_.size(); ++v) {
@@ -192,7 +192,7 @@ double error_constant(std::optional<double> norm) {
   return *norm == 1 ? 1.0 / 8 : unit_error(*norm);
 }
 
-// Second derivatives a and b along the axes of a triangle that the metric makes equilateral: the
+// Makes second derivatives a and b along the axes of a triangle that is equilateral in the metric:
 // moduli of half their sum and half their difference.
 struct equilateral_moduli {
   double mean, difference;
@@ -236,7 +236,7 @@ double predicted_error(const std::vector<metric_tensor>& tensors,
     const metric_tensor m = divided(tensors[v], of_metric), &h = hessian[v];
     const double root = root_of(m);
     if (!(root > 0)) return equilateral_moduli{0, 0};
-    // Half the trace and the determinant of M^-1 H, of which a and b are the eigenvalues.
+    // Computes half the trace and the determinant of M^-1 H, whose eigenvalues are a and b.
     const double mean = (m.m22 * h.m11 - 2 * m.m12 * h.m12 + m.m11 * h.m22) / (root * root) / 2,
                  product = determinant_of(h) / (root * root);
     const double difference = std::sqrt(std::max(0.0, mean * mean - product));
@@ -248,7 +248,7 @@ double predicted_error(const std::vector<metric_tensor>& tensors,
     for (std::size_t v = 0; v < tensors.size(); ++v) error = std::max(error, moduli(v).greater());
     return error_constant(norm) * error;
   }
-  // Squares of very large errors have no double: a power of two is taken out, and put back.
+  // Scales by a power of two and back: squares of very large errors exceed the doubles.
   double greatest = 0;
   for (std::size_t v = 0; v < tensors.size(); ++v)
     greatest = std::max(greatest, moduli(v).greater());

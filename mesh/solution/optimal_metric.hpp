@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics in which a linear interpolant of a field has the least error in an L^p norm.
+// Computes metrics in which a linear interpolant of a field has the least error in an L^p norm.
 //
 // M = D det(|H|)^(-1/(2p+2)) |H|, with |H| the Hessian with the moduli of its eigenvalues, and D
 // such that the complexity, the integral of the root of det M, is as wanted. For p = infinity the
@@ -16,13 +16,13 @@
 
 namespace asterism::internal {
 
-// Part of the complexity that it would take to cover the whole domain at the least density there
-// may be. A place without second derivatives has no size of its own and no direction, and gets the
-// size of that density, twenty times that of a uniform mesh of as many vertices. By experiment
+// Share of the complexity that covers the whole domain at the least density allowed. A place
+// without second derivatives has no size of its own and no direction, and gets the size of that
+// density, twenty times that of a uniform mesh of as many vertices. By experiment
 // (docs/results/adaptation.md).
 inline constexpr double usual_floor_share = 0.0025;
 
-// Bounds of a metric of complexity 1 from below.
+// Lower bounds of a metric of complexity 1.
 struct optimum_bounds {
   double floor_share;  // the least density over that of a uniform metric; above 0, below 1
   double eigenvalue;   // of an edge as long as the domain, which none is to exceed; above 0
@@ -37,12 +37,12 @@ struct optimal_metric {
   bool is_flat = false;  // no second derivatives anywhere: the tensors are all alike
 };
 
-// `norm` is p >= 1; none stands for infinity. No density (the root of the determinant) is below
-// `floor_share` over the area of the domain, so that all places without second derivatives take so
-// much of the complexity at most. No eigenvalue is below the one given, or that density if it is
-// less. Elsewhere the metric is the optimum under these bounds. Where a place is at the least
-// density the weaker eigenvalue is as low as keeps it there: from strong to flat places shapes
-// change continuously. `round` gives both moduli the greater one's value.
+// Returns the optimal metric. `norm` is p >= 1; none stands for infinity. No density (the root of
+// the determinant) is below `floor_share` over the area of the domain, so that all places without
+// second derivatives take so much of the complexity at most. No eigenvalue is below the one given,
+// or that density if it is less. Elsewhere the metric is the optimum under these bounds. Where a
+// place is at the least density the weaker eigenvalue is as low as keeps it there: from strong to
+// flat places shapes change continuously. `round` gives both moduli the greater one's value.
 optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
                                    const std::vector<double>& areas, std::optional<double> norm,
                                    bool round, const optimum_bounds& bounds);

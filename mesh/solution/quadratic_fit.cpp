@@ -13,7 +13,7 @@ constexpr std::size_t unknowns = 5;  // two of the gradient, three of the Hessia
 constexpr std::size_t most_points = 96;
 using row = std::array<double, unknowns + 1>;  // the last is the right-hand side
 
-// Lists the vertices within so many edges of v, v itself not among them.
+// Lists the vertices within this many edges of v, without v itself.
 std::vector<vertex_index> rings(const mesh_links& links, vertex_index v, int count) {
   std::vector<vertex_index> found, last{v};
   for (int ring = 0; ring < count && found.size() < most_points; ++ring) {
@@ -44,7 +44,7 @@ metric_tensor covariance(const mesh& m, vertex_index v, const auto& around) {
   return {sum.m11 / n, sum.m12 / n, sum.m22 / n};
 }
 
-// Lower triangular L with L L^T the covariance.
+// Computes the lower triangular L with L L^T the covariance.
 struct whitening {
   double l11, l21, l22;
 
@@ -59,8 +59,8 @@ struct whitening {
   }
 };
 
-// Makes the matrix upper triangular by Householder's reflections, and solves; none where a pivot is
-// next to nothing beside the greatest.
+// Solves a least squares problem by Householder's reflections; none if a pivot is tiny relative to
+// the greatest.
 std::optional<std::array<double, unknowns>> solve(std::vector<row>& rows) {
   constexpr double least_pivot = 1e-7;
   if (rows.size() < unknowns) return std::nullopt;
@@ -93,8 +93,8 @@ std::optional<std::array<double, unknowns>> solve(std::vector<row>& rows) {
   return x;
 }
 
-// Each equation is divided by the square of its distance, so that what is least is the error in
-// second differences, not in values. Near vertices count most then. With equal weights two rings
+// Divides each equation by the square of its distance, so that the error in second differences is
+// minimised, not that in values. Near vertices then count most. With equal weights two rings
 // average waves of three edges away (docs/results/adaptation.md has both).
 std::optional<fitted_quadratic> fit_to(const mesh& m, const std::vector<double>& values,
                                        vertex_index v, const std::vector<vertex_index>& around) {
@@ -113,7 +113,7 @@ std::optional<fitted_quadratic> fit_to(const mesh& m, const std::vector<double>&
   }
   const auto x = solve(rows);
   if (!x) return std::nullopt;
-  // Back: gradient L^-T g, Hessian L^-T K L^-1, with L^-1 = [a 0; b c].
+  // Transforms back: gradient L^-T g, Hessian L^-T K L^-1, with L^-1 = [a 0; b c].
   const double a = 1 / w.l11, c = 1 / w.l22, b = -w.l21 / (w.l11 * w.l22);
   const auto [g1, g2, k11, k12, k22] = *x;
   return fitted_quadratic{

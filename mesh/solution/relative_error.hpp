@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics in which linear interpolation is off by a part of a field's values, as BAMG and FreeFEM's
-// adaptmesh understand their `err`.
+// Computes metrics in which linear interpolation has an error relative to a field's values, as BAMG
+// and FreeFEM's adaptmesh understand their `err`.
 //
 // M = unit_share |H| / (E s), with |H| the Hessian with the moduli of its eigenvalues, E the part
 // and s what it is a part of: without a cutoff the greatest less the least value of the field
@@ -25,12 +25,13 @@ namespace asterism::internal {
 // the mean. By experiment (docs/results/adaptation.md).
 inline constexpr double unit_share = 0.94;
 
-// Returns s at each vertex; nothing where the values are all alike, to 1e-10 of the greatest, so
-// that there is no error to be a part of them.
+// Returns s at each vertex; nothing if all values are equal to 1e-10 of the greatest, so that no
+// relative error is defined.
 std::vector<double> scales_of_error(const std::vector<double>& values,
                                     std::optional<double> cutoff);
 
-// Returns the metric of moduli of second derivatives; `round` gives both the greater one's value.
+// Returns the metric from moduli of second derivatives; `round` gives both eigenvalues the greater
+// modulus.
 std::vector<metric_tensor> relative_metric(const std::vector<metric_tensor>& moduli,
                                            const std::vector<double>& scales, double error,
                                            double extent, bool round);

@@ -73,7 +73,7 @@ double extent_of(const mesh& m) {
   return std::max(high.x - low.x, high.y - low.y);
 }
 
-// Steps 4 to 8, for any factor.
+// Makes steps 4 to 8 of the metric for any factor.
 class metric_maker {
  public:
   metric_maker(const mesh& m, const solution_metric_options& options,
@@ -90,7 +90,7 @@ class metric_maker {
   const mesh_links& links() const { return links_; }
   solution_metric_report& report() { return report_; }
   void set_raw(tensors raw) { raw_ = std::move(raw); }
-  // The metric keeps its own complexity unless one is asked for.
+  // Sets the complexity wanted to the metric's own unless one is asked for.
   void set_given(tensors given) {
     raw_ = std::move(given);
     is_given_ = true;
@@ -145,8 +145,8 @@ void metric_maker::note_marks(const std::vector<std::uint8_t>& marks) {
   report_.share_intersected = part(clipped_by_intersection);
 }
 
-// Returns hmax, or a thousand times the extent of the mesh: what is greater makes the same
-// triangles, and tensors of it lose their digits in the end. A metric that is given stays as it is.
+// Returns hmax, or a thousand times the extent of the mesh: greater sizes make the same triangles,
+// and their tensors lose digits. A given metric stays as it is.
 double metric_maker::greatest_size() const {
   constexpr double times = 1000;
   if (is_given_ && !options_.vertices && !options_.complexity) return options_.greatest_size;
@@ -190,7 +190,8 @@ double metric_maker::error_of(const tensors& t) const {
   return greatest;
 }
 
-// Makes the metric of this factor. Returns what is to meet the target, which grows with the factor.
+// Makes the metric of this factor. Returns the quantity that is to meet the target; it grows with
+// the factor.
 double metric_maker::measure(double factor) {
   made_ = graded(shaped(factor));
   report_.factor = factor;
@@ -207,7 +208,7 @@ void metric_maker::meet(double target) {
   constexpr int most_steps = 60;
   const auto off = [&](double got) { return elementary::log(got / target); };
   double low = 0, high = 0, low_off = 0, high_off = 0;
-  // About what it takes without bounds.
+  // Begins with about the factor that is right without bounds.
   double factor = (options_.error ? static_cast<double>(mesh_.sites.size()) : target) /
                   complexity_of(raw_, areas_);
   int saturated = 0;
@@ -223,15 +224,16 @@ void metric_maker::meet(double target) {
       if (y - x < narrowest) break;
       factor = elementary::exp(x + part * (y - x));
     } else {
-      // Saturated: even sixteen to the sixth times as much changes nothing any more.
+      // Tolerance of a saturated quantity: even sixteen to the sixth times the factor changes
+      // nothing any more.
       constexpr double alike = 1e-9;  // far below the 2e-3 to which the target is met
       saturated = step > 0 && std::abs(got - before) <= alike * got ? saturated + 1 : 0;
       if (saturated == 6) break;
-      // A little more than would do if the measure grew as the factor does; sixteen times once that
-      // has not led past the target.
+      // Takes a little more than would suffice if the quantity grew with the factor; sixteen times
+      // once that did not pass the target.
       const double ratio = std::clamp(target / got, 1.0 / 16, 16.0);
       factor *= step < 3 ? ratio * (ratio > 1 ? 1.1 : 0.9) : got < target ? 16 : 1.0 / 16;
-      // Ends near the range of doubles, before products with tensors leave it.
+      // Ends near the range of doubles, before products with tensors exceed it.
       constexpr double least = 1e-280, most = 1e280;
       if (!(factor > least && factor < most)) break;
     }
@@ -313,7 +315,7 @@ tensors rounded(const tensors& given) {
   return made;
 }
 
-// The optimal metrics of the fields, intersected.
+// Intersects the optimal metrics of the fields.
 struct optimum {
   tensors raw;
   std::size_t flat = 0, floored = 0;
@@ -346,8 +348,8 @@ optimum intersected_optima(const std::vector<tensors>& moduli, const std::vector
 
 bool is_zero(const metric_tensor& h) { return h.m11 == 0 && h.m12 == 0 && h.m22 == 0; }
 
-// Intersects the metrics in which each field has the relative error. Where all values of a field
-// are alike, or all second derivatives zero, its metric is that of the greatest size.
+// Intersects the metrics in which each field has the relative error. If all values of a field are
+// equal, or all second derivatives zero, its metric is that of the greatest size.
 optimum intersected_relative(const field_derivatives& found, const metric_maker& maker,
                              const solution_metric_options& options) {
   optimum made;
@@ -367,7 +369,7 @@ error no_second_derivatives() {
           error_code::bad_option};
 }
 
-// Enters what is known of the fields before their metric is made.
+// Enters the known facts about the fields before their metric is made.
 void report_fields(const field_derivatives& found, const optimum& optima,
                    solution_metric_report& report) {
   const std::size_t all = found.moduli.size() * found.moduli.front().size();
@@ -396,11 +398,11 @@ double first_complexity(const solution_metric_options& options, const metric_mak
   return options.complexity.value_or(options.vertices.value_or(has) / vertices_of_unit);
 }
 
-// Makes the metric of the fields, its least density such that all places that have it take as much
-// of the complexity as is usual, and its longest edge as long as the domain. Where least sizes and
-// the like take complexity away, the factor is greater than the complexity that comes out, and so
-// would be that part: then the least density is lowered. The longest edge follows the factor by
-// half of the way in logarithms: with an error wanted the factor falls as that edge grows.
+// Makes the metric of the fields, with the least density at which all places that have it take the
+// usual share of the complexity, and the longest edge as long as the domain. If least sizes take
+// complexity away, the factor exceeds the resulting complexity, and so would that share: then the
+// least density is lowered. The longest edge follows the factor by half of the way in logarithms:
+// with an error wanted the factor falls as that edge grows.
 result<solution_metric> metric_of(const field_derivatives& found, metric_maker& maker,
                                   const solution_metric_options& options) {
   constexpr int most_rounds = 5;

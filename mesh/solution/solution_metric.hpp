@@ -32,7 +32,7 @@
 
 namespace asterism {
 
-// Numbers of what was done. Shares are parts of the vertices.
+// Numbers about the steps made. Shares are parts of the vertices.
 struct solution_metric_report {
   std::vector<std::string> steps;   // in the order they were done, a word each and its numbers
   std::vector<std::string> fields;  // in the order of their intersection
@@ -40,7 +40,7 @@ struct solution_metric_report {
   double share_noise = 0;           // of vertices and fields: nothing but rounding
   double share_at_boundary = 0;     // of vertices and fields: the mean of neighbours
   double share_floored = 0;         // of vertices and fields: an eigenvalue was raised
-  // Parts of the optimum's complexity, of the field with the greatest: of places of the least
+  // Shares of the optimum's complexity, for the field with the greatest: of places with the least
   // density, and of others where edges as long as the domain bound the weaker eigenvalue.
   double complexity_at_least_density = 0, complexity_along_ridges = 0;
   double complexity_asked = 0;  // 0 where an error was asked for
@@ -69,23 +69,24 @@ ASTERISM_EXPORT result<solution_metric> make_solution_metric(
     const mesh& m, const std::vector<nodal_values>& fields, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
-// Makes it of second derivatives that are recovered on the continued mesh. Partners have the same,
-// bit for bit; gradation and the step, which know nothing of the copies, may part their tensors.
+// Makes the metric from second derivatives that are recovered on the continued mesh. Periodic
+// partners have the same ones, bit for bit; gradation and the step limit, which ignore the copies,
+// may give them different tensors.
 ASTERISM_EXPORT result<solution_metric> make_glued_metric(
     const mesh& m, const glued_mesh& glued, const std::vector<nodal_values>& fields,
     const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
-// Makes it of second derivatives that are given, in place of step 1: of a solution of higher order,
-// say, or weighted by an adjoint. Fails with options.relative, which is of values.
+// Makes the metric from given second derivatives, in place of step 1: of a solution of higher
+// order, say, or weighted by an adjoint. Fails with options.relative, which needs values.
 ASTERISM_EXPORT result<solution_metric> make_hessian_metric(
     const mesh& m, const std::vector<nodal_hessian>& fields, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
-// Puts bounds and gradation on a metric that is given, and scales it where a target is asked for;
-// the metric takes the place of steps 1 to 3, with options.isotropic made as strong in all
-// directions as in its strongest, and stays as it is where nothing is asked of it. With
-// options.error it fails.
+// Applies bounds and gradation to a given metric, and scales it if a target is asked for; the
+// metric takes the place of steps 1 to 3, with options.isotropic made as strong in all directions
+// as in its strongest, and stays as it is where nothing is asked of it. With options.error it
+// fails.
 ASTERISM_EXPORT result<solution_metric> shape_metric(
     const mesh& m, const std::vector<metric_tensor>& given, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});

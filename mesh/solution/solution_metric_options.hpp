@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what is wished of the metric that is made for a solution.
+// Holds the options of the metric that is made for a solution.
 #pragma once
 
 #include <limits>
@@ -15,7 +15,8 @@ namespace asterism {
 // takes the vertices that fronts need.
 inline constexpr double loop_gradation = 6;
 
-// Wishes. At most one of vertices, complexity and error; without, as many vertices as the mesh has.
+// Options of the metric. At most one of vertices, complexity and error; without any, the number of
+// vertices is that of the mesh.
 struct solution_metric_options {
   hessian_method hessian = hessian_method::green;
   std::optional<double> norm = 2;       // p of L^p, at least 1; none: the maximum norm
@@ -29,8 +30,8 @@ struct solution_metric_options {
   bool gradation_keeps_shape = false;    // in metric space; else in mixed space
   bool isotropic = false;
   std::optional<double> step = {};  // greatest factor by which a length changes, above 1
-  // The error is a part of the field's greatest less its least value, or, with a cutoff C, of the
-  // modulus at each vertex and at least of C times the greatest. The norm has no part in it.
+  // True for an error relative to the field's greatest less its least value, or, with a cutoff C,
+  // to the modulus at each vertex, at least to C times the greatest. The norm is not used.
   bool relative = false;
   std::optional<double> cutoff = {};  // above 0, at most 1
 };

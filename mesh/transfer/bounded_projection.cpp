@@ -28,15 +28,15 @@ class limiter {
         sum += (flux > 0 ? std::min(up_[v], down_[w]) : std::min(down_[v], up_[w])) * flux;
       });
       const double own = mass_.row_sums()[v];
-      // Rounding alone can leave the bounds now.
+      // Clamps: only rounding can leave the bounds now.
       if (own > 0) made[v] = std::clamp(lumped_[v] + sum / own, low_[v], high_[v]);
     });
     return made;
   }
 
  private:
-  // Calls with each neighbour's number and what flows from there to v: m (x_v - x_w), a triangle at
-  // a time.
+  // Calls with each neighbour's number and the flux from there to v: m (x_v - x_w), a triangle at a
+  // time.
   template <class Visit>
   void for_each_flux(vertex_index v, const Visit& visit) const {
     for (const incidence& at : links_.around(v))
@@ -47,8 +47,8 @@ class limiter {
       }
   }
 
-  // Finds bounds and lumped value of v, and the part of what flows in, and of what flows out, that
-  // it can take.
+  // Finds the bounds and the lumped value of v, and the share of inflow and of outflow that it can
+  // accept.
   void prepare(vertex_index v, const std::vector<local_load>& load, const std::vector<double>& b) {
     const double own = mass_.row_sums()[v];
     const auto around = links_.around(v);

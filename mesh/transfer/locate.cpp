@@ -39,7 +39,7 @@ class locator {
     return all;
   }
 
-  // True if t, which has q in it, goes on from there towards m.
+  // True if t, which contains q, extends from there towards m.
   bool leads(vertex_index t, const point& q, const point& m) const {
     const auto c = finder_.corners(t);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -51,7 +51,7 @@ class locator {
     return true;
   }
 
-  // Lists the triangles that have q in them and are joined to t by edges that have.
+  // Lists the triangles that contain q and are joined to t by edges that contain it.
   std::vector<vertex_index> fan_of(vertex_index t, const point& q) const {
     std::vector<vertex_index> fan{t};
     for (std::size_t k = 0; k < fan.size(); ++k) {
@@ -67,7 +67,7 @@ class locator {
     return fan;
   }
 
-  // True if t goes on from v towards the middle of one of v's own triangles.
+  // True if t extends from v towards the middle of one of v's own triangles.
   bool is_on_side_of(vertex_index v, vertex_index t) const {
     const point& q = of_.sites[v].position;
     for (const incidence& at : of_links_.around(v)) {
@@ -82,8 +82,8 @@ class locator {
     return false;
   }
 
-  // Looks again for vertices on a slit, both sides of which have the same place: theirs is the side
-  // on which their own triangles are.
+  // Locates vertices on a slit again, both sides of which have the same place: chooses the side of
+  // their own triangles.
   void choose_sides() {
     std::vector<char> is_wrong(of_.sites.size(), 0);
     for_each_node(of_.sites.size(), [&](std::size_t i) {
@@ -119,7 +119,8 @@ class locator {
     return least;
   }
 
-  // Looks at triangles joined to `from`, the nearest to q first, as long as that may lead nearer.
+  // Searches the triangles joined to `from`, the nearest to q first, as long as nearer ones may be
+  // found.
   std::pair<double, vertex_index> nearest_from(vertex_index from, const point& q) const {
     constexpr std::size_t most = 512;
     using entry = std::pair<double, vertex_index>;
@@ -143,7 +144,7 @@ class locator {
     return best;
   }
 
-  // Gives those outside a triangle near a neighbour's, those next to located ones first.
+  // Gives vertices outside a triangle near a neighbour's, those beside located ones first.
   std::optional<error> follow_neighbours() {
     std::vector<vertex_index> waiting = outside_;
     while (!waiting.empty()) {

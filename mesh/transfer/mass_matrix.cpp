@@ -39,7 +39,7 @@ std::vector<double> mass_matrix::solve(const std::vector<double>& b, std::vector
   const std::size_t n = x.size();
   std::vector<double> r = times(x);
   for (std::size_t v = 0; v < n; ++v) r[v] = b[v] - r[v];
-  // A vertex in no triangle has no equation, and keeps its value.
+  // Keeps the value of a vertex in no triangle, which has no equation.
   const auto over_diagonal = [&](std::size_t v) {
     return diagonal_[v] > 0 ? r[v] / diagonal_[v] : 0;
   };
@@ -48,8 +48,8 @@ std::vector<double> mass_matrix::solve(const std::vector<double>& b, std::vector
   const double size = ordered_sum(
       n, [&](std::size_t v) { return diagonal_[v] > 0 ? b[v] * b[v] / diagonal_[v] : 0; });
   double norm = ordered_sum(n, [&](std::size_t v) { return r[v] * over_diagonal(v); });
-  // Ends where the residual, of which `norm` is the square, is less than a rounding of the
-  // right-hand side: 1e-17 of it.
+  // Ends when the residual, whose square is `norm`, is below a rounding of the right-hand side:
+  // 1e-17 of it.
   constexpr double least = 1e-34;
   for (int step = 0; step < most_steps && norm > least * size; ++step) {
     const std::vector<double> image = times(direction);

@@ -16,7 +16,7 @@ numbered_triangle numbered(const mesh& m, vertex_index t) {
   return {v, {m.sites[v[0]].position, m.sites[v[1]].position, m.sites[v[2]].position}};
 }
 
-// Integral of the product of two linear functions over a triangle, by their values at its corners.
+// Integrates the product of two linear functions over a triangle, by their values at its corners.
 double product_integral(double doubled, const std::array<double, 3>& f,
                         const std::array<double, 3>& g) {
   const double sum_f = f[0] + f[1] + f[2], sum_g = g[0] + g[1] + g[2];
@@ -74,7 +74,7 @@ class clipper {
       w.open.pop_back();
       const numbered_triangle old_one = numbered(from_, s);
       const overlap_signs signs(old_one, new_one);
-      // Edge i leads from corner i to the next: across from the one after that.
+      // Visits edge i, which leads from corner i to the next one, opposite the third.
       for (std::size_t i = 0; i < 3; ++i)
         if (const vertex_index n = links_.across(s, (i + 2) % 3);
             n != no_triangle && signs.goes_on(i))
@@ -93,8 +93,8 @@ class clipper {
     take_corners(t, area);
   }
 
-  // Visits what shares the place of a corner with s, where that is on an edge or a vertex of s: the
-  // triangle found for a corner may only touch the new one.
+  // Visits the triangles that share the place of a corner with s, if it is on an edge or a vertex
+  // of s: the triangle found for a corner may only touch the new one.
   void visit_at_corners(vertex_index s, vertex_index t, const overlap_signs& signs,
                         workspace& w) const {
     for (std::size_t c = 0; c < 3; ++c) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Integrals over the common parts of the triangles of two meshes: the supermesh.
+// Integrates over the common parts of the triangles of two meshes: the supermesh.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace asterism::internal {
 
-// The integrals of l_i l_j over a triangle of the new mesh, with l_i the hat functions of its
-// corners: 00, 11, 22, 12, 20, 01.
+// Integrals of l_i l_j over a triangle of the new mesh, with l_i the hat functions of its corners:
+// 00, 11, 22, 12, 20, 01.
 using local_mass = std::array<double, 6>;
 
-// Share of a new triangle in one old field: the integrals of the field times each hat function, and
+// Part of one old field in a new triangle: the integrals of the field times each hat function, and
 // its least and greatest value there.
 struct local_load {
   std::array<double, 3> of_corner{};
@@ -34,9 +34,9 @@ struct supermesh {
 };
 
 // Clips every new triangle by the old ones that it meets: those at its corners, and those joined to
-// them by edges that cross it. Where part of it is outside the old mesh, it takes in place of the
-// field the linear one with the values `at_vertices` at its corners ([field][new vertex]). Time is
-// linear in the pieces; parallel, the same for any number of threads.
+// them by edges that cross it. Outside the old mesh the field is replaced by the linear one with
+// the values `at_vertices` at the triangle's corners ([field][new vertex]). Time is linear in the
+// pieces; parallel, the same for any number of threads.
 supermesh intersect_meshes(const mesh& from, const mesh_links& links,
                            const std::vector<nodal_values>& fields, const mesh& to,
                            const located_vertices& located,

@@ -71,7 +71,7 @@ std::vector<double> interpolated(const mesh& from, const std::vector<double>& u,
     const auto w = weights_in(
         {from.sites[t[0]].position, from.sites[t[1]].position, from.sites[t[2]].position},
         to.sites[v].position);
-    // Differences from one corner, so that a constant stays itself to the last bit.
+    // Interpolates differences from one corner, so that a constant stays unchanged to the last bit.
     made[v] = u[t[0]] + w[1] * (u[t[1]] - u[t[0]]) + w[2] * (u[t[2]] - u[t[0]]);
     const auto [low, high] = std::minmax({u[t[0]], u[t[1]], u[t[2]]});
     made[v] = std::clamp(made[v], low, high);
@@ -111,7 +111,7 @@ std::optional<error> check(const mesh& from, const solution& values, const mesh&
   return std::nullopt;
 }
 
-// Refuses numbers that no double holds.
+// Refuses values beyond the range of doubles.
 std::optional<error> check_finite(const transfer_report& report, const solution& after) {
   const auto bad = [](const std::string& what) {
     return error{what +
@@ -136,7 +136,7 @@ std::optional<error> check_finite(const transfer_report& report, const solution&
   return std::nullopt;
 }
 
-// Transfers what is of ordinary size (mesh/transfer/transfer_scale.hpp).
+// Transfers values and places of ordinary size (mesh/transfer/transfer_scale.hpp).
 result<transferred_solution> transfer_ordinary(const mesh& from, const solution& values,
                                                const mesh& to, transfer_method how) {
   const mesh_links old_links(from), new_links(to);

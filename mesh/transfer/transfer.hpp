@@ -11,8 +11,8 @@
 
 namespace asterism {
 
-// interpolate: the value of the old field at the new vertex. Linear fields to rounding; no new
-// extrema;
+// Methods of transfer. interpolate: the value of the old field at the new vertex. Linear fields to
+// rounding; no new extrema;
 //              integrals change.
 // project:     the nearest field in the mean square, over the common parts of old and new
 // triangles.
@@ -23,9 +23,9 @@ namespace asterism {
 enum class transfer_method { interpolate, project, bounded };
 
 // Transfers all fields, tensors entry by entry. Requires triangulations of domains that differ by
-// little: new triangles that are partly outside the old mesh take the interpolated values, and
-// count. Nothing is read across a gap: a vertex outside gets its value from the triangles joined to
-// those of its neighbours. Fails where a part of the new mesh does not touch the old one, for a
+// little: new triangles that are partly outside the old mesh take the interpolated values, and are
+// counted. No value is read across a gap: a vertex outside gets its value from the triangles joined
+// to those of its neighbours. Fails where a part of the new mesh does not touch the old one, for a
 // solution that is not on `from`, and where an area or an integral is beyond all doubles. Scaled by
 // powers of two, places or values, the outcome is the same, scaled. Time and memory are linear in
 // the triangles and their common parts; parallel, the same for any number of threads.

@@ -21,15 +21,15 @@ double largest_value(const solution_field& f) {
   return largest;
 }
 
-// Returns the power of two of a number that is beyond ordinary ones, else 0.
+// Returns the exponent of two of a number of extraordinary size, else 0.
 int power_beyond(double largest, int ordinary) {
   if (!(largest > 0)) return 0;
   const int power = std::ilogb(largest);
   return std::abs(power) > ordinary ? power : 0;
 }
 
-// Returns by how many powers of two values are to be divided to become ordinary: no more than it
-// takes, so that small ones among them are not lost.
+// Returns the exponent of the power of two that divides values to ordinary size: the least that
+// suffices, so that small values are not lost.
 int power_to_ordinary(double largest, int ordinary) {
   const int power = power_beyond(largest, ordinary);
   return power - std::clamp(power, -ordinary, ordinary);
@@ -49,7 +49,8 @@ bool transfer_scale::is_one() const {
 }
 
 transfer_scale scale_of(const mesh& from, const solution& values, const mesh& to) {
-  // Squares of products of an area and a value are up to 2^(4 * 32 + 2 * 300).
+  // Exponents of the greatest ordinary place and value: squares of products of an area and a value
+  // are up to 2^(4 * 32 + 2 * 300).
   constexpr int ordinary_place = 32, ordinary_value = 300;
   transfer_scale scale;
   scale.of_places =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Powers of two by which places and values are divided while a solution is transferred. Areas,
-// their products with values, and the squares of those stay within what doubles hold then: beyond
-// that a projection is another one, or none. No bit of a mantissa changes.
+// Chooses powers of two by which places and values are divided while a solution is transferred.
+// Areas, their products with values, and the squares of these then stay in the range of doubles:
+// beyond it a projection would be wrong. No bit of a mantissa changes.
 #pragma once
 
 #include <vector>
@@ -24,12 +24,12 @@ struct transfer_scale {
 // the largest value of each field. Places are brought to about 1, values as far as is needed.
 transfer_scale scale_of(const mesh& from, const solution& values, const mesh& to);
 
-// Return the same with places, or values, divided. What becomes too small for a double is rounded:
-// it is 2^-700 of the largest, or less.
+// Return the mesh or solution with places, or values, divided. Numbers that become too small for a
+// double are rounded: they are 2^-700 of the largest, or less.
 mesh divided(mesh m, const transfer_scale& scale);
 solution divided(solution s, const transfer_scale& scale);
 
-// Multiplies what was made again, values and report. What no double holds becomes infinite.
+// Multiplies the results, values and report, back. Numbers beyond the doubles become infinite.
 void multiply(transferred_solution& made, const transfer_scale& scale);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds a solution that was brought to another mesh, and what that did to it.
+// Holds a solution that was transferred to another mesh, with a report.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace asterism {
 
-// One component of the solution before and after.
+// Measures of one component of the solution, before and after.
 struct transferred_component {
   std::string name;
   double integral_before = 0, integral_after = 0;
   double least_before = 0, greatest_before = 0, least_after = 0, greatest_after = 0;
 };
 
-// Report of what was done.
+// Report of the transfer.
 struct transfer_report {
   std::vector<transferred_component> components;
   double area_before = 0, area_after = 0;

@@ -19,8 +19,8 @@ std::size_t triangle_finder::exit_from(vertex_index t, const point& q, std::size
   return 3;
 }
 
-// The edge that is looked at first changes from step to step, as a walk that always prefers one may
-// go round.
+// Changes the edge that is tested first from step to step: a walk that always prefers one edge may
+// cycle.
 vertex_index triangle_finder::walk(const point& q, vertex_index t) const {
   const std::size_t most =
       64 + 8 * static_cast<std::size_t>(std::sqrt(static_cast<double>(in_.triangles.size())));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the triangle of a mesh that a point is in, by exact orientations.
+// Finds the triangle of a mesh that contains a point, by exact orientations.
 #pragma once
 
 #include <array>
@@ -26,14 +26,14 @@ class triangle_finder {
     const triangle& c = in_.triangles[t];
     return {in_.sites[c[0]].position, in_.sites[c[1]].position, in_.sites[c[2]].position};
   }
-  // Returns a corner of t whose opposite edge has q on its other side, looked at from `first` on; 3
-  // if q is in the closed triangle.
+  // Returns a corner of t whose opposite edge has q on its far side, tested from `first` on; 3 if q
+  // is in the closed triangle.
   std::size_t exit_from(vertex_index t, const point& q, std::size_t first) const;
   // Walks from t to q. Returns no_triangle where that meets the boundary.
   vertex_index walk(const point& q, vertex_index t) const;
-  // Prepares first_with.
+  // Builds the index for first_with.
   void make_boxes();
-  // Returns the first triangle with q in it for which `accepts`, or no_triangle.
+  // Returns the first triangle that contains q and for which `accepts` is true, or no_triangle.
   template <class Accepts>
   vertex_index first_with(const point& q, const Accepts& accepts) const {
     vertex_index least = no_triangle;
@@ -43,9 +43,9 @@ class triangle_finder {
     });
     return least;
   }
-  // Returns a triangle that each point is in, or no_triangle: by a walk from one to the next along
-  // the space-filling curve through the box, or by first_with() where a walk meets the boundary.
-  // Parallel, the same for any number of threads.
+  // Returns for each point a triangle that contains it, or no_triangle: by a walk from one to the
+  // next along the space-filling curve through the box, or by first_with() where a walk meets the
+  // boundary. Parallel, the same for any number of threads.
   std::vector<vertex_index> find_all(const std::vector<point>& points, const bounding_box& box);
   const filtered_kernel& kernel() const { return kernel_; }
 
@@ -56,7 +56,7 @@ class triangle_finder {
   std::optional<box_index> boxes_;  // of the triangles
 };
 
-// Returns what triangle_finder::find_all does with the box of the mesh, which must be a
+// Returns the triangles of triangle_finder::find_all in the box of the mesh, which must be a
 // triangulation.
 ASTERISM_EXPORT std::vector<vertex_index> locate_points(const mesh& m,
                                                         const std::vector<point>& points);

@@ -25,7 +25,7 @@ struct symbol {
   std::size_t old_index = 0, new_index = 0;  // corners, or edges of a crossing
 };
 
-// The line that an edge of the polygon is on.
+// Line of an edge of the polygon: of the old or the new triangle.
 struct carrier {
   bool of_new = false;
   std::size_t edge = 0;
@@ -42,9 +42,10 @@ int side_of(const symbol& s, std::size_t j, const overlap_signs& signs) {
   if (s.what == symbol::kind::old_corner) return value_of(signs.old_against[j][s.old_index]);
   if (s.what == symbol::kind::new_corner) return j == next(s.new_index) ? 1 : 0;
   if (s.new_index == j) return 0;
-  // The crossing is on line m, which shares a corner with line j. Along m the orientation against
-  // the old edge changes its sign at the crossing, to positive if that edge leads from inside of m
-  // to outside; so it tells whether the shared corner comes before the crossing or after.
+  // Decides the side by orientations: the crossing is on line m, which shares a corner with line j.
+  // Along m the orientation against the old edge changes its sign at the crossing, to positive if
+  // that edge leads from inside of m to outside; so it tells whether the shared corner comes before
+  // the crossing or after.
   const std::size_t m = s.new_index;
   const bool ends_at_j = j == next(m);
   const std::size_t shared = ends_at_j ? j : m;
@@ -55,7 +56,7 @@ int side_of(const symbol& s, std::size_t j, const overlap_signs& signs) {
 
 symbol meet(const carrier& line, std::size_t j) {
   if (!line.of_new) return {symbol::kind::crossing, line.edge, j};
-  // Lines m and j of the new triangle meet in the corner where the second begins.
+  // Takes the corner in which lines m and j of the new triangle meet, where the second begins.
   return {symbol::kind::new_corner, 0, j == next(line.edge) ? j : line.edge};
 }
 
@@ -76,15 +77,15 @@ polygon clipped(const polygon& p, std::size_t j, const overlap_signs& signs) {
   return out;
 }
 
-// Edge with its end of the lesser number first, from which crossings are measured along it: alike
-// for both triangles at the edge.
+// Edge from its end with the lesser number, from which crossings are measured: alike for both
+// triangles at the edge.
 struct ordered_edge {
   std::size_t low, high;  // corners of the triangle
   explicit ordered_edge(const triangle& v, std::size_t edge)
       : low(v[edge] < v[next(edge)] ? edge : next(edge)), high(low == edge ? next(edge) : edge) {}
 };
 
-// Returns where the line of another edge crosses an edge: a part of its length, from its low end.
+// Returns the parameter at which the line of another edge crosses an edge, from its lesser end.
 double part_along(const numbered_triangle& t, const ordered_edge& e, const numbered_triangle& other,
                   const ordered_edge& line) {
   const point &p = other.at[line.low], &q = other.at[line.high];

@@ -29,7 +29,7 @@ struct overlap {
   std::size_t count = 0;  // less than 3: there is no common part
 };
 
-// A triangle with the numbers of its corners, by which crossings are made alike from both sides.
+// A triangle with the numbers of its corners, so that crossings are computed alike from both sides.
 struct numbered_triangle {
   triangle v{};
   std::array<point, 3> at;
@@ -42,7 +42,7 @@ struct overlap_signs {
   std::array<std::array<sign, 3>, 3> new_against{};  // [edge of the old one][corner of the new one]
 
   overlap_signs(const numbered_triangle& old_one, const numbered_triangle& new_one);
-  // True if the common part goes on across edge i of the old one.
+  // True if the common part extends across edge i of the old triangle.
   bool goes_on(std::size_t i) const;
 };
 
