@@ -7,7 +7,7 @@
 namespace asterism::internal {
 namespace {
 
-// Returns x in units of the last of 40 binary digits of `size`.
+// Returns x rounded to a multiple of the last of 40 binary digits of `size`.
 double rounded_to(double x, double size) {
   constexpr int digits = 40;
   if (!(size > 0) || !std::isfinite(size)) return x;
@@ -18,7 +18,8 @@ double rounded_to(double x, double size) {
 metric_tensor with_few_digits(const metric_tensor& m) {
   const metric_tensor even{rounded_to(m.m11, m.m11), rounded_to(m.m12, std::sqrt(m.m11 * m.m22)),
                            rounded_to(m.m22, m.m22)};
-  // Far from zero, so that what rounding does to the difference does not matter.
+  // Least determinant, relative to its first product, of a rounded tensor that is used: the
+  // rounding of the difference does not matter there.
   constexpr double least = 0x1p-30;
   return even.m11 * even.m22 - even.m12 * even.m12 > least * even.m11 * even.m22 ? even : m;
 }
@@ -33,8 +34,9 @@ border_field::border_field(const metric_field& of, const domain& d) : of_(&of) {
 // which the tensor is the unit: x' = l11 x + l21 y, y' = l22 y.
 double border_field::wanted_length(const metric_tensor& m, const point& q) const {
   constexpr double growth = 1;  // of the length by the distance
-  // Times the segment: the mesher halves one that is 1.2 times as long as wanted at one of its
-  // ends, and beside a half that must not be. With 1.3 the next one was halved, too, and so on
+  // Wanted length of edges at a segment, as a multiple of the segment's length: the mesher
+  // halves a segment that is 1.2 times as long as wanted at one of its ends, and its
+  // neighbours must not be halved for that. With 1.3 the next one was halved, too, and so on
   // around.
   constexpr double room = 2;
   const double l11 = std::sqrt(m.m11), l21 = m.m12 / l11,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The metric wanted on a trimmed patch, with edges near the border as long as the border's: where
-// two faces have an edge, one may need it divided more finely than the other's metric says, and
-// with long edges beside short ones a mesher divides the border on and on.
+// Defines the metric wanted on a trimmed patch, with edges near the border as long as the border's:
+// where two faces share an edge, one may need it divided more finely than the other's metric asks,
+// and with long edges beside short ones a mesher divides the border on and on.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace asterism::internal {
 
 class border_field : public metric_field {
  public:
-  // The border is the segments of a domain. The field must outlive it.
+  // Takes the border as the segments of a domain. The field must outlive the object.
   border_field(const metric_field& of, const domain& d);
 
   // Returns the tensor with all lengths divided by the length wanted, where that is below 1: of the

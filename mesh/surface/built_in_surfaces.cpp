@@ -12,13 +12,14 @@
 namespace asterism::internal {
 namespace {
 
-// A point of a plane rational curve, not multiplied by its weight.
+// Control point of a plane rational curve, not multiplied by its weight.
 struct plane_control {
   double x, y, weight;
 };
 
-// Arcs of the unit circle in a row, of equal angle below 180 degrees, as rational quadratics: the
-// middle point is where the tangents meet, and its weight the cosine of half the angle.
+// Returns arcs of the unit circle in a row, of equal angle below 180 degrees, as rational
+// quadratics: the middle point is where the tangents meet, and its weight is the cosine of half the
+// angle.
 std::vector<plane_control> circle_arcs(double from, double to, int count) {
   const double half = (to - from) / (2 * count), weight = elementary::cos(half);
   std::vector<plane_control> arcs;
@@ -37,7 +38,7 @@ std::vector<double> knots_of_arcs(int count) {
   return knots;
 }
 
-// The tangent and the normal at the ends of a quarter are the axes.
+// Returns a quarter of the unit circle, whose tangent and normal at the ends are the axes.
 std::vector<plane_control> quarter() { return {{1, 0, 1}, {1, 1, std::sqrt(0.5)}, {0, 1, 1}}; }
 
 surface of_one(std::string name, surface_patch patch) {
@@ -98,7 +99,8 @@ double choose(std::size_t n, std::size_t k) {
   return c;
 }
 
-// Returns the Bernstein coefficients: of u^a of degree n they are C(i, a) / C(n, a).
+// Returns the Bernstein coefficients of polynomials in powers of u and v: u^a of degree n has C(i,
+// a) / C(n, a).
 std::vector<std::vector<double>> bernstein(const polynomial_rows& c, std::size_t n, std::size_t m) {
   std::vector<std::vector<double>> out(n + 1, std::vector<double>(m + 1, 0));
   for (std::size_t i = 0; i <= n; ++i)
@@ -133,10 +135,11 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
   return c;
 }
 
-// u is the root of the share of the chord, so that the nose is a polynomial; v the share of the
-// span. The chord falls to 0.4, the wing is swept by 0.5 and turned by an angle w = v / 10, whose
-// sine and cosine are taken as w - w^3 / 6 and 1 - w^2 / 2. Source of the section: Jacobs, Ward,
-// Pinkerton, NACA report 460, 1933, with the last coefficient that closes the trailing edge.
+// Makes the wing: u is the root of the share of the chord, so that the nose is a polynomial; v the
+// share of the span. The chord falls to 0.4, the wing is swept by 0.5 and turned by an angle w = v
+// / 10, whose sine and cosine are taken as w - w^3 / 6 and 1 - w^2 / 2. Source of the section:
+// Jacobs, Ward, Pinkerton, NACA report 460, 1933, with the last coefficient that closes the
+// trailing edge.
 surface wing() {
   const std::vector<double> chord = {1, -0.6}, sweep = {0, 0.5}, sine = {0, 0.1, 0, -1e-3 / 6},
                             cosine = {1, 0, -0.005};

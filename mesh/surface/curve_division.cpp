@@ -8,7 +8,8 @@
 namespace asterism::internal {
 namespace {
 
-// Places on curves are multiples of this, so that a place and 1 less it are both exact.
+// Unit of places on curves: places are multiples of it, so that a place and 1 less it are both
+// exact.
 constexpr double place_unit = 0x1p-30;
 constexpr int side_samples = 256;  // of the length of a curve
 
@@ -16,12 +17,12 @@ double rounded_place(double x) {
   return std::clamp(std::round(x / place_unit) * place_unit, place_unit, 1 - place_unit);
 }
 
-// True of curves that are divided here, and by the meshes of faces only through here.
+// True for curves that are divided here alone: those that two faces share, and those that trim.
 bool is_divided(const side_curve& curve) {
   return !curve.is_point && (curve.sides.size() == 2 || curve.is_trim);
 }
 
-// Returns the square of the length in the metric, by place.
+// Returns the metric length of the curve's derivative at a place.
 double density_of(const patch_faces& of, const patch_side& side, double place) {
   const metric_tensor m = of.faces[side.patch].metric_at(chart_point(of, side, place));
   const surface_chart& chart = of.charts[side.patch];
@@ -34,7 +35,7 @@ double density_of(const patch_faces& of, const patch_side& side, double place) {
   return m.m11 * x * x + 2 * m.m12 * x * y + m.m22 * y * y;
 }
 
-// The metric length of a curve, the greater of what its two patches say at each place.
+// Returns the metric length of a curve, by the greater of its two patches' densities at each place.
 double length_of(const patch_faces& of, const side_curve& curve, std::vector<double>& sums) {
   sums.assign(1, 0);
   for (int k = 0; k < side_samples; ++k) {
@@ -47,14 +48,14 @@ double length_of(const patch_faces& of, const side_curve& curve, std::vector<dou
   return sums.back();
 }
 
-// Returns the length up to a place.
+// Returns the metric length of the curve from its start to a place.
 double length_until(const std::vector<double>& sums, double place) {
   const double x = std::clamp(place, 0.0, 1.0) * side_samples;
   const auto k = std::min(static_cast<std::size_t>(x), sums.size() - 2);
   return sums[k] + (x - static_cast<double>(k)) * (sums[k + 1] - sums[k]);
 }
 
-// Adds the places inside of a part of a curve that divide it in equal lengths.
+// Adds the places that divide a part of a curve into equal metric lengths.
 void add_equal_parts(const std::vector<double>& sums, double start, double length,
                      std::vector<double>& places) {
   constexpr double longest_part = 0.95;
@@ -75,9 +76,9 @@ std::vector<double> equal_parts(const std::vector<double>& sums) {
   return places;
 }
 
-// Halves each chord so often that it has a place for each of its splits, so many on the chord.
-// Where two faces divide a chord each at its own place, a little piece between the two would make
-// both divide what is beside it, and so on.
+// Halves each chord until it has a place for each of the splits that meshes made on it. If two
+// faces divided a chord each at its own place, a short piece between these would make both divide
+// its neighbours, and so on.
 std::vector<double> with_halves(const std::vector<double>& places,
                                 const std::vector<std::size_t>& splits) {
   std::vector<double> all;
@@ -100,8 +101,8 @@ double distance_between(const space_point& a, const space_point& b) {
                    (a.z - b.z) * (a.z - b.z));
 }
 
-// Returns the distance in space of a part of a curve from its chord in the plane, the greatest of a
-// few places.
+// Returns an approximate distance in space between a part of a curve and its chord in the plane:
+// the greatest at a few places.
 double off_chord(const patch_faces& of, const patch_side& side, double from, double to) {
   const surface_chart& chart = of.charts[side.patch];
   const point a = chart_point(of, side, from), b = chart_point(of, side, to);
@@ -117,8 +118,8 @@ double off_chord(const patch_faces& of, const patch_side& side, double from, dou
   return most;
 }
 
-// Returns the places of the corners of a curve, and of a closed one so many that a polygon has an
-// inside; ascending.
+// Returns the places that a curve must have, ascending: its corners and, for a closed curve, enough
+// for a polygon with an inside.
 std::vector<double> needed_places(const patch_faces& of, const side_curve& curve) {
   std::vector<double> places;
   for (const patch_side& side : curve.sides) {
@@ -138,7 +139,7 @@ std::vector<double> needed_places(const patch_faces& of, const side_curve& curve
   return places;
 }
 
-// Returns the places needed, and equal parts between them.
+// Returns the places that a trimming curve must have, with places of equal parts between them.
 std::vector<double> parts_of_trim(const patch_faces& of, const side_curve& curve,
                                   const std::vector<double>& sums) {
   std::vector<double> needed = needed_places(of, curve), places;

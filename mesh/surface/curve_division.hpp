@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Divides the curves that two patches have in common, once for both, and those that trim patches.
+// Divides the curves that two patches share, once for both, and those that trim patches.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// The patches of a surface with their meshes. All must outlive it.
+// The patches of a surface, with their charts and meshes. All must outlive it.
 struct patch_faces {
   const side_graph& graph;
   const std::vector<surface_chart>& charts;
@@ -24,27 +24,27 @@ struct patch_faces {
 inline double own_place(const patch_side& side, double place) {
   return side.backward ? 1 - place : place;
 }
-// The point of the side's chart.
+// Returns the point of the patch's chart at a place of the side.
 point chart_point(const patch_faces& of, const patch_side& side, double place);
-// Returns the side of the curve that is the given side of the patch.
+// Returns the entry of the curve for this side of the patch.
 const patch_side& side_of_patch(const side_curve& curve, std::size_t patch, int side);
 
 class curve_division {
  public:
-  // `chord` is the distance asked of the mesh.
+  // Takes the number of curves, and the largest distance in space of the mesh from the surface.
   curve_division(std::size_t curves, double chord) : places_(curves), chord_(chord) {}
 
-  // Divides the curves of two patches in parts of about equal length, and those that trim patches
-  // so that their chords are near them in space. Marks the patches of those that change.
+  // Divides the curves that two patches share in parts of about equal length, and those that trim
+  // patches so that their chords are near them in space. Marks the patches of changed curves.
   void divide(const patch_faces& of, std::vector<unsigned char>& is_stale);
-  // Divides each part of the curves that trim a patch once more, and marks the patches that have
-  // them: their polygons cross.
+  // Divides each part of the curves that trim a patch once more, since their polygons cross. Marks
+  // the patches of these curves.
   void divide_border(const patch_faces& of, std::size_t patch,
                      std::vector<unsigned char>& is_stale);
-  // Takes the places at which the mesh of a patch has divided a curve of two, or one that trims, to
-  // that curve, and marks its patches. True if there were any.
+  // Adds the places at which a patch's mesh has split a curve, shared or trimming, to the curve,
+  // and marks its patches. Returns true if there were any.
   bool take_splits(const patch_faces& of, std::vector<unsigned char>& is_stale);
-  // The places on the sides of a patch.
+  // Returns the places on the sides of a patch.
   side_places on_sides_of(const patch_faces& of, std::size_t patch) const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The border of a face in the chart of its patch: the four sides of the rectangle, or the curves of
-// the loops that trim it. Doubles that propose.
+// Defines the border of a face in the chart of its patch: the four sides of the rectangle, or the
+// curves of the loops that trim it. Doubles that propose.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace asterism::internal {
 
-// Sides are numbered from 0. Those of a rectangle: 0 along u at the least v, 1 along v at the
-// greatest u, 2 along u at the greatest v, 3 along v at the least u; each runs with its parameter.
-// Curves of loops run around.
+// Border of a face. Sides are numbered from 0. Those of a rectangle: 0 along u at the least v, 1
+// along v at the greatest u, 2 along u at the greatest v, 3 along v at the least u; each runs with
+// its parameter. Curves of loops run around.
 class face_border {
  public:
-  // Both must outlive it.
+  // Makes the border. Patch and chart must outlive it.
   face_border(const surface_patch& patch, const surface_chart& chart);
 
   bool is_trimmed() const { return !trims_.empty(); }
   std::size_t sides() const { return is_trimmed() ? trims_.size() : 4; }
-  // Returns the side that follows, going around counter-clockwise, or around a hole clockwise.
+  // Returns the next side, going around counter-clockwise, or around a hole clockwise.
   std::size_t next(std::size_t side) const {
     return is_trimmed() ? trims_[side].next : (side + 1) % 4;
   }
@@ -32,8 +32,8 @@ class face_border {
   std::array<std::size_t, 2> ends_of(std::size_t side) const;
 
   point corner(std::size_t k) const;
-  // Returns the point of the chart at a place from 0 to 1 of a side. Points of a curve beyond the
-  // patch are taken to its rectangle.
+  // Returns the point of the chart at a place, from 0 to 1, of a side. Moves points of a curve
+  // beyond the patch to its rectangle.
   point at(std::size_t side, double place) const;
   // Return the trimming curve of a side, and the number of curves in its loop.
   const trim_curve& curve(std::size_t side) const { return *trims_[side].curve; }

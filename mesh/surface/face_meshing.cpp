@@ -69,7 +69,7 @@ face_meshing::face_meshing(const surface_chart& chart, const face_border& border
   is_wanted_.assign(base_.size(), 0);
 }
 
-// Where a point is in the background: a cell, and the shares of its other side.
+// Place of a point in the background: a cell, and the parameters s and t in it.
 struct face_meshing::cell_place {
   int i, k;
   double s, t;
@@ -85,7 +85,7 @@ face_meshing::cell_place face_meshing::place_of(const point& p) const {
 }
 
 // Finds the density in a direction with which an edge of length 1 through p meets, in the mean, no
-// more than that density: what the curvature at p alone asks for can be much too little where it is
+// more than that density: the density for the curvature at p alone can be much too low where it is
 // zero on a curve.
 double face_meshing::consistent_density(const point& p, const point& direction,
                                         double density) const {
@@ -125,7 +125,7 @@ void face_meshing::find_base() {
     }
   for (int k = 0; k <= cells_; ++k)
     for (int i = 0; i <= cells_; ++i) {
-      // No triangle is longer than the patch.
+      // Limits the size of triangles to that of the patch.
       metric_tensor m{1 / (wide * wide), 0, 1 / (tall * tall)};
       surface_chart::local_metric& at = asked[node_number(i, k)];
       if (at.known) {
@@ -137,7 +137,7 @@ void face_meshing::find_base() {
                                                point{-e.y / area, e.x / area}};
         for (std::size_t n = 0; n < 2; ++n) {
           const point& d = at.directions[n];
-          // An edge across the patch is as long as the patch is.
+          // Limits the length of an edge to the patch's extent in its direction.
           const double longest = 1 / std::max(std::abs(d.x) / wide, std::abs(d.y) / tall);
           const double start = std::max({at.densities[n], least, 1 / (longest * longest)});
           const double density = consistent_density(node(i, k), d, start);
@@ -287,8 +287,8 @@ result<std::string> face_meshing::make(const side_places& places,
   return made;
 }
 
-// Returns the corners, the vertices on sides in their order, and segments around. Markers count
-// sides from 1.
+// Returns the domain of the plane mesh: the corners, the vertices on sides in their order, and
+// segments around. Markers count sides from 1.
 domain face_meshing::polygons(const std::vector<placed>& on_sides) const {
   domain d;
   const std::size_t sides = border_->sides();
@@ -349,7 +349,7 @@ result<std::string> face_meshing::make_once(const side_places& places, bool keep
   auto made = make_mesh(shape.value(), asked, how);
   if (!made) return made.failure();
   plane_ = std::move(made.value().result);
-  // Vertices kept are sites like others: nobody asked for them.
+  // Counts kept vertices as sites like others, not as given ones.
   plane_.given = static_cast<vertex_index>(given);
   given_on_.clear();
   for (const placed& one : on_sides) given_on_.push_back(*one.on);

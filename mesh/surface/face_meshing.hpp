@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The plane mesh of one patch: its background with the metric wanted, and its meshes by rounds.
+// Makes the plane mesh of one patch: its background with the metric wanted, and its meshes in
+// rounds.
 #pragma once
 
 #include <array>
@@ -18,14 +19,14 @@
 
 namespace asterism::internal {
 
-// Places on the sides of a patch, from 0 to 1 along each side's parameter, ascending.
-// A side that two patches have, or that trims, is divided at these places alone.
+// Places on the sides of a patch, from 0 to 1 along each side's parameter, ascending. A side that
+// two patches share, or that trims, is divided at these places alone.
 struct side_places {
   std::vector<std::vector<double>> at;
   std::vector<bool> is_common;
 };
 
-// A side, and the place on it.
+// A side of a patch, and a place on it.
 struct on_side {
   int side = 0;
   double place = 0;
@@ -33,37 +34,38 @@ struct on_side {
 
 class face_meshing {
  public:
-  // `cells` of the background in each direction.
+  // Makes the background, with `cells` cells in each direction.
   face_meshing(const surface_chart& chart, const face_border& border, const surface_sizes& sizes,
                int cells);
 
   const surface_chart& chart() const { return *chart_; }
-  // The metric wanted at a point, with the factor found so far.
+  // Returns the metric wanted at a point, multiplied by the present factor.
   metric_tensor metric_at(const point& p) const;
-  // Multiplies densities everywhere, by the exponential of this.
+  // Multiplies densities everywhere by the exponential of this number.
   void add_everywhere(double log_factor);
-  // Adds to the logarithm of the factor at the background's nodes in and around a triangle; of
-  // several the greatest, or the least where all are negative. Takes effect with `apply`.
+  // Adds a number to the logarithm of the factor at the background's nodes in and around a
+  // triangle; of several numbers the greatest, or the least where all are negative. Takes effect
+  // with `apply`.
   void want(const std::array<point, 3>& triangle, double log_factor);
   void apply();
-  // Number of vertices of a mesh of unit edges.
+  // Returns the estimated number of vertices of a mesh of unit edges.
   double expected_vertices() const;
 
-  // True if the polygons through these places on the loops of a trimmed patch are ones that have
-  // the same inside as the loops, as far as that is to be seen: none meets another.
+  // True if the polygons through these places on the loops of a trimmed patch have the same inside
+  // as the loops, as far as a test shows: no two segments meet.
   bool is_simple(const side_places& places) const;
-  // Makes the mesh with these places on its sides. Empty: done; else why it is not complete. Where
-  // vertices are to be kept, those of the mesh before that were not freed are in it, unless it is
-  // not complete with them.
+  // Makes the mesh with these places on its sides. Returns the reason if it is not complete, else
+  // nothing. If vertices are to be kept, those of the mesh before that were not freed are in it,
+  // unless it would not be complete with them.
   result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
   void keep_vertices(bool kept) { keeps_ = kept; }
   // Frees the corners of the triangles of the present mesh that are marked, and those beside them
   // across their edges.
   void free_around(const std::vector<unsigned char>& marked);
-  // The side that a site is on, and where; none inside and at corners.
+  // Returns the side that a site is on, and its place; none for sites inside and at corners.
   std::optional<on_side> side_of(vertex_index site) const;
-  // Returns the places of the given sites of a trimmed patch; none of another.
+  // Returns the places of the given sites of a trimmed patch; empty for other patches.
   std::vector<border_place> border_places() const;
 
  private:
@@ -76,7 +78,7 @@ class face_meshing {
   void find_base();
   double consistent_density(const point& p, const point& direction, double density) const;
   mesh background() const;
-  // A vertex of the plane domain beside its corners, with the side that it is on; none: inside.
+  // A vertex of the plane domain that is no corner, and its place on a side; none for one inside.
   struct placed {
     point at;
     std::optional<on_side> on;
@@ -84,7 +86,7 @@ class face_meshing {
   std::vector<placed> vertices_on_sides(const side_places& places, bool keep) const;
   std::vector<placed> vertices_inside() const;
   domain polygons(const std::vector<placed>& on_sides) const;
-  // Finds where sites that the mesh has put on chords are.
+  // Finds the places of sites with which the mesh has split chords.
   void find_splits(const domain& shape);
   result<std::string> make_once(const side_places& places, bool keep,
                                 const surface_mesh_options& options);

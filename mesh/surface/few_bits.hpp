@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Rounds numbers that decide which mesh is made. What hung on their last digits would be another
-// mesh for every way to sum them: two builds had 1253 and 1340 vertices of one surface.
+// Rounds numbers that decide which mesh is made. Decisions by their last digits would make another
+// mesh for each order of summation: two builds had 1253 and 1340 vertices of one surface.
 #pragma once
 
 #include <cmath>

@@ -21,7 +21,7 @@ class shell_maker {
 
  private:
   std::uint32_t add(const space_point& p) {
-    // -0 is 0, so that equal places are equal bits.
+    // Turns -0 into 0, so that equal places are equal bits.
     made_.points.push_back({p.x + 0.0, p.y + 0.0, p.z + 0.0});
     return static_cast<std::uint32_t>(made_.points.size() - 1);
   }

@@ -8,7 +8,8 @@
 
 namespace asterism::internal {
 
-// Lifts each face's sites; those of common sides, corners and sides of one point are one vertex.
+// Lifts the sites of each face. Those at common sides, corners, and sides that are one point become
+// one vertex.
 surface_shell shell_of_faces(const surface& s, const patch_faces& of);
 
 }  // namespace asterism::internal

@@ -15,7 +15,7 @@ constexpr int samples = 16;  // of the lengths of a chart, in each direction
 
 double length(const plain_vector& a) { return std::sqrt(dot(a, a)); }
 
-// In units of the patch's parameters.
+// Converts derivatives to units of the patch's parameters.
 plain_second_jet by_parameters(plain_second_jet j, double width, double height) {
   j.first.by_s = (1 / width) * j.first.by_s;
   j.first.by_t = (1 / height) * j.first.by_t;
@@ -27,12 +27,12 @@ plain_second_jet by_parameters(plain_second_jet j, double width, double height) 
 
 struct principal {
   double first = 0, second = 0;  // moduli of the curvatures
-  // Rows of the covectors that measure displacements of the chart along the two directions.
+  // Covectors that measure displacements of the chart along the two directions of curvature.
   std::array<std::array<double, 2>, 2> covector{};
 };
 
-// Of the first form g and the second b: with g = L L^T the curvatures are the eigenvalues of
-// L^-1 b L^-T, and the covectors L times its eigenvectors.
+// Returns the principal curvatures, of the first form g and the second b: with g = L L^T they are
+// the eigenvalues of L^-1 b L^-T, and the covectors are L times its eigenvectors.
 std::optional<principal> principal_of(const plain_second_jet& j) {
   const plain_jet& f = j.first;
   const double g11 = dot(f.by_s, f.by_s), g12 = dot(f.by_s, f.by_t), g22 = dot(f.by_t, f.by_t);
@@ -60,8 +60,9 @@ std::optional<principal> principal_of(const plain_second_jet& j) {
   return p;
 }
 
-// What a curvature asks of the square of a unit length. The greatest distance of a chord from a
-// curve is k h^2 / 8; in a triangle of three sides of that metric it is k h^2 / 6.
+// Returns the density that a curvature requires, the square of an inverse length. The greatest
+// distance of a chord from a curve is k h^2 / 8; in a triangle of three sides of that metric it is
+// k h^2 / 6.
 double density(double curvature, double chord, const surface_sizes& sizes) {
   constexpr double chord_share = 6;
   double d = curvature / (chord_share * chord);
@@ -70,9 +71,9 @@ double density(double curvature, double chord, const surface_sizes& sizes) {
   return d;
 }
 
-// The densities of the stronger and of the weaker curvature. A triangle as narrow as the stronger
-// one wants is tilted by the height of its long sides' arcs over its width, so that this height
-// must be less than the width, however large the chord.
+// Returns the densities of the stronger and of the weaker curvature. A triangle as narrow as the
+// stronger curvature requires is tilted by the height of its long sides' arcs over its width, so
+// that this height must be less than the width, however large the chord.
 std::array<double, 2> densities(double stronger, double weaker, const surface_sizes& sizes) {
   constexpr double tilt = 0.25;  // 0.4 takes 1.1 to 1.5 times the vertices on the teapot's lips
   const double first = density(stronger, sizes.chord, sizes);
@@ -80,8 +81,8 @@ std::array<double, 2> densities(double stronger, double weaker, const surface_si
   return {first, density(weaker, height, sizes)};
 }
 
-// Rounds both, but where they are nearly parallel, as in a chart that is much aslant: rounding
-// could make them so.
+// Rounds both directions, unless they are nearly parallel, as in a very oblique chart: rounding
+// could make them parallel.
 void round_covectors(std::array<std::array<double, 2>, 2>& covector) {
   constexpr double apart = 0x1p-10;
   std::array<double, 2> scale{};
@@ -122,7 +123,7 @@ surface_chart::surface_chart(const surface_patch& patch, const std::vector<bezie
   if (!patch.loops.empty()) keep_to_loops(patch);
 }
 
-// Control points go around their curves.
+// Takes the box of the control points, which contain their curves.
 void surface_chart::keep_to_loops(const surface_patch& patch) {
   const trim_point& first = patch.loops[0][0].control[0];
   double u0 = first.u, u1 = first.u, v0 = first.v, v1 = first.v;
@@ -167,7 +168,8 @@ space_point surface_chart::lift(const point& p) const {
 
 surface_chart::local_metric surface_chart::metric_at(const point& p,
                                                      const surface_sizes& sizes) const {
-  // Far enough inside for a normal, near enough for what a side wants.
+  // Distance from a side at which its metric is taken: far enough inside for a normal, near enough
+  // for the side.
   constexpr double inside = 1.0 / 256;
   const point wide{high_.x - low_.x, high_.y - low_.y};
   std::optional<principal> k = principal_of(jet_at(p));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The plane of a patch's parameters, and the metric in it in which edges of length 1 are as long as
-// a chord height allows. Doubles that propose.
+// Defines the plane of a patch's parameters, and the metric in it in which edges of length 1 are as
+// long as a chord height allows. Doubles that propose.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace asterism::internal {
 
-// What edges are limited by. Lengths in units of space.
+// Limits on edges. Lengths are in units of space.
 struct surface_sizes {
   double chord = 0;               // D
   std::optional<double> turn;     // of the normal along an edge, radians
@@ -22,12 +22,12 @@ struct surface_sizes {
   double aspect = 0;              // the greatest ratio of the two lengths at a point
 };
 
-// A patch with its pieces, in units (u 2^scale_u, v 2^scale_v) that make it about as wide and high
-// in the chart as in space: powers of two, so that parameters in other units of powers of two have
-// the same chart, bit for bit.
+// Chart of a patch, in units (u 2^scale_u, v 2^scale_v) that make it about as wide and high as in
+// space: powers of two, so that parameters in other units of powers of two have the same chart, bit
+// for bit.
 class surface_chart {
  public:
-  // The chart is of all of the patch, or of the box around the loops that trim it.
+  // Makes the chart of the whole patch, or of the box around the loops that trim it.
   surface_chart(const surface_patch& patch, const std::vector<bezier_piece>& pieces,
                 const patch_spans& spans);
 
@@ -36,12 +36,13 @@ class surface_chart {
   point low() const { return low_; }
   point high() const { return high_; }
 
-  // The nearest point of the patch's rectangle.
+  // Returns the nearest point of the patch's rectangle.
   point in_patch(const point& p) const;
-  // The point of the surface at a point of the chart, on the side itself at its sides.
+  // Returns the point of the surface at a point of the chart; at a side the point on the side
+  // itself.
   space_point lift(const point& p) const;
-  // The metric that the curvature at the point alone asks for. At a side that is one point it is
-  // the one a little beside it. `first` and `second` are the directions of the curvatures, as
+  // Returns the metric that the curvature at the point alone requires. At a side that is one point
+  // it is that a little beside it. `first` and `second` are the directions of the curvatures, as
   // displacements in the chart that are 1 long in space; none where there is no normal.
   struct local_metric {
     metric_tensor metric{0, 0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what is asked of the mesh of a surface.
+// Holds the options of the mesh of a surface.
 #pragma once
 
 #include <cstddef>

@@ -26,12 +26,12 @@
 namespace asterism::internal {
 namespace {
 
-// Rounds in which whole patches are made anew, finer or coarser. Later only what is beyond the
-// chord is, and only finer.
+// Number of rounds in which whole patches are made anew, finer or coarser. Later rounds only refine
+// triangles beyond the chord.
 constexpr std::size_t coarse_rounds = 4;
 constexpr double aim = 0.92;  // of the chord: triangles vary
-// Greatest turn of normals over a triangle in radians, unless less is asked for: over a bend
-// sharper than the chord is high a triangle would be within the chord, and folded.
+// Largest turn of normals over a triangle in radians, unless less is asked for: over a bend sharper
+// than the chord height a triangle could be within the chord, and folded.
 constexpr double greatest_turn = 1.2;
 
 std::array<point, 3> corners_of(const mesh& m, std::size_t t) {
@@ -39,12 +39,12 @@ std::array<point, 3> corners_of(const mesh& m, std::size_t t) {
   return {m.sites[c[0]].position, m.sites[c[1]].position, m.sites[c[2]].position};
 }
 
-// Returns by how much the logarithm of the density is to grow at a triangle of this distance.
+// Returns the increase of the logarithm of the density at a triangle of this distance.
 double finer_by(double distance, double chord) {
   return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
 }
 
-// Holds the planes of the patches. Charts and borders refer to what is before them.
+// Plane meshes of the patches. Charts and borders refer to the members declared before them.
 struct patch_planes {
   patch_planes(const surface& s, std::vector<bezier_piece> of)
       : pieces(std::move(of)), spans(spans_of(pieces, s.patches.size())) {
@@ -148,7 +148,7 @@ std::optional<error> surface_meshing::make_stale_faces() {
   return {};
 }
 
-// Divides the curves of patches whose polygons meet more finely, a few times: where it does not
+// Divides the curves of patches whose polygons meet more finely, a few times; if that does not
 // help, the plane mesh is refused.
 void surface_meshing::make_borders_simple() {
   constexpr int most_divisions = 6;
@@ -179,7 +179,7 @@ std::optional<error> surface_meshing::agree_on_sides() {
 // Measures the triangles that were not in the round before.
 std::optional<error> surface_meshing::measure() {
   constexpr double enough = 0.5;  // of the chord: what is nearer need not be known better
-  // A triangle over which the surface may be folded is much too large, whatever its distance.
+  // Marks a triangle over which the surface may be folded as much too large, whatever its distance.
   constexpr double much = 1.4;
   shell_ = shell_of_faces(surface_, patches());
   std::vector<triangle_key> keys;
@@ -221,7 +221,7 @@ std::string surface_meshing::fold_text(std::size_t triangle,
       at[0], at[1], p + 1);
 }
 
-// Returns the mesh of the present planes, before distances are looked at.
+// Returns the shell of the present plane meshes, before distances are measured.
 surface_mesh surface_meshing::of_planes() const {
   surface_mesh now;
   now.complete = sides_agree_;
@@ -255,7 +255,8 @@ void surface_meshing::keep_if_better() {
   best_distance_ = most;
 }
 
-// Nearly all triangles of a metric that follows the curvature have about the same distance.
+// Scales the metric of a patch as a whole: nearly all triangles of a metric that follows the
+// curvature have about the same distance.
 void surface_meshing::scale_at_first(std::size_t p, std::span<const double> distances) {
   std::vector<double> sorted(distances.begin(), distances.end());
   std::sort(sorted.begin(), sorted.end());
@@ -278,8 +279,8 @@ bool surface_meshing::make_coarser_or_finer(std::size_t p, std::span<const doubl
   return true;
 }
 
-// Makes finer where a triangle is beyond the chord. Where few are, the vertices elsewhere are kept:
-// a mesh made anew has others beyond it.
+// Refines where a triangle is beyond the chord. If only few are, vertices elsewhere are kept: a
+// mesh made anew has other triangles beyond it.
 bool surface_meshing::make_finer(std::size_t p, std::span<const double> distances) {
   constexpr std::size_t few = 8;  // one in so many
   const mesh& m = faces_[p].plane();
@@ -297,7 +298,8 @@ bool surface_meshing::make_finer(std::size_t p, std::span<const double> distance
   return count > 0 || incomplete;
 }
 
-// Changes the factors of the metrics by the distances found. False if nothing is to be changed.
+// Changes the factors of the metrics by the measured distances. Returns false if nothing is to be
+// changed.
 bool surface_meshing::adjust(std::size_t round) {
   bool any = false;
   std::size_t first = 0;
@@ -315,7 +317,7 @@ bool surface_meshing::adjust(std::size_t round) {
   return any;
 }
 
-// Sums from the least on, so that the order of the patches makes no difference.
+// Sums from the least number on, so that the order of the patches makes no difference.
 double surface_meshing::expected_vertices() const {
   std::vector<double> all;
   for (const face_meshing& face : faces_) all.push_back(face.expected_vertices());
@@ -323,7 +325,7 @@ double surface_meshing::expected_vertices() const {
   return std::accumulate(all.begin(), all.end(), 0.0);
 }
 
-// The same density everywhere, for a number of vertices.
+// Changes the density by the same factor everywhere, to meet a number of vertices.
 bool surface_meshing::scale_to_count(std::size_t round) {
   constexpr std::size_t most_rounds = 6;
   constexpr double near = 0.02;
@@ -340,7 +342,7 @@ bool surface_meshing::scale_to_count(std::size_t round) {
   return true;
 }
 
-// True where going on is of no use: there is a mesh with fewer vertices within the chord, or
+// True if further rounds are useless: there is a mesh with fewer vertices within the chord, or
 // refining does not help.
 bool surface_meshing::has_grown_much() const {
   constexpr std::size_t much = 4;
@@ -361,7 +363,8 @@ surface_mesh surface_meshing::ended(std::size_t rounds) {
 result<surface_mesh> surface_meshing::run() {
   std::size_t round = 0;
   for (; round < options_.most_rounds; ++round) {
-    // Later on curves only get more places, so that rounds end.
+    // Divides curves anew only in the first rounds; later they only get more places, so that rounds
+    // end.
     if (round < coarse_rounds) curves_.divide(patches(), is_stale_);
     if (auto failed = agree_on_sides()) return *failed;
     if (auto failed = measure()) return *failed;
@@ -373,7 +376,7 @@ result<surface_mesh> surface_meshing::run() {
   return ended(std::min(round + 1, options_.most_rounds));
 }
 
-// Measures no distance: the number of vertices is wanted, and what it comes to is proved later.
+// Makes meshes for a number of vertices. Measures no distance; the final one is proved later.
 result<surface_mesh> surface_meshing::run_to_count() {
   std::size_t round = 0;
   scale_to_count(round);

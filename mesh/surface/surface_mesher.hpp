@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Meshes surfaces: each patch in its plane of parameters, in the metric of its curvature, by the
-// mesher of the plane. Sides that two patches have are divided once. What the distances then are is
-// bounded by the auditor in space, the metric made finer where one is beyond the chord asked for,
-// and the patch made again. It proves nothing itself: surface_audit/shell_audit.hpp does.
+// mesher of the plane. Sides that two patches share are divided once. The auditor in space bounds
+// the distances, the metric is refined where one is beyond the chord asked for, and the patch is
+// meshed again. It proves nothing itself: surface_audit/shell_audit.hpp does.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct surface_mesh {
   std::size_t rounds = 0;
 };
 
-// Fails where the surface is refused, or a plane mesh could not be begun.
+// Makes the mesh. Fails if the surface is refused, or a plane mesh cannot be begun.
 result<surface_mesh> make_surface_mesh(const surface& s, const surface_mesh_options& options);
 
 }  // namespace asterism::internal

@@ -17,7 +17,7 @@ namespace {
 
 using curve_key = std::vector<double>;
 
-// Control points and knots from one end, knots from the first on.
+// Key of a curve from one of its ends: its control points and knots, knots from the first on.
 curve_key key_of(const surface_patch& p, int side) {
   const bool along_u = side % 2 == 0;
   const std::size_t count = along_u ? p.count_u : p.count_v;
@@ -25,7 +25,7 @@ curve_key key_of(const surface_patch& p, int side) {
   for (std::size_t k = 0; k < count; ++k) {
     const control_point& c =
         along_u ? p.at(k, side == 0 ? 0 : p.count_v - 1) : p.at(side == 3 ? 0 : p.count_u - 1, k);
-    // 0 and -0 are the same.
+    // Adds 0, which makes -0 a 0.
     for (const double x : {c.at.x + 0.0, c.at.y + 0.0, c.at.z + 0.0, c.weight}) key.push_back(x);
   }
   const std::vector<double>& knots = along_u ? p.knots_u : p.knots_v;
@@ -48,7 +48,7 @@ curve_key reversed_key(const surface_patch& p, int side) {
   return key_of(back, (side + 2) % 4);
 }
 
-// Returns the patches in an order that is theirs and not the file's: by degrees, control points and
+// Returns the patches in an order that does not depend on the file: by degrees, control points and
 // knots. Curves run as on the first of their patches in it, so that the same patches in another
 // order give the same triangles.
 std::vector<std::size_t> order_by_content(const surface& s) {
@@ -114,7 +114,7 @@ error three_curves(const std::string& edge, const std::array<std::size_t, 3>& pa
           error_code::invalid_input};
 }
 
-// Adds the curves that trim a patch. Those with one name are one curve.
+// Adds the curves that trim a patch. Curves with one name are one curve.
 std::optional<error> add_trims(const surface_patch& p, std::size_t patch,
                                std::map<std::string, std::size_t>& known, side_graph& g) {
   int side = 0;
@@ -198,14 +198,14 @@ void number_corners(side_graph& g, const std::vector<face_border>& borders) {
   g.corners = numbers.size();
 }
 
-// +1 where going around the patch counter-clockwise follows the curve.
+// Returns +1 if going around the patch counter-clockwise follows the curve, else -1.
 int direction_of(const patch_side& s, const std::vector<face_border>& borders) {
   const int around = borders[s.patch].runs_around(static_cast<std::size_t>(s.side)) ? 1 : -1;
   return s.backward ? -around : around;
 }
 
-// Gives the patches that hang together with one the signs that go with +1 for it; zero: none yet.
-// Neighbours go along their common curve in opposite directions. Returns those patches.
+// Gives all patches connected with one their signs of orientation, +1 for that one; zero means none
+// yet. Neighbours go along their common curve in opposite directions. Returns those patches.
 result<std::vector<std::size_t>> turn_from(const side_graph& g,
                                            const std::vector<face_border>& borders,
                                            std::size_t first, std::vector<int>& sign) {
@@ -233,8 +233,8 @@ result<std::vector<std::size_t>> turn_from(const side_graph& g,
   return reached;
 }
 
-// Patches that hang together are seen as most of them are; where as many are turned each way, as
-// the first of the order.
+// Orients connected patches as most of them are; if equally many are turned each way, as the first
+// in the order.
 result<side_graph> turn_patches(side_graph g, const std::vector<face_border>& borders,
                                 const std::vector<std::size_t>& order) {
   std::vector<int> sign(order.size(), 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds which sides of patches are the same curve, bit for bit or by the names of trimming curves,
-// and how the patches are turned towards each other.
+// Finds the sides of patches that are the same curve, bit for bit or by the names of trimming
+// curves, and how the patches are oriented towards each other.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace asterism::internal {
 
-// A side by its number in face_border.
+// A side of a patch, by its number in face_border.
 struct patch_side {
   std::size_t patch = 0;
   int side = 0;
   bool backward = false;  // against the curve's first side
 };
 
-// A curve of one side, or of two.
+// A curve that is one side, or the common side of two patches.
 struct side_curve {
   std::vector<patch_side> sides;
   bool is_point = false;
@@ -30,13 +30,14 @@ struct side_curve {
 struct side_graph {
   std::vector<side_curve> curves;
   std::vector<std::vector<std::size_t>> curve_of;  // by patch and side
-  // The number of the vertex that each corner is; corner k is where side k starts going around.
+  // Number of the vertex at each corner of each patch; corner k is where side k starts going
+  // around.
   std::vector<std::vector<std::size_t>> corner_of;
   std::size_t corners = 0;
   std::vector<bool> reversed;  // patches to be seen from the other side
 };
 
-// Fails where three sides are one curve, or patches cannot all be seen from one side.
+// Fails if three sides are one curve, or patches cannot be oriented consistently.
 result<side_graph> graph_of_sides(const surface& s, const std::vector<face_border>& borders);
 
 }  // namespace asterism::internal

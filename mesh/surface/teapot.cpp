@@ -25,14 +25,15 @@ void add_turned(surface& s, const std::string& name, const profile& p) {
     patch.name = name + " " + std::to_string(k + 1);
     patch.degree_u = patch.degree_v = 3;
     patch.count_u = patch.count_v = 4;
-    // From the axis x' towards y': x' = (c, s), y' = (-s, c) by the quarter's signs.
+    // Computes coordinates from the axis x' towards y': x' = (c, s), y' = (-s, c) by the quarter's
+    // signs.
     const double xx = quarters[k][0], xy = quarters[k][2], yx = quarters[k][1], yy = quarters[k][3];
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j < 4; ++j) {
         const profile_point& at = p[j];
         const std::array<double, 4> along = {at.radius, at.radius, at.inner, 0};
         const double a = along[i], b = along[3 - i];
-        // Adding 0 makes -0 a 0, so that common points have the same bits.
+        // Adds 0, which makes -0 a 0, so that common points have the same bits.
         patch.control.push_back({{a * xx + b * yx + 0.0, a * xy + b * yy + 0.0, at.height}, 1});
       }
     }
@@ -78,7 +79,7 @@ surface teapot_surface() {
   constexpr double round = 0.56;
   surface s;
   s.name = "teapot";
-  // Downward, but for the rim, whose inside begins it.
+  // Lists profiles downward, except for the rim, which begins with its inside.
   add_turned(s, "rim",
              with_inner({{{1.5, 2.4}, {1.4375, 2.53125}, {1.3375, 2.53125}, {1.4, 2.4}}}, round));
   add_turned(s, "body", with_inner({{{2, 0.9}, {2, 1.35}, {1.75, 1.875}, {1.5, 2.4}}}, round));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Looks whether the two curves of each edge of trimmed faces are near enough for what is asked.
+// Tests whether the two curves of each edge of trimmed faces are near enough to each other.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace asterism::internal {
 
-// Refuses, by name, an edge whose curves are not proved within the distance asked of each other:
-// vertices are on one of them, so that no mesh can be.
+// Refuses, by name, an edge whose curves are not proved within the chord distance of each other:
+// vertices are on one of them, so no mesh can be.
 std::optional<error> fault_of_gaps(const side_graph& graph, const std::vector<face_border>& borders,
                                    const std::vector<bezier_piece>& pieces,
                                    const std::vector<patch_spans>& spans, double chord);

@@ -72,7 +72,7 @@ weighted_point lift(const control_point& c) {
   return {w * vector_of<rounded_interval>(c.at), w};
 }
 
-// Marks the sides of the patch that the piece is at and that are one point.
+// Marks the sides of the patch at this piece that are one point.
 void mark_points(const surface_patch& p, const span_of_knots& u, const span_of_knots& v,
                  bezier_piece& piece) {
   const std::size_t last_u = p.count_u - 1, last_v = p.count_v - 1;
@@ -112,7 +112,8 @@ bezier_piece make_piece(const surface_patch& p, const span_of_knots& u, const sp
   mark_points(p, u, v, piece);
   piece.is_rational = std::any_of(p.control.begin(), p.control.end(),
                                   [](const control_point& c) { return c.weight != 1; });
-  // A partition of one in exact arithmetic, which the intervals no longer know.
+  // Sets the weights of a polynomial to 1: they are a partition of one in exact arithmetic, which
+  // intervals do not show.
   if (!piece.is_rational)
     for (weighted_point& c : piece.net) c.weight = 1;
   for (const weighted_point& c : piece.net)
@@ -184,7 +185,7 @@ curve_jet along(plain_row& c, int degree, double share) {
   return jet;
 }
 
-// Value and derivatives of the four coordinates of the projective point.
+// Value and derivatives of the projective point, in four coordinates.
 struct projective_jet {
   plain_control value, s, t, ss, st, tt;
 };
@@ -211,7 +212,7 @@ projective_jet projective(const bezier_piece& piece, double s, double t) {
 
 plain_vector first_three(const plain_control& c) { return {c[0], c[1], c[2]}; }
 
-// The derivative of a quotient: (c - at * weight) / w.
+// Returns the derivative of a quotient: (c - at * weight) / w.
 plain_vector less(const plain_control& c, const plain_vector& at, double w) {
   return (1 / w) * (first_three(c) - c[3] * at);
 }

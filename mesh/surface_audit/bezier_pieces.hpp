@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Cuts the patches of a surface at their knots into Bezier pieces, whose control points are known
-// as intervals, and refuses by name what is no surface. Of a patch that is a Bezier patch already
-// the control points are the given doubles, and the weights' products with them enclosures.
+// as intervals, and refuses invalid surfaces by name. Of a patch that is a Bezier patch already the
+// control points are the given doubles, and the weights' products with them enclosures.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace asterism::internal {
 
-// The greatest degree in each direction: a net over a triangle has (p + q + 1)(p + q + 2) / 2
-// points, and products of binomials up to C(24, 12) are exact doubles.
+// Largest degree in each direction: a net over a triangle has (p + q + 1)(p + q + 2) / 2 points,
+// and products of binomials up to C(24, 12) are exact doubles.
 inline constexpr int most_degree = 12;
 
 // A Bezier piece over [u_low, u_high] x [v_low, v_high] of its patch. Its own parameters, s and t,
@@ -27,8 +27,8 @@ struct bezier_piece {
   int degree_u = 0, degree_v = 0;
   bool is_rational = false;  // else every weight is 1
   double u_low = 0, u_high = 1, v_low = 0, v_high = 1;
-  // Sides of the patch at this piece that are one point, all control points being equal: s = 0,
-  // s = 1, t = 0, t = 1, and which.
+  // Sides of the patch at this piece that are one point, since all control points are equal, for s
+  // = 0, s = 1, t = 0, t = 1; and that point.
   std::array<bool, 4> is_point{};
   std::array<space_point, 4> point{};
   std::vector<weighted_point> net;               // rows of constant i, (degree_u + 1)(degree_v + 1)
@@ -51,7 +51,7 @@ struct plain_jet {
 };
 plain_jet evaluate(const bezier_piece& piece, double s, double t);
 
-// Second derivatives too, for metrics.
+// A point of a piece with first and second derivatives, for metrics.
 struct plain_second_jet {
   plain_jet first;
   plain_vector by_ss, by_st, by_tt;

@@ -34,7 +34,8 @@ space_curve blended(std::vector<space_curve> c, const polynomial& share, const p
   return c[0];
 }
 
-// Holds the two shares of a parameter between two knots, times the weight and binomials.
+// The two shares t and 1 - t of a parameter between two knots as polynomials, times the weight and
+// binomials.
 struct two_shares {
   polynomial share, rest;
 };
@@ -144,7 +145,7 @@ double squared_difference_above(const space_curve& a, const space_curve& b) {
   for (std::size_t k = 0; k < size; ++k) {
     if (!(weight[k].inf() > 0)) return std::numeric_limits<double>::infinity();
     const double far = quotient(squared_length(difference[k]), squared(weight[k])).sup();
-    // Refuses what is not a number, where products left the range of doubles.
+    // Refuses NaN and infinity, which products beyond the range of doubles leave.
     if (!(far <= std::numeric_limits<double>::max()))
       return std::numeric_limits<double>::infinity();
     most = std::max(most, far);

@@ -15,8 +15,8 @@ namespace asterism::internal {
 // Holds the Bezier points (w u, w v, 0) and w of a curve in the plane, from 0 to 1.
 using plane_curve = std::vector<weighted_point>;
 
-// Returns the part of a piece between two places of the curve. Beyond the piece its polynomials go
-// on. Empty where the ends of the piece are not told apart.
+// Returns the part of a piece between two places of the curve. Beyond the piece its polynomials are
+// continued. Empty if the ends of the piece coincide in doubles.
 plane_curve part_of_trim(const trim_piece& piece, const rounded_interval& from,
                          const rounded_interval& to);
 
@@ -24,13 +24,14 @@ plane_curve part_of_trim(const trim_piece& piece, const rounded_interval& from,
 // coefficient, so that a product of two is a convolution.
 using space_curve = std::vector<weighted_point>;
 
-// Returns the curve on the piece, with the origin moved. Beyond the piece its polynomials go on.
+// Returns the curve on the piece, with the origin moved. Beyond the piece its polynomials are
+// continued.
 space_curve composed(const bezier_piece& piece, const plane_curve& curve,
                      const interval_vector& origin);
 
 // Returns the pieces of a patch that a curve may reach into, so that each of its points is that of
-// one of them; none if they are more than a few, or a weight is not certainly positive. What is
-// beyond the patch counts to the pieces at its sides.
+// one of them; none if they are more than a few, or a weight is not certainly positive. Parts
+// beyond the patch belong to the pieces at its sides.
 std::vector<std::uint32_t> pieces_along(const patch_spans& spans, const plane_curve& curve);
 
 // Returns a bound of the squared distance of two curves at the same parameter; infinite where a

@@ -22,13 +22,13 @@ namespace asterism::internal {
 struct deviation_options {
   double relative_width = 0.01;   // of an enclosure, at most, unless work ends before
   std::optional<double> at_most;  // a distance to decide about: enclosures are made to exclude it
-  // Bounds the work: at most so many cells for each triangle, and so many more in all, are looked
-  // at in each of the two directions (surface to mesh, mesh to surface).
+  // Bounds the work: numbers of cells for each triangle, and of further ones in all, that are
+  // bounded in each of the two directions (surface to mesh, mesh to surface).
   std::size_t cells_of_a_triangle = 200, cells_beside = 2'000'000;
 };
 
-// Fails for a mesh without triangles, or with a point that is not finite or beyond 2^300, or an
-// index out of range; and where bezier_pieces does.
+// Bounds the deviation. Fails for a mesh without triangles, or with a point that is not finite or
+// beyond 2^300, or an index out of range; and where bezier_pieces does.
 result<deviation_report> deviation(const space_mesh& mesh, const surface& s,
                                    const deviation_options& options = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds how far a mesh and a surface are proved to be from each other, at most and at least.
+// Holds bounds of the distance between a mesh and a surface, upper and lower ones.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@ struct deviation_witness {
   space_point at;  // rounded
 };
 
-// One direction. `low` is the distance that the witness is proved to have at least; 0 needs none.
+// Bounds in one direction. The witness is proved to have at least the distance `low`; 0 needs no
+// witness.
 struct one_sided_distance {
   double low = 0, high = 0;
   deviation_witness witness;

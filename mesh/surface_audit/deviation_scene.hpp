@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what both directions of a deviation look at.
+// Holds the data that both directions of a deviation use.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,16 @@
 
 namespace asterism::internal {
 
-// Refers to what both directions look at. All must outlive it.
+// Refers to mesh, surface and indexes of both. All must outlive it.
 struct deviation_scene {
   const space_mesh& mesh;
   const surface& of;
   const std::vector<bezier_piece>& pieces;
   const box_tree& triangles;
   const surface_locator& locator;
-  // A place of the surface near the middle of each triangle; null: not known.
+  // Place of the surface near the middle of each triangle; null if not known.
   const std::vector<surface_place>* places = nullptr;
-  // The regions of trimmed patches; null: no patch is trimmed.
+  // Regions of trimmed patches; null if no patch is trimmed.
   const trim_scene* trims = nullptr;
 
   plain_triangle triangle(std::size_t t) const {

@@ -77,7 +77,8 @@ double hull_distance_above(const std::vector<interval_vector>& points, const two
                        second = {two.common[0], two.common[1], two.second};
   const plain_vector x = plain(two.common[0]), y = plain(two.common[1]);
   const plain_vector e = y - x, a = plain(two.first) - x, b = plain(two.second) - x;
-  // Any plane would do. This one holds the edge and halves the angle between the two, about.
+  // Chooses a plane that contains the edge and about halves the angle between the triangles; any
+  // plane is valid.
   const double length = dot(e, e);
   if (!(length > 0)) return hull_distance_above(points, first).squared;
   const plain_vector across_a = a - (dot(a, e) / length) * e,

@@ -25,8 +25,8 @@ double squared_gap_above(const triangle_net& net, bool is_rational,
 std::vector<interval_vector> euclidean(const weighted_point* points, std::size_t count,
                                        bool is_rational);
 
-// Returns a bound of the squared distance of the points' hull from one triangle, and which is the
-// farthest. The distance from a convex set is a convex function.
+// Returns a bound of the squared distance of the points' hull from one triangle, and the farthest
+// point. The distance from a convex set is a convex function.
 struct hull_distance {
   double squared = 0;
   std::size_t farthest = 0;
@@ -36,7 +36,7 @@ hull_distance hull_distance_above(const std::vector<interval_vector>& points,
 
 // Returns a bound of the squared distance of the hull from the union of two triangles with a common
 // edge. A plane through the edge parts the hull in two; each part is the hull of its points and of
-// the crossings of segments between points on different sides, and is held against one triangle.
+// the crossings of segments between points on different sides, and is compared with one triangle.
 // `common` are the edge's ends, the third corners `first` and `second`.
 struct two_triangles {
   std::array<space_point, 2> common;

@@ -6,8 +6,8 @@
 namespace asterism::internal {
 namespace {
 
-// A corner of a part: where it is in the patch. On a cut its parameter is the knot itself, which is
-// exact.
+// A corner of a part, by its place in the patch. On a cut its parameter is the knot itself, which
+// is exact.
 struct cut_corner {
   std::array<rounded_interval, 2> at;
 };
@@ -18,7 +18,8 @@ rounded_interval between(const rounded_interval& a, const rounded_interval& b,
   return a + share * (b - a);
 }
 
-// Requires corners strictly on different sides of the knot.
+// Returns the point where a side crosses a knot. Requires corners strictly on different sides of
+// it.
 cut_corner crossing(const cut_corner& p, const cut_corner& q, std::size_t axis, double knot) {
   const rounded_interval from = rounded_interval(knot) - p.at[axis], to = q.at[axis] - p.at[axis];
   const rounded_interval share = to.inf() > 0 ? quotient(from, to) : quotient(-from, -to);
@@ -28,7 +29,7 @@ cut_corner crossing(const cut_corner& p, const cut_corner& q, std::size_t axis, 
   return c;
 }
 
-// True if a side is not certain: only corners on a cut of the other axis are no exact numbers.
+// True if the side of a corner is not certain: corners on a cut of the other axis are intervals.
 bool is_uncertain(const cut_polygon& p, std::size_t axis, double knot) {
   return std::any_of(p.begin(), p.end(), [&](const cut_corner& c) {
     const rounded_interval& x = c.at[axis];
@@ -64,8 +65,8 @@ double highest(const cut_polygon& p, std::size_t axis) {
   return high;
 }
 
-// Cuts a polygon into its parts in the spans; calls take(part, number of the span). False where a
-// side is not certain.
+// Cuts a polygon into its parts in the spans; calls take(part, number of the span). Returns false
+// if the side of a corner is not certain.
 template <class Take>
 bool cut(cut_polygon polygon, std::size_t axis, const std::vector<double>& ends, const Take& take) {
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {

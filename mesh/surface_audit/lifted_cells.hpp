@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of the triangles of a shell with the part of the surface that each was lifted from: a
-// triangle of parameters in one Bezier piece, cut at knots exactly.
+// Makes the parts of a shell's triangles, each with the part of the surface that it was lifted
+// from: a triangle of parameters in one Bezier piece, cut at knots exactly.
 #pragma once
 
 #include <array>
@@ -29,14 +29,14 @@ struct lifted_cell {
   double above = 0, below = 0;  // squared distances, or tangents
 };
 
-// All of these stand in a floating_point_scope(rounding::upward).
+// All of these functions require a floating_point_scope(rounding::upward).
 
 // Returns the parts of a triangle in the pieces that it reaches into; none where a corner of a part
 // is so near to a crossing of knots that its side is not certain.
 std::vector<lifted_cell> cells_of(const lifted_scene& scene, std::uint32_t triangle);
 // Returns the net of the surface over the part.
 triangle_net net_of(const lifted_scene& scene, const lifted_cell& cell);
-// Returns the four parts between the middles of its sides.
+// Returns the four parts into which the middles of its sides divide a part.
 std::array<lifted_cell, 4> quarters(const lifted_cell& cell);
 
 }  // namespace asterism::internal

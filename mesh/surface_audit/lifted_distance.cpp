@@ -13,8 +13,9 @@ surface_place place_of(const lifted_cell& cell, const parameter_corner& at) {
   return {cell.piece, std::clamp(middle_of(at.s), 0.0, 1.0), std::clamp(middle_of(at.t), 0.0, 1.0)};
 }
 
-// A part of a triangle may lie beside it, and a collapsed one is none of the mesh: others are near.
-// Sets `below`, the squared distance of the middle, along with `above`.
+// Bounds the distance of a part from the triangles near it: a part may lie beside its own triangle,
+// and a collapsed triangle is not in the mesh. Sets `below`, the squared distance of the middle,
+// along with `above`.
 void bound_by_hull(const lifted_scene& scene, lifted_cell& cell, const triangle_net& net,
                    const plain_vector& middle) {
   const bezier_piece& piece = scene.space.pieces[cell.piece];

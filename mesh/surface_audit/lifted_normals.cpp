@@ -64,7 +64,8 @@ double squared_tangent_above(const triangle_frame& f, const two_directions& q) {
   return quotient(across, squared(rounded_interval(along.inf()))).sup();
 }
 
-// A piece turned and mirrored so that t = 0 is its side that is one point, which is the origin.
+// A piece turned and mirrored so that its side t = 0 is the one that is one point, with that point
+// as the origin.
 struct turned_piece {
   int degree_s = 0, degree_t = 0;
   std::vector<weighted_point> net;
@@ -112,9 +113,9 @@ rounded_interval weights_of(const triangle_net& net) {
   return range;
 }
 
-// r_s / t and r_t where the side t = 0 is one point, times w: with the point as origin the first
-// row of control points is zero, and R_s = t G, R = t Q. Then r_s w = t (G - (Q / w) w_s) and r_t w
-// = R_t - t (Q / w) w_t. A polynomial has no w.
+// Computes r_s / t and r_t, times w, where the side t = 0 is one point: with the point as origin
+// the first row of control points is zero, and R_s = t G, R = t Q. Then r_s w = t (G - (Q / w) w_s)
+// and r_t w = R_t - t (Q / w) w_t. A polynomial has no w.
 two_directions from_one_point(const triangle_frame& f, turned_piece p, const parameter_triangle& at,
                               const space_point& origin, bool is_rational) {
   const interval_vector zero = vector_of<rounded_interval>(origin);
@@ -159,8 +160,8 @@ two_directions from_one_point(const triangle_frame& f, turned_piece p, const par
   return {first, last, p.negative};
 }
 
-// Returns differences of a piece's control points in one direction, from `origin` on times the
-// weight.
+// Returns differences of a piece's control points in one direction. `origin` is subtracted first,
+// times the weight.
 std::vector<weighted_point> differences(const bezier_piece& p, const interval_vector& origin,
                                         bool by_s) {
   const auto rows = static_cast<std::size_t>(p.degree_u) + (by_s ? 0 : 1);
@@ -175,8 +176,8 @@ std::vector<weighted_point> differences(const bezier_piece& p, const interval_ve
   return all;
 }
 
-// Returns r_s w and r_t w but for factors that are positive. Of a part that a knot cut off so
-// narrowly that its own sides are nearly parallel these say what differences along the sides do
+// Returns r_s w and r_t w up to positive factors. For a part that a knot cut off so narrowly
+// that its own sides are nearly parallel, these give bounds that differences along the sides do
 // not.
 two_directions along_parameters(const triangle_frame& f, const bezier_piece& p,
                                 const parameter_triangle& at, const triangle_net& net) {
@@ -209,8 +210,8 @@ double squared_tangent_at(const bezier_piece& piece, const plain_vector& own, do
 }
 
 // Proposes the greatest over a part: in its middle, which says whether it is folded, and near its
-// corners, where normals that turn evenly are farthest from the triangle's. Near alone, as there is
-// no normal at a corner where a side is one point.
+// corners, where normals that turn evenly are farthest from the triangle's. Not at the corners
+// themselves, as there is no normal where a side is one point.
 double squared_tangent_below(const bezier_piece& piece, const parameter_triangle& corners,
                              const plain_vector& own) {
   constexpr double near = 63.0 / 64;

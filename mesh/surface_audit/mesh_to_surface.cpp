@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// From the mesh to the surface: cells are parts of triangles, each held against the piece of the
-// surface over a triangle of parameters, whose corners are proposed by projection.
+// Bounds the distance from the mesh to the surface: cells are parts of triangles, each compared
+// with the piece of the surface over a triangle of parameters, whose corners are proposed by
+// projection.
 #include "asterism/mesh/surface_audit/mesh_to_surface.hpp"
 
 #include <algorithm>
@@ -39,8 +40,8 @@ double gap_above(const deviation_scene& scene, const held_triangle& held, const 
   return squared_gap_above(net, piece.is_rational, cell.corners);
 }
 
-// Returns a bound of the squared distance by places that certainly belong to the surface: the
-// nearest ones may be beyond the trims.
+// Returns a bound of the squared distance to places that certainly belong to the surface: the
+// nearest places may be beyond the trims.
 double gap_within_trims(const deviation_scene& scene, const mesh_cell& cell) {
   const trim_scene& trims = *scene.trims;
   const plain_triangle whole = scene.triangle(cell.triangle);
@@ -50,7 +51,8 @@ double gap_within_trims(const deviation_scene& scene, const mesh_cell& cell) {
   return held ? gap_above(scene, *held, cell) : std::numeric_limits<double>::infinity();
 }
 
-// `hint` is a place of the surface nearby, or null: all of the surface is looked through.
+// Bounds a cell. `hint` is a place of the surface nearby, or null: then the whole surface is
+// searched.
 [[gnu::noinline]] void look_at(const deviation_scene& scene, const surface_place* hint,
                                mesh_cell& cell) {
   const plain_vector middle = cell.middle();
@@ -75,8 +77,9 @@ interval_vector point_between(const interval_vector& a, const interval_vector& b
   return a + rounded_interval(share) * (b - a);
 }
 
-// How far the corners' nearest places are beyond a side of the piece, where its polynomials go on;
-// of the side with both signs and the greatest excess. None: all zero.
+// Returns how far the corners' nearest places are beyond a side of the piece, where its polynomials
+// are continued; for the side that has both signs and the greatest excess. All zero if there is
+// none.
 std::array<double, 3> excesses(const deviation_scene& scene, const mesh_cell& cell) {
   constexpr double reach = 1;
   std::array<surface_place, 3> at;
@@ -91,14 +94,14 @@ std::array<double, 3> excesses(const deviation_scene& scene, const mesh_cell& ce
     const double high = std::max({by[0], by[1], by[2]}), low = std::min({by[0], by[1], by[2]});
     if (low < 0 && high > most) most = high, found = by;
   }
-  // A cell that is nearly all on one side is better halved.
+  // Halves a cell that is nearly all on one side.
   const double high = std::max({found[0], found[1], found[2]});
   const double low = std::min({found[0], found[1], found[2]});
   if (!(high > 0.02 * (high - low) && -low > 0.02 * (high - low))) return {};
   return found;
 }
 
-// Parts the triangle along a line that the side crosses about along.
+// Divides the triangle along a line near which it crosses the side.
 std::vector<interval_triangle> parted(const mesh_cell& cell, const std::array<double, 3>& by) {
   std::size_t lone = 0;  // the corner alone on its side
   for (std::size_t k = 0; k < 3; ++k)

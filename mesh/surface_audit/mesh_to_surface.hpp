@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures how far a mesh is from the surface.
+// Bounds the distance of a mesh from the surface.
 #pragma once
 
 #include "asterism/mesh/surface_audit/deviation_report.hpp"
@@ -12,7 +12,7 @@ namespace asterism::internal {
 // Returns bounds of the greatest distance of a point of the mesh from the surface.
 one_sided_distance from_mesh(const deviation_scene& scene, const narrowing_limits& limits);
 
-// Returns an upper bound of that alone.
+// Returns an upper bound of the greatest distance of a point of the mesh from the surface.
 double distance_of_mesh(const deviation_scene& scene, const narrowing_limits& limits);
 
 // Returns an upper bound of the distance of the points of one triangle from the surface.

@@ -2,7 +2,7 @@
 //
 // Narrows an enclosure of a greatest distance by branch and bound, in rounds: cells that cannot
 // hold more than is known, but for the width allowed, are dropped, the others divided. All cells of
-// a round are looked at in parallel, and the outcome is the same for any number of threads.
+// a round are bounded in parallel, and the outcome is the same for any number of threads.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct narrowing_limits {
   std::size_t most_cells = 0;
 };
 
-// Squared distances: no point is farther than `above`; some point is about as far as `below`, which
-// is a proposal. `best` is the cell that has it.
+// Result in squared distances: no point is farther than `above`; some point is about as far as
+// `below`, which is a proposal. `best` is the cell of that point.
 template <class Cell>
 struct narrowed {
   double above = 0, below = 0;
@@ -33,8 +33,8 @@ struct narrowed {
   std::size_t cells = 0;
 };
 
-// A Cell has squared distances `above` and `below`. divide(cell) returns its parts, looked at, or
-// none where it gives up; give_up(cell) is told then, in order.
+// A Cell has squared distances `above` and `below`. divide(cell) returns its parts with their
+// distances, or none where it gives up; give_up(cell) is then called, in order.
 template <class Cell, class Divide, class GiveUp>
 narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, const Divide& divide,
                       const GiveUp& give_up) {
@@ -42,14 +42,14 @@ narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, c
   const double ratio = (1 + limits.relative_width) * (1 + limits.relative_width);
   while (true) {
     found.cells += cells.size();
-    // A proposal above a proved bound is a projection that went astray.
+    // Ignores a proposal above a proved bound: its projection went astray.
     for (const Cell& c : cells)
       if (!found.best || std::min(c.below, c.above) > found.below)
         found.best = c, found.below = std::min(c.below, c.above);
     double enough = std::max(found.below * ratio, limits.negligible * limits.negligible);
     if (limits.at_most) {
       const double limit = *limits.at_most * *limits.at_most;
-      // Undecided as long as the limit is inside.
+      // Continues as long as the limit is between both bounds.
       if (found.below <= limit && limit < enough) enough = limit;
     }
     std::vector<Cell> kept;

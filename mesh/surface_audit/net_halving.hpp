@@ -12,10 +12,12 @@ namespace asterism::internal {
 
 using control_net = std::vector<weighted_point>;
 
-// Returns the nets over the lower and the upper half of s, or of t. `row` is the piece's.
+// Returns the nets over the lower and the upper half of s, or of t. `row` is the number of points
+// of a row of the piece.
 std::array<control_net, 2> halved(const control_net& net, std::size_t row, bool by_s);
 
-// True if the net is longer by s than by t, between the ends of its rows and columns; in doubles.
+// True if the net is longer along s than along t, between the ends of its rows and columns; in
+// doubles.
 bool is_longer_by_s(const control_net& net, std::size_t row);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says where the points of a net over a triangle stand, and of what it is made.
+// Defines the order of the points of a net over a triangle, and its sources.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Holds a corner in a piece's own parameters; exact corners are points, others known as intervals.
+// A corner in a piece's own parameters; exact corners are points, others intervals.
 struct parameter_corner {
   rounded_interval s, t;
 };
@@ -31,8 +31,8 @@ struct triangle_net {
   std::vector<weighted_point> points;
 };
 
-// Refers to rows of control points, (degree_u + 1)(degree_v + 1) of them: a piece's, or a
-// derivative's.
+// Refers to (degree_u + 1)(degree_v + 1) control points, in rows: those of a piece or of a
+// derivative.
 struct tensor_net {
   int degree_u = 0, degree_v = 0;
   const weighted_point* points = nullptr;

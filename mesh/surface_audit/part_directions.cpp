@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Products are made in doubles rounded to nearest, with one bound of their errors for all points of
+// Computes products in doubles rounded to nearest, with one bound of their errors for all points of
 // a net: in intervals they were a quarter of the time of a proof.
 //
 // Let a vector d be known up to D in each component, its components at most Y, and g up to G,
@@ -23,11 +23,11 @@ namespace asterism::internal {
 namespace {
 
 constexpr double unit = 0x1p-53;
-// Above what three products lose, 2^-1074 each, in a sum and times `slack`.
+// Bounds the underflow of three products, 2^-1074 each, in a sum and times `slack`.
 constexpr double underflow = 0x1p-1060;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Holds a vector in doubles, off by at most `off` in each component.
+// A vector in doubles with an error of at most `off` in each component.
 struct rough_vector {
   std::array<double, 3> at{};
   double off = 0;
@@ -55,7 +55,7 @@ double error_of_products(const rough_vector& axis, const rough_field& field) {
          underflow;
 }
 
-// Collects ranges along the three axes.
+// Ranges along the three axes, extended by each vector.
 class axis_ranges {
  public:
   void include(const rough_frame& f, const std::array<double, 3>& d) {
@@ -79,7 +79,7 @@ class axis_ranges {
   std::array<double, 3> low_{infinity, infinity, infinity}, high_{-infinity, -infinity, -infinity};
 };
 
-// Holds a net with its points from the frame's corner on, times the weight.
+// A net with its points relative to the frame's corner, times the weight.
 struct moved_net {
   std::vector<std::array<double, 3>> at;
   std::vector<double> weight;
@@ -139,8 +139,8 @@ rounded_interval widened(double low, double high, double off) {
   return {low - error, high + error};
 }
 
-// Holds ranges of differences along two sides, and of a quotient those of the weights' and its
-// places.
+// Ranges of differences along two sides and, for a quotient, those of the weights' differences and
+// of its places.
 struct side_ranges {
   direction_range first, second, place;
   std::array<rounded_interval, 2> weight;

@@ -15,12 +15,12 @@ namespace {
 using plain_control = std::array<double, 4>;
 
 // Bounds what underflow adds, relative to a weight: weights are 2^-300 at least, and fewer than
-// 2^30 products lose at most 2^-1074 each. What shares lose is times |P_i|, no more than 2^600 X w,
-// and within the rounding that is counted beside.
+// 2^30 products lose at most 2^-1074 each. The underflow of shares is multiplied by |P_i|, no more
+// than 2^600 X w, and is within the rounding that is counted separately.
 constexpr double lost_to_underflow = 0x1p-700;
 
-// Shares that the polar form gives to the control points of one direction, rows of degree + 1: for
-// each multi-index of sum `degree` those where the arguments are the corners so many times.
+// Shares of the control points of one direction in the polar form, rows of degree + 1: one row for
+// each multi-index of sum `degree`, the number of times each corner is an argument.
 struct share_rows {
   static constexpr std::size_t most =
       net_size(most_degree) * (static_cast<std::size_t>(most_degree) + 1);
@@ -30,8 +30,8 @@ struct share_rows {
   const double* at(std::size_t k) const { return shares.data() + k * row; }
 };
 
-// Row by row: the shares of one argument less, times (1 - s) + s z. The arguments before are those
-// of the multi-index less one of its corners, the last there is.
+// Computes each row from the shares of one argument less, times (1 - s) + s z. Its arguments are
+// those of the multi-index without one corner, the last one.
 void find_shares(int degree, const std::array<double, 3>& at, share_rows& rows) {
   rows.row = static_cast<std::size_t>(degree) + 1;
   rows.count = 0;
@@ -48,8 +48,8 @@ void find_shares(int degree, const std::array<double, 3>& at, share_rows& rows) 
     }
 }
 
-// Holds the numbers that bound errors: |P_i| <= greatest w_i, half-widths of control points and
-// weights over w_i, how far true corners are from those taken, and by how much weights differ.
+// Numbers in the bounds of errors: |P_i| <= greatest w_i, half-widths of control points and weights
+// over w_i, the distance of true corners from those taken, and the ratio of weights.
 struct net_facts {
   double greatest = 0, half_width = 0, weight_half_width = 0, corner_off = 0, weight_ratio = 1;
   bool usable = true;
@@ -98,7 +98,7 @@ void take_control(const tensor_net& from, bool is_rational, plain_start& start) 
   f.weight_ratio = greatest_weight / least_weight;
 }
 
-// Sums the control points by shares, count of them, stride apart.
+// Sums `count` control points, `stride` apart, by shares.
 plain_control combined(const double* shares, const plain_control* points, std::size_t count,
                        std::size_t stride) {
   plain_control sum;
@@ -108,8 +108,8 @@ plain_control combined(const double* shares, const plain_control* points, std::s
   return sum;
 }
 
-// Each pair of multi-indices of sums p and q adds to the one that is their sum, with the number of
-// ways to choose it.
+// Adds each pair of multi-indices of sums p and q to the multi-index that is their sum, with the
+// number of ways to choose it.
 void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) {
   share_rows by_u, by_v;
   find_shares(p, start.at[0], by_u);
@@ -138,28 +138,30 @@ void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) 
 [[gnu::noinline]] std::optional<plain_triangle_net> to_nearest(const tensor_net& from,
                                                                const parameter_triangle& corners,
                                                                bool is_rational) {
-  // Chosen: intervals are taken beyond. Weights known to that share differ from those computed by a
-  // factor below 1 + 2 weight_off, as the last step takes it.
+  // Largest relative error of weights for this way; intervals are used beyond. Weights known to
+  // that share differ from those computed by a factor below 1 + 2 weight_off, as the last step
+  // takes it.
   constexpr double rough = 0x1p-30;
   plain_start start;
   take_corners(corners, start);
   take_control(from, is_rational, start);
   const net_facts& f = start.facts;
   const int p = from.degree_u, q = from.degree_v;
-  // A polar form is affine in each of p + q arguments, and between 0 and 1 of two values of it at
-  // the ends, so that an argument off by h changes it by at most 2 h times the greatest value.
+  // Bounds the change by an argument's error: a polar form is affine in each of p + q arguments,
+  // and between 0 and 1 of two values of it at the ends, so that an argument off by h changes it by
+  // at most 2 h times the greatest value.
   const double moved = 2 * (p + q) * f.corner_off * f.weight_ratio;
   if (!f.usable || !(moved + f.weight_half_width < rough)) return std::nullopt;
   plain_triangle_net net;
   net.degree = p + q;
   net.points.assign(net_size(p + q), {0, 0, 0, 0});
   sum_pairs(p, q, start, net);
-  // (1 + 2^-53)^k - 1 is below (k + 1) 2^-53 for k of some hundreds.
+  // Uses that (1 + 2^-53)^k - 1 is below (k + 1) 2^-53 for k of some hundreds.
   const double rounded = (roundings_of_net(p, q) + 1) * 0x1p-53;
   net.off = ((rounded + moved) * f.greatest + f.half_width) * slack + lost_to_underflow;
   net.weight_off =
       is_rational ? (rounded + moved + f.weight_half_width) * slack + lost_to_underflow : 0;
-  // Makes both relative to the computed weight; so far they are to the true one.
+  // Makes both errors relative to the computed weight; so far they are relative to the true one.
   net.off *= 1 + 2 * net.weight_off, net.weight_off *= 1 + 2 * net.weight_off;
   return net;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes a piece over a triangle of its parameters in Bernstein form in doubles, with a bound of
-// all that differs from the exact net: the fast way of triangle_net.hpp, whose intervals take some
+// its difference from the exact net: the fast way of triangle_net.hpp, whose intervals take some
 // twenty times as long.
 //
 // A net's point is sum b_i P_i with shares b_i >= 0, sum 1, as long as the corners are in the
@@ -21,15 +21,16 @@
 
 namespace asterism::internal {
 
-// Holds x, y, z (times the weight) and the weight of each point; the true ones differ by at most
-// `off` and `weight_off`, each times the computed weight, and the weights by weight_off times it.
+// Coordinates x, y, z (times the weight) and the weight of each point; the true ones differ by at
+// most `off` and `weight_off`, each times the computed weight, and the weights by weight_off times
+// it.
 struct plain_triangle_net {
   int degree = 0;
   std::vector<std::array<double, 4>> points;
   double off = 0, weight_off = 0;
 };
 
-// Bounds the roundings on the way of a summand: degrees p and q, share and rest.
+// Returns the largest number of roundings in a summand: degrees p and q, share and rest.
 //   3 p and 3 q in the shares of the two directions: 1 - s, its product, the sum, p times;
 //   1 + p and 1 + q for products with control points and their sums;
 //   1 for the number of ways, net_size(min(p, q)) for sums of pairs of one multi-index;

@@ -11,11 +11,11 @@
 
 namespace asterism::internal {
 
-// Returns the domain that the plane mesh of a face is to be of: the patch's rectangle, with the
-// given sites on its sides. Fails where a given site is on no side, or corners are not the patch's.
+// Returns the domain that the plane mesh of a face must cover: the patch's rectangle, with the
+// given sites on its sides. Fails if a given site is on no side, or corners are not the patch's.
 result<domain> rectangle_of(const surface_patch& patch, const shell_face& face);
 
-// Audits the plane mesh of each face against that.
+// Audits the plane mesh of each face against that domain.
 void audit_planes(const surface& s, const surface_shell& shell, const shell_question& asked,
                   shell_report& report);
 

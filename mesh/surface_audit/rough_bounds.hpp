@@ -9,7 +9,7 @@
 
 namespace asterism::internal {
 
-// Is above (1 + 2^-53)^k for up to 2^12 roundings k: those of a bound of an error itself.
+// Upper bound of (1 + 2^-53)^k for up to 2^12 roundings k: those of an error bound itself.
 inline constexpr double slack = 1 + 0x1p-40;
 
 struct middle_and_half {

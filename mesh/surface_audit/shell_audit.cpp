@@ -26,9 +26,9 @@ namespace {
 
 constexpr int deepest = 9;          // quarterings of a triangle
 constexpr double finite = 0x1p500;  // its square is below infinity
-// Ends the narrowing of bounds of trimmed patches that are below this share of the distance asked:
-// places inside of trims are moved inward, and no bound comes below that. Chosen; bounds hold
-// whatever it is.
+// Share of the distance asked below which bounds of trimmed patches are not narrowed further:
+// places inside of trims are moved inward, and no bound comes below that. Bounds are valid for any
+// value.
 constexpr double negligible_at_trims = 1e-6;
 
 error no_triangle() {
@@ -77,7 +77,7 @@ std::optional<error> fault_of(const surface& s, const surface_shell& shell) {
   return {};
 }
 
-// All that the looks at cells need, and what it is made of.
+// Data that the bounds of cells need: indexes of shell and surface.
 class shell_view {
  public:
   shell_view(const surface& s, const surface_shell& shell, std::vector<bezier_piece> pieces)
@@ -108,7 +108,7 @@ class shell_view {
   }
 
  private:
-  // The place of a triangle's middle on the surface, about.
+  // Returns the approximate place of a triangle's middle on the surface.
   surface_place middle_of(const shell_triangle& t) const {
     const auto mean = [&](std::size_t k) { return (t.at[0][k] + t.at[1][k] + t.at[2][k]) / 3; };
     return place_in(pieces_, spans_[t.face], mean(0), mean(1));
@@ -138,7 +138,7 @@ lifted_cells cells_of_triangle(const lifted_scene& scene, std::uint32_t t) {
   return cells_of(scene, t);
 }
 
-// The first cells of a triangle, looked at; none where a cut is not certain.
+// Returns the first cells of a triangle, with bounds; none where a cut is not certain.
 lifted_cells first_cells(const lifted_scene& scene, std::uint32_t t, look at) {
   const floating_point_scope scope(rounding::upward);
   lifted_cells cells = cells_of(scene, t);
@@ -146,7 +146,7 @@ lifted_cells first_cells(const lifted_scene& scene, std::uint32_t t, look at) {
   return cells;
 }
 
-// The first cells of all triangles, looked at in both ways, with one net for the two.
+// First cells of all triangles, with bounds of distances and of normals, from one net for both.
 struct first_looks {
   std::vector<lifted_cells> distances, normals;
 };
@@ -196,13 +196,14 @@ std::vector<lifted_cell> parts_of(const lifted_scene& scene, const lifted_cell& 
   return parts;
 }
 
-// True if there is no use in dividing it: the surface is folded there, in doubles, or it is small.
+// True if dividing the cell is useless: the surface is folded there, in doubles, or the cell is
+// small.
 bool gives_up(const lifted_cell& cell) {
   return cell.depth >= deepest || (std::isinf(cell.above) && cell.below < 0);
 }
 
-// False if the surface is folded over the triangle as far as doubles can tell in a few places, or
-// if much work leaves it open.
+// Returns false if the surface is folded over the triangle, by tests in doubles at a few places, or
+// if that is open after much work.
 bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
   constexpr std::size_t most_cells = 1000;
   std::vector<lifted_cell> waiting = first_cells(scene, t, look_at_normals);
@@ -215,8 +216,8 @@ bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
   return true;
 }
 
-// Returns u and v where the surface itself turns round within the triangle's piece, if doubles find
-// such a place.
+// Returns u and v of a place where the surface itself turns round within the triangle's piece, if
+// doubles find one.
 std::optional<std::array<double, 2>> fold_over(const lifted_scene& scene, std::uint32_t t) {
   for (const lifted_cell& cell : cells_of_triangle(scene, t)) {
     const bezier_piece& piece = scene.space.pieces[cell.piece];
@@ -247,7 +248,7 @@ void audit_distances(const shell_view& view, const std::vector<lifted_cells>& fi
     limits.negligible = std::max(limits.negligible, negligible_at_trims * asked.chord);
   limits.at_most = asked.chord;
   limits.most_cells = 100 * scene.triangles.size() + 1'000'000;
-  // Reports the greater of the two: the other need not be known better.
+  // Reports the greater of the two bounds: the other need not be narrowed.
   const double of_mesh = distance_of_mesh(scene.space, limits);
   limits.negligible = std::max(limits.negligible, of_mesh);
   const auto found = narrow(joined(first), limits, [&](const lifted_cell& cell) {
@@ -269,7 +270,8 @@ void audit_normals(const shell_view& view, const std::vector<lifted_cells>& firs
   const auto divide = [&](const lifted_cell& cell) {
     return gives_up(cell) ? std::vector<lifted_cell>{} : parts_of(scene, cell, look_at_normals);
   };
-  // First that all is unfolded, with any finite bound; then a narrower bound, as far as work goes.
+  // Proves first that all is unfolded, with any finite bound; then narrows the bound, within the
+  // work limit.
   std::vector<unsigned char> failed(scene.triangles.size(), 0);
   narrowing_limits limits;
   limits.negligible = finite;
@@ -342,7 +344,7 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
   if (auto wrong = fault_of(s, shell)) return *wrong;
   shell_report report;
   audit_planes(s, shell, asked, report);
-  // Nothing further is meant by meshes that are no triangulations.
+  // Ends here for meshes that are no triangulations: further points would mean nothing.
   if (report.found > 0) return report;
   const shell_view view(s, shell, std::move(pieces).value());
   if (view.in_space().triangles.empty()) return no_triangle();

@@ -30,15 +30,16 @@
 
 namespace asterism::internal {
 
-// Fails where the surface is refused, or an index or a number of the shell is out of range.
+// Audits a shell. Fails if the surface is refused, or an index or a number of the shell is out of
+// range.
 result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
                                  const shell_question& asked);
 
-// For who makes a shell: an upper bound of the distances between a plane triangle and its piece of
-// the surface, either no more than 5 % above a point's distance or below `enough`; and whether the
-// surface is not folded over it, as far as doubles tell in a few places, and where the surface
-// itself is, which no finer mesh mends: u and v of its patch. Only of the plane triangles that are
-// wanted, face by face; of others nothing is said.
+// For the maker of a shell: measures an upper bound of the distances between a plane triangle and
+// its piece of the surface, either no more than 5 % above a point's distance or below `enough`; and
+// whether the surface is not folded over it, as far as doubles tell in a few places, and where the
+// surface itself is, which no finer mesh mends: u and v of its patch. Only for the plane triangles
+// that are wanted, face by face.
 struct shell_measure {
   double distance = 0;
   bool is_unfolded = false;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Two triangles have a point in common, beside what they share, if and only if an edge of one meets
-// the other there: their intersection is convex, and its extreme points are on edges. With a common
-// vertex it is enough to look at the edges opposite to it, as the intersection is a star about that
-// vertex. With a common edge a further point makes them lie in one plane, on one side of the edge.
+// Uses that two triangles have a point in common, beside what they share, if and only if an edge of
+// one meets the other there: their intersection is convex, and its extreme points are on edges.
+// With a common vertex it is enough to look at the edges opposite to it, as the intersection is a
+// star about that vertex. With a common edge a further point makes them lie in one plane, on one
+// side of the edge.
 #include "asterism/mesh/surface_audit/shell_crossings.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ int sign_of_exact(const dyadic& x) {
   return volume<rounded_interval>(a, b, c, d);
 }
 
-// The side of the plane of a, b, c that d is on: 1, -1, or 0 on it.
+// Returns the side of the plane of a, b, c that d is on: 1, -1, or 0 on it.
 int side(const space_point& a, const space_point& b, const space_point& c, const space_point& d) {
   {
     const floating_point_scope scope(rounding::upward);
@@ -52,7 +53,7 @@ double coordinate(const space_point& p, int axis) {
   return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-// In the plane of two coordinates.
+// Returns the orientation of three points in the plane of two coordinates.
 int turn(const space_point& a, const space_point& b, const space_point& c, int i, int k) {
   const auto less = [](double x, double y) { return dyadic(x) - dyadic(y); };
   return sign_of_exact(
@@ -77,8 +78,8 @@ bool segments_meet(const space_point& p, const space_point& q, const space_point
          (u == 0 && is_between(a, b, p, i, k)) || (v == 0 && is_between(a, b, q, i, k));
 }
 
-// Tests a segment in the triangle's plane, along an axis in which the triangle has area. A
-// triangle without any is its edges.
+// Tests a segment in the triangle's plane, along an axis in which the triangle has area. A triangle
+// without area is its edges.
 bool meets_in_plane(const space_point& p, const space_point& q, const corners& t) {
   int i = 0, k = 1;
   for (const auto& [x, y] : {std::array{0, 1}, std::array{1, 2}, std::array{2, 0}})
@@ -87,7 +88,7 @@ bool meets_in_plane(const space_point& p, const space_point& q, const corners& t
   bool inside = way != 0;
   for (std::size_t n = 0; n < 3; ++n) {
     const space_point &a = t[n], &b = t[(n + 1) % 3];
-    // Without area all three planes of coordinates must agree.
+    // Requires agreement in all three planes of coordinates for a triangle without area.
     if (way != 0 ? segments_meet(p, q, a, b, i, k)
                  : segments_meet(p, q, a, b, 0, 1) && segments_meet(p, q, a, b, 1, 2) &&
                        segments_meet(p, q, a, b, 2, 0))

@@ -12,9 +12,10 @@
 
 namespace asterism::internal {
 
-// Returns the first two triangles that do, in the order of their least first coordinates; none:
-// the triangles make an embedded shell. A triangle without area that is crossed counts too.
-// Cost: pairs whose boxes overlap, and those whose ranges of the first coordinate do.
+// Returns the first two triangles that cross or touch, in the order of their least first
+// coordinates; none if the triangles make an embedded shell. A triangle without area that is
+// crossed counts too. Cost: pairs whose boxes overlap, and those whose ranges of the first
+// coordinate do.
 std::optional<std::array<std::uint32_t, 2>> crossing_triangles(const space_mesh& m);
 
 }  // namespace asterism::internal

@@ -18,8 +18,8 @@ namespace {
 
 using shell_edge = std::pair<std::uint32_t, std::uint32_t>;
 
-// A side of a patch as its control points and knots say it, from its start or from its end. Equal
-// curves are one curve, bit for bit.
+// Key of a patch's side: its control points and knots, from its start or from its end. Equal keys
+// mean one curve, bit for bit.
 using side_key = std::vector<double>;
 
 side_key key_of(const surface_patch& p, int side, bool backward) {
@@ -39,8 +39,8 @@ side_key key_of(const surface_patch& p, int side, bool backward) {
   return key;
 }
 
-// Holds the sides that are the same curve as another, by face and side, and those that are one
-// point. The sides of a trimmed patch are its curves.
+// Sides that are the same curve as another, by face and side, and sides that are one point. The
+// sides of a trimmed patch are its curves.
 struct side_facts {
   std::set<std::pair<std::size_t, int>> shared, points;
 };
@@ -84,17 +84,18 @@ side_facts facts_of(const surface& s, const surface_shell& shell) {
   return facts;
 }
 
-// Finds the sides that edges of the plane mesh of a face are on.
+// Finds the side that an edge of a face's plane mesh is on.
 class face_sides {
  public:
   face_sides(const surface_patch& patch, const shell_face& face)
       : face_(face), trimmed_(!patch.loops.empty()) {
-    // Markers are held against the curves with the plane mesh.
+    // Trusts markers, which were compared with the curves together with the plane mesh.
     if (trimmed_)
       for (const boundary_edge& e : face.plane.boundary)
         on_.emplace(std::pair{e.a, e.b}, e.marker - 1);
   }
-  // Returns the side that the edge from a to b is on, the face on its left; if any.
+  // Returns the side that the edge from a to b is on, with the face on its left; none for an inner
+  // edge.
   std::optional<int> of(vertex_index a, vertex_index b) const {
     if (!trimmed_)
       return of_rectangle(face_.plane.sites[a].position, face_.plane.sites[b].position);
@@ -144,7 +145,7 @@ std::set<shell_edge> edges_at_open_sides(const surface& s, const surface_shell& 
   return edges;
 }
 
-// Names the edges that are there already, in the order given.
+// Reports the edges that occur twice, in the order given.
 void name_repeated(const std::vector<shell_edge>& given, const shell_question& asked,
                    shell_report& report) {
   std::set<shell_edge> before;
@@ -193,7 +194,7 @@ void audit_edges(const surface& s, const surface_shell& shell,
   const auto unused = std::count(is_used.begin(), is_used.end(), 0);
   if (unused > 0)
     note_finding(report, asked, fmt::format("{} vertices are in no triangle", unused));
-  // A triangle that is none in space must be at a side that is one point.
+  // Checks that a collapsed triangle is at a side that is one point.
   std::size_t at = 0;
   for (std::size_t f = 0; f < shell.faces.size(); ++f) {
     const face_sides sides(s.patches[shell.faces[f].patch], shell.faces[f]);

@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Holds edges and vertices of the shell against each other and against the sides of the patches.
+// Compares edges and vertices of the shell with each other and with the sides of the patches.
 void audit_edges(const surface& s, const surface_shell& shell,
                  const std::vector<shell_triangle>& triangles, const shell_question& asked,
                  shell_report& report);

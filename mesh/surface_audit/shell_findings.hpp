@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts what an audit of a shell finds.
+// Counts the findings of the audit of a shell.
 #pragma once
 
 #include <string>

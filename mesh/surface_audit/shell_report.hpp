@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what is asked of a mesh of a surface, and what was proved of it.
+// Holds the question of a surface's mesh, and the report of its proof.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct shell_report {
   double least_angle_in_space = 180;  // degrees; for information
   std::size_t folded = 0;             // triangles for which point 3 could not be proved
 
-  // Facts of trimmed patches, each meshed within the polygon through the places on its curves.
+  // Measures of trimmed patches, each meshed within the polygon through the places on its curves.
   std::size_t trims = 0;       // curves
   double trim_distance = 0;    // an upper bound of the distance in space of polygons and curves
   std::size_t trim_edges = 0;  // that two curves have

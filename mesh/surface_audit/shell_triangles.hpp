@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists the triangles of a shell, and where each is in its patch.
+// Lists the triangles of a shell, with the place of each in its patch.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace asterism::internal {
 
-// Where the pieces of each patch are: pieces of neighbouring spans, those of v next to each other.
+// Pieces of each patch: those of neighbouring spans in order, those along v next to each other.
 struct patch_spans {
   std::uint32_t first = 0;   // of its pieces
   std::vector<double> u, v;  // ends of the spans, ascending
 };
 std::vector<patch_spans> spans_of(const std::vector<bezier_piece>& pieces, std::size_t patches);
-// Returns the piece of a patch that has (u, v), and the place in it, rounded.
+// Returns the piece of a patch that contains (u, v), and the place in it, rounded.
 surface_place place_in(const std::vector<bezier_piece>& pieces, const patch_spans& spans, double u,
                        double v);
 
@@ -32,7 +32,7 @@ struct shell_triangle {
   bool collapsed = false;                     // a vertex twice: it is none in space
 };
 
-// Requires that every index is in range.
+// Lists the triangles. Requires that every index is in range.
 std::vector<shell_triangle> triangles_of(const surface_shell& shell);
 
 // Returns the triangles in space, each as its face has it, turned if that is reversed.

@@ -23,7 +23,7 @@ struct placed_site {
 
 error fault(std::string what) { return {std::move(what), error_code::invalid_mesh}; }
 
-// Returns the given sites of each curve by place; the first is the curve's start.
+// Returns the given sites of each curve, ordered by place; the first is the curve's start.
 result<std::vector<std::vector<placed_site>>> sites_along(const std::vector<trim_link>& trims,
                                                           const shell_face& face) {
   const mesh& m = face.plane;
@@ -55,7 +55,7 @@ parameter_point parameters_of(const shell_face& face, vertex_index site) {
   return {std::ldexp(p.x, -face.scale_u), std::ldexp(p.y, -face.scale_v)};
 }
 
-// Holds a chord of a face, by its curve.
+// A chord of a face, and its curve.
 struct face_chord {
   std::uint32_t face = 0, curve = 0;
   trim_chord chord;
@@ -78,7 +78,7 @@ void add_chords(const surface_patch& patch, const shell_face& face, std::uint32_
   }
 }
 
-// Names a use of an edge: a curve of a face.
+// A use of an edge by a curve of a face.
 struct edge_use {
   std::size_t face = 0;
   const trim_curve* curve = nullptr;

@@ -54,8 +54,8 @@ inline plain_vector middle_of(const interval_vector& a) {
   return {middle_of(a.x), middle_of(a.y), middle_of(a.z)};
 }
 
-// Returns what factor * a is, in fewer operations. Requires factor.inf() >= 0: each end of the
-// product is that end of a times the end of the factor that moves it outward.
+// Returns factor * a, in fewer operations. Requires factor.inf() >= 0: each end of the product is
+// that end of a times the end of the factor that moves it outward.
 inline rounded_interval scaled(const rounded_interval& factor, const rounded_interval& a) {
   const double low = -a.inf(), high = a.sup();
   return {-rounded_product(low >= 0 ? factor.sup() : factor.inf(), low),
@@ -74,7 +74,7 @@ inline rounded_interval squared_length(const interval_vector& a) {
   return squared(a.x) + squared(a.y) + squared(a.z);
 }
 
-// Holds a point of projective space: (w x, w y, w z, w), w > 0.
+// A point of projective space: (w x, w y, w z, w), w > 0.
 template <class Number>
 struct weighted {
   space_vector<Number> at;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells, in doubles, where a surface itself turns round at once: at a fold or a cusp, which no
-// finer mesh lies over unfolded. It proves nothing: it saves attempts to refine there.
+// Finds, in doubles, places where a surface itself turns round abruptly: at a fold or a cusp, over
+// which no finer mesh lies unfolded. It proves nothing: it saves attempts to refine there.
 #pragma once
 
 #include <array>

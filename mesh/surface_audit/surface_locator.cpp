@@ -39,7 +39,7 @@ std::vector<space_box> boxes_of(const std::vector<plain_vector>& samples) {
 
 double squared(const plain_vector& a) { return dot(a, a); }
 
-// The step of Gauss and Newton, where a variable at its bound that would leave it stays.
+// Returns the step of Gauss and Newton; a variable that would leave its bound stays there.
 std::array<double, 2> step(const plain_jet& jet, const plain_vector& gap, bool hold_s,
                            bool hold_t) {
   const double a = dot(jet.by_s, jet.by_s), b = dot(jet.by_s, jet.by_t),
@@ -71,7 +71,8 @@ located project(const std::vector<bezier_piece>& pieces, surface_place from, con
     std::array<double, 2> by = step(jet, gap, false, false);
     const bool hold_s = leaves(at.s, by[0], low, high), hold_t = leaves(at.t, by[1], low, high);
     if (hold_s || hold_t) by = step(jet, gap, hold_s, hold_t);
-    // At a point of the surface no such step leads nearer, and none of its halves.
+    // Ends if the step is negligible: at the nearest point no step leads nearer, and no half of
+    // one.
     if (!(std::max(std::abs(by[0]), std::abs(by[1])) >= negligible)) break;
     bool nearer = false;
     double moved = 0;
@@ -99,8 +100,8 @@ surface_locator::surface_locator(const std::vector<bezier_piece>& pieces)
       tree_(boxes_of(samples_)) {}
 
 located surface_locator::nearest(const plain_vector& p) const {
-  // Of three pieces, and of all that meet where the third is nearest: at a corner or at a side that
-  // is one point any of them may have the point.
+  // Starts from three pieces, and from all that meet where the third is nearest: at a corner or at
+  // a side that is one point any of them may contain the nearest point.
   constexpr std::size_t starts_wanted = 3, most_starts = 12;
   struct start {
     double far;
@@ -115,7 +116,7 @@ located surface_locator::nearest(const plain_vector& p) const {
   const auto before = [](const start& a, const start& b) {
     return a.far != b.far ? a.far < b.far : a.sample < b.sample;
   };
-  // Keeps the nearest sample of each piece, nearest first, equal ones by number.
+  // Keeps the nearest sample of each piece, in order of distance, equal ones by number.
   const auto offer = [&](std::uint32_t sample) {
     const start mine{squared(p - samples_[sample]), sample};
     std::size_t k = 0;

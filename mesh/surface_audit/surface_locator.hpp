@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Proposes, in doubles, the place of a surface nearest to a point. It proves nothing: what is
-// claimed of a place is proved elsewhere.
+// Proposes, in doubles, the place of a surface nearest to a point. It proves nothing: claims about
+// a place are proved elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ struct located {
   double squared_distance = 0;
 };
 
-// Follows Gauss and Newton from a place to a nearest point of its piece. With `beyond`, up to so
-// far outside of its square, where the polynomials go on.
+// Follows Gauss and Newton from a place to a nearest point of its piece. With `beyond`, places up
+// to that far outside of its square are allowed, where the polynomials are continued.
 located project(const std::vector<bezier_piece>& pieces, surface_place from, const plain_vector& p,
                 double beyond = 0);
 
 class surface_locator {
  public:
-  // Samples each piece on a grid that its degrees choose. The pieces must outlive it.
+  // Samples each piece on a grid by its degrees. The pieces must outlive it.
   explicit surface_locator(const std::vector<bezier_piece>& pieces);
 
   // Projects from the nearest sample of each of the few nearest pieces.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From the surface to the mesh: cells are boxes of a piece's parameters with their control points,
-// halved by de Casteljau's algorithm.
+// Bounds the distance from the surface to the mesh: cells are boxes of a piece's parameters with
+// their control points, halved by de Casteljau's algorithm.
 #include "asterism/mesh/surface_audit/surface_to_mesh.hpp"
 
 #include <algorithm>

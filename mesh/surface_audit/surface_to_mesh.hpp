@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures how far the surface is from a mesh.
+// Bounds the distance of the surface from a mesh.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@
 
 namespace asterism::internal {
 
-// Returns about the nearest triangle to a point, in doubles; `hint` is a triangle to begin with.
+// Returns approximately the nearest triangle to a point, in doubles; `hint` is a triangle to begin
+// with.
 struct nearest_triangle {
   std::uint32_t triangle = 0;
   double squared_distance = 0;
@@ -20,7 +21,7 @@ struct nearest_triangle {
 nearest_triangle nearest_triangle_to(const deviation_scene& scene, const plain_vector& p,
                                      std::uint32_t hint);
 
-// Returns two triangles of the mesh as a pair if two of their corners are at the same points.
+// Returns two triangles of the mesh as a pair if two of their corners coincide.
 std::optional<two_triangles> joined_triangles(const deviation_scene& scene, std::uint32_t a,
                                               std::uint32_t b);
 

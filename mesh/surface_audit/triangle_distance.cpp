@@ -9,8 +9,8 @@ namespace {
 
 double clamped(double x) { return std::clamp(x, 0.0, 1.0); }
 
-// Returns s, t >= 0 with s + t <= 1 exactly, where sums are rounded upward. From 1/2 on the
-// difference 1 - s is exact.
+// Returns the place moved into the triangle: s, t >= 0 with s + t <= 1 exactly, where sums are
+// rounded upward. From 1/2 on the difference 1 - s is exact.
 triangle_place inside(double s, double t) {
   s = clamped(s), t = clamped(t);
   double more = std::max(s, t), less = std::min(s, t);
@@ -137,7 +137,7 @@ bool is_farther(const space_vector<Number>& p, const Number& w, const plain_tria
   if (certainly_zero(dot(normal, normal))) return true;  // it is its edges
   const Number height = dot(from_a, normal);
   if (certainly_positive(height * height - squared * w * w * dot(normal, normal))) return true;
-  // Nearer to the plane: the foot is certainly beyond one of the edges.
+  // Tests points near the plane: the foot must certainly be beyond one of the edges.
   return certainly_positive(-dot(cross(b - a, from_a), normal)) ||
          certainly_positive(-dot(cross(c - b, from_b), normal)) ||
          certainly_positive(-dot(cross(a - c, from_c), normal));

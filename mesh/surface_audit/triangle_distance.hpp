@@ -17,7 +17,7 @@ struct triangle_place {
   double s = 0, t = 0;
 };
 
-// Returns about the nearest point of the triangle, in doubles, and its squared distance.
+// Returns approximately the nearest point of the triangle, in doubles, and its squared distance.
 struct nearest_place {
   triangle_place at;
   double squared_distance = 0;

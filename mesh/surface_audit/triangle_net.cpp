@@ -10,7 +10,8 @@
 namespace asterism::internal {
 namespace {
 
-// A product with a weight of a polar form. Where the corners are in the piece none is negative.
+// Returns the product of a point and a weight of the polar form. If the corners are in the piece no
+// weight is negative.
 template <bool inside>
 rounded_interval weighed(const rounded_interval& weight, const rounded_interval& a) {
   if constexpr (inside)
@@ -26,7 +27,7 @@ interval_vector weighed(const rounded_interval& weight, const interval_vector& a
     return weight * a;
 }
 
-// Weights that the polar form gives to the control points, rows of degree + 1.
+// Weights of the control points in the polar form, rows of degree + 1.
 struct blossom_rows {
   std::size_t row = 1;
   std::vector<rounded_interval> weights;
@@ -35,7 +36,7 @@ struct blossom_rows {
   const rounded_interval* at(std::size_t k) const { return weights.data() + k * row; }
 };
 
-// Returns, for each multi-index of sum `degree`, the weights when the arguments are the corners so
+// Returns, for each multi-index of sum `degree`, the weights when each corner is an argument that
 // many times: the coefficients of the product of (1 - s) + s z over the arguments.
 blossom_rows blossoms(int degree, const std::array<rounded_interval, 3>& at) {
   std::array<rounded_interval, 3> rest;
@@ -74,8 +75,8 @@ weighted_point combined(const rounded_interval* weights, const weighted_point* p
   return sum;
 }
 
-// The pairs of multi-indices of sums p and q are as many as the products of their numbers; each
-// adds to the multi-index that is their sum, with the share of the ways to choose it.
+// Adds each pair of multi-indices of sums p and q to the multi-index that is their sum, with its
+// share of the ways to choose it. The number of pairs is the product of both numbers.
 void gather(int p, int q, const std::vector<weighted_point>& pairs, bool is_rational,
             triangle_net& net) {
   for (int i = p; i >= 0; --i)
@@ -112,7 +113,7 @@ std::vector<weighted_point> pairs_of(const tensor_net& from, const parameter_tri
   return pairs;
 }
 
-// The weights of the first multi-index alone.
+// Returns the weights of the first multi-index alone.
 template <bool inside>
 std::array<rounded_interval, most_degree + 1> first_blossom(int degree,
                                                             const rounded_interval& at) {
@@ -128,8 +129,8 @@ std::array<rounded_interval, most_degree + 1> first_blossom(int degree,
   return row;
 }
 
-// Multiplies by the number of ways of the first multi-index, and divides by it, as for the net: the
-// same bits.
+// Multiplies by the number of ways of the first multi-index, and divides by it, so that the bits
+// are those of the net.
 void share_out(const tensor_net& from, weighted_point& point, bool is_rational) {
   const rounded_interval ways = ways_to_choose(from.degree_u + from.degree_v, from.degree_u);
   const rounded_interval share = quotient(rounded_interval(1), ways);
@@ -151,7 +152,7 @@ weighted_point first_point(const tensor_net& from, const parameter_corner& at, b
   return point;
 }
 
-// The exact net is within the plain one's bounds.
+// Converts the plain net to intervals that contain the exact one, by its bounds.
 triangle_net enclosed(const plain_triangle_net& plain, bool is_rational) {
   triangle_net net{plain.degree, std::vector<weighted_point>(plain.points.size())};
   for (std::size_t k = 0; k < net.points.size(); ++k) {
@@ -196,7 +197,7 @@ triangle_net net_in_intervals(const tensor_net& from, const parameter_triangle& 
   return net;
 }
 
-// The net's first point has the first multi-indices of both directions alone.
+// Returns the net's first point, from the first multi-indices of both directions alone.
 weighted_point point_at(const tensor_net& from, const parameter_corner& at, bool is_rational) {
   return is_inside({at, at, at}) ? first_point<true>(from, at, is_rational)
                                  : first_point<false>(from, at, is_rational);

@@ -33,8 +33,8 @@ double squared_size(const plain_vector& a) { return dot(a, a); }
 
 interval_vector exact_origin(const plain_vector& p) { return {p.x, p.y, p.z}; }
 
-// Adds the images of a curve of the plane: on each piece of the patch that it may reach into. False
-// where these are not known: a bound by the other images would not hold then.
+// Adds the images of a curve of the plane: on each piece of the patch that it may reach into.
+// Returns false if one is not known: a bound by the other images would not be valid.
 bool add_images(const curve_on_patch& on, const plane_curve& curve, const interval_vector& origin,
                 std::vector<space_curve>& images) {
   const std::vector<std::uint32_t> along = pieces_along(on.spans, curve);
@@ -57,7 +57,7 @@ double greatest_difference(const std::vector<space_curve>& a, const std::vector<
   return most;
 }
 
-// Returns the place to divide a cell at: the knot inside it that is nearest to its middle, else the
+// Returns the place at which a cell is divided: the knot inside it nearest to its middle, else the
 // middle.
 double cut_of(const trim_cell& cell, const std::vector<double>& knots) {
   const double middle = (cell.from + cell.to) / 2;
@@ -123,7 +123,8 @@ struct curve_and_chord {
   std::array<double, 2> units;
   std::vector<trim_piece> pieces;
 
-  // Returns the share of the chord that is held against a point of the plane: about its foot.
+  // Returns the parameter of the chord's point that is compared with a point of the plane: about
+  // its foot.
   double share_at(const plane_point& p) const {
     double along = 0, length = 0;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -148,8 +149,8 @@ struct curve_and_chord {
   }
 };
 
-// Returns the way along the chord that is held against a part of the curve: the shares at its ends
-// are those of the parts beside it, so that all of the chord is gone through.
+// Returns the part of the chord that is compared with a part of the curve. The parameters at its
+// ends are those of the adjacent parts, so that the whole chord is covered.
 plane_curve along_chord(const curve_and_chord& both, const trim_cell& cell,
                         const plane_curve& part) {
   plane_curve chord;

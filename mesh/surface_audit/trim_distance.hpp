@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Bounds how far curves on patches are from each other in space: the two curves of an edge, and a
-// curve and the polygon that stands for it. Two curves r(c(t)) are held against each other place
-// by place, in Bernstein's form of their difference (docs/math/surfaces.md, "Trims").
+// curve and the polygon that replaces it. Two curves r(c(t)) are compared place by place, in
+// Bernstein's form of their difference (docs/math/surfaces.md, "Trims").
 #pragma once
 
 #include <array>
@@ -24,12 +24,12 @@ struct curve_on_patch {
 };
 
 // Returns an upper bound of the greatest distance of the points of two curves at the same place;
-// with `opposite` the second one is gone through from 1 to 0. Distances below `negligible` are not
-// told apart. Infinite where nothing is proved.
+// with `opposite` the second one runs from 1 to 0. Bounds below `negligible` are not narrowed.
+// Infinite where nothing is proved.
 double trim_gap_above(const curve_on_patch& a, const curve_on_patch& b, bool opposite,
                       double negligible);
 
-// Holds a chord in the plane of the parameters.
+// A chord in the plane of the parameters.
 struct trim_chord {
   double from = 0, to = 0;  // places of the curve
   std::array<double, 2> start{}, end{};

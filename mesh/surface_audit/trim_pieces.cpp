@@ -40,7 +40,7 @@ std::optional<std::string> fault_of_curve(const trim_curve& c, int greatest_degr
 
 using plain_point = std::array<double, 3>;  // w u, w v, w
 
-// Returns the span of knots that has t.
+// Returns the span of knots that contains t.
 std::size_t span_at(const trim_curve& c, double t) {
   const auto p = static_cast<std::size_t>(c.degree);
   const auto after = std::upper_bound(c.knots.begin() + static_cast<std::ptrdiff_t>(p) + 1,

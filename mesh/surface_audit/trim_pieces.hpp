@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Cuts the curves that trim a patch at their knots, and refuses by name what trims nothing.
+// Cuts the curves that trim a patch at their knots, and refuses invalid ones by name.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace asterism::internal {
 
-// Returns what is wrong with the loops of a patch, half a sentence: a loop without curves, degrees
-// above the greatest, numbers and weights as of patches.
+// Returns the fault of a patch's loops in half a sentence, or nothing: a loop without curves,
+// degrees above the greatest, numbers and weights out of a patch's ranges.
 std::optional<std::string> fault_of_trims(const surface_patch& p, int greatest_degree);
 
-// Refers to a curve of a patch, and has the number of the one that follows it in its loop.
+// Refers to a curve of a patch, with the number of the next curve in its loop.
 struct trim_link {
   const trim_curve* curve = nullptr;
   std::size_t next = 0;
@@ -32,15 +32,15 @@ std::array<double, 2> trim_at(const trim_curve& c, double place);
 // Returns the places of the inner knots, rounded.
 std::vector<double> knot_places(const trim_curve& c);
 
-// Holds a part of a curve that is one polynomial, or one quotient, from place `low` to `high`. Its
-// Bezier points are (w u, w v, 0) and w.
+// A part of a curve that is one polynomial, or one quotient, from place `low` to `high`. Its Bezier
+// points are (w u, w v, 0) and w.
 struct trim_piece {
   rounded_interval low, high;
   std::vector<weighted_point> points;
 
   int degree() const { return static_cast<int>(points.size()) - 1; }
 };
-// Returns the parts of a curve between its knots. Requires a curve without fault. Stands in a
+// Returns the parts of a curve between its knots. Requires a curve without fault, and a
 // floating_point_scope(rounding::upward).
 std::vector<trim_piece> trim_pieces(const trim_curve& c);
 

@@ -17,7 +17,7 @@ rounded_interval turn(const parameter_point& a, const parameter_point& b,
   return less(b[0], a[0]) * less(p[1], a[1]) - less(b[1], a[1]) * less(p[0], a[0]);
 }
 
-// True if the segment may have a point in the box.
+// True unless the segment certainly has no point in the box.
 bool may_meet(const parameter_segment& s, const parameter_box& box) {
   for (std::size_t k = 0; k < 2; ++k)
     if (std::max(s.from[k], s.to[k]) < box.low[k] || std::min(s.from[k], s.to[k]) > box.high[k])
@@ -45,7 +45,7 @@ trim_region::trim_region(std::vector<parameter_segment> border) : border_(std::m
   rows_.resize(height_ > 0 ? count : 1);
   for (std::uint32_t k = 0; k < border_.size(); ++k) {
     const parameter_segment& s = border_[k];
-    // Adds a row at either end: rows are asked for in another rounding, too.
+    // Adds a row at either end: later searches for rows are rounded differently.
     const std::size_t first = row_of(std::min(s.from[1], s.to[1])),
                       last = row_of(std::max(s.from[1], s.to[1]));
     for (std::size_t row = first > 0 ? first - 1 : 0; row <= last + 1 && row < rows_.size(); ++row)
@@ -53,7 +53,7 @@ trim_region::trim_region(std::vector<parameter_segment> border) : border_(std::m
   }
 }
 
-// Never falls as v grows, whatever the rounding is.
+// Returns the row of v. The result is monotonic in v, whatever the rounding is.
 std::size_t trim_region::row_of(double v) const {
   if (rows_.size() == 1 || !(v > low_)) return 0;
   const double row = (v - low_) / height_;
@@ -61,8 +61,8 @@ std::size_t trim_region::row_of(double v) const {
                                                   : static_cast<std::size_t>(row);
 }
 
-// Counts how often the border goes around p, along a ray towards greater u: ends are compared
-// exactly, an end on the ray's line is above it.
+// Returns the winding number of the border around p, along a ray towards greater u: ends are
+// compared exactly, an end on the ray's line counts as above it.
 region_side trim_region::side_of_point(const parameter_point& p) const {
   int around = 0;
   for (const std::uint32_t k : rows_[row_of(p[1])]) {

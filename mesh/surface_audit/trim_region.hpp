@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells which part of the plane of the parameters belongs to a trimmed patch: what polygons with
-// the region on their left enclose. Decides by exact comparisons and intervals, or not at all.
+// Decides which part of the plane of the parameters belongs to a trimmed patch: the area that
+// polygons with the region on their left enclose. Answers by exact comparisons and intervals, or
+// "undecided".
 #pragma once
 
 #include <array>
@@ -25,11 +26,11 @@ enum class region_side { inside, outside, undecided };
 
 class trim_region {
  public:
-  // Requires closed polygons. Without any, all is inside.
+  // Takes closed polygons. Without any, all is inside.
   explicit trim_region(std::vector<parameter_segment> border);
 
-  // Returns the side that all of a box is on, undecided where a segment may come into it. Stands in
-  // a floating_point_scope(rounding::upward).
+  // Returns the side that all of a box is on, undecided where a segment may meet it. Requires a
+  // floating_point_scope(rounding::upward).
   region_side side_of(const parameter_box& box) const;
   bool is_whole() const { return border_.empty(); }
 
@@ -42,7 +43,7 @@ class trim_region {
   std::vector<std::vector<std::uint32_t>> rows_;  // segments that reach into strips of v
 };
 
-// True if p is certainly in the triangle or on its sides, whatever way it turns. In a
+// True if p is certainly in the triangle or on its sides, for either orientation. Requires a
 // floating_point_scope(rounding::upward).
 bool is_within(const std::array<parameter_point, 3>& triangle, const parameter_point& p);
 

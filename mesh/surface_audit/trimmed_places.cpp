@@ -24,7 +24,7 @@ parameter_box box_of(const bezier_piece& piece, const std::array<surface_place, 
   return box;
 }
 
-// Returns the shares of a triangle's corners in the point of its plane nearest to p.
+// Returns the barycentric coordinates of the point of a triangle's plane that is nearest to p.
 std::array<double, 3> shares_of(const std::array<plain_vector, 3>& t, const plain_vector& p) {
   const plain_vector e = t[1] - t[0], f = t[2] - t[0], d = p - t[0];
   const double a = dot(e, e), b = dot(e, f), c = dot(f, f), x = dot(d, e), y = dot(d, f);
@@ -45,8 +45,8 @@ std::array<double, 3> shares_in_plane(const std::array<parameter_point, 3>& t,
   return {areas[0] / all, areas[1] / all, areas[2] / all};
 }
 
-// Returns a point of the triangle with about these shares, a little towards the middle, so that
-// rounding does not take it out.
+// Returns a point of the triangle with about these coordinates, moved slightly towards the middle,
+// so that rounding does not move it out.
 parameter_point inner_point(const std::array<parameter_point, 3>& t, std::array<double, 3> shares) {
   constexpr double inward = 0x1p-40;
   double sum = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps the places that points of a mesh are held against inside of trimmed patches.
+// Finds places inside of trimmed patches with which points of a mesh are compared.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@
 
 namespace asterism::internal {
 
-// Holds what is known of a surface with trimmed patches, and of a mesh made of it.
+// Data of a surface with trimmed patches, and of a mesh made of it.
 struct trim_scene {
   std::vector<trim_region> regions;  // by patch
   std::vector<patch_spans> spans;    // by patch
-  // The patch and the triangle of its parameters that each triangle of the mesh was lifted from,
-  // all of which is in the region.
+  // Origin of each triangle of the mesh: the patch and the triangle of its parameters that it was
+  // lifted from, all of which is in the region.
   struct origin {
     std::uint32_t patch = 0;
     std::array<parameter_point, 3> at{};
@@ -28,21 +28,21 @@ struct trim_scene {
   std::vector<origin> origins;
 };
 
-// Holds a triangle of parameters of one piece, all of which belongs to the surface.
+// A triangle of parameters in one piece, all of which belongs to the surface.
 struct held_triangle {
   std::uint32_t piece = 0;
   parameter_triangle corners;
 };
 
-// All of these stand in a floating_point_scope(rounding::upward).
+// All of these functions require a floating_point_scope(rounding::upward).
 
 // True if the triangle of three places of one piece certainly belongs to the surface.
 bool is_on_surface(const std::vector<bezier_piece>& pieces, const trim_scene& trims,
                    const std::array<surface_place, 3>& at);
 
 // Returns places for the corners of a part of a triangle within the one that it was lifted from: of
-// one piece, near the nearest ones. `corners` and `whole` are in space. Where no three are in one
-// piece it is one place, three times. None where nothing is certain.
+// one piece, near the nearest ones. `corners` and `whole` are in space. If no three are in one
+// piece, it is one place, three times. None if no place is certain.
 std::optional<held_triangle> places_in_origin(const std::vector<bezier_piece>& pieces,
                                               const trim_scene& trims,
                                               const trim_scene::origin& origin,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts the ways to choose k of n, exactly, as far as two degrees of a patch go.
+// Returns binomial coefficients, exactly, up to the sum of two degrees of a patch.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ constexpr std::array<std::array<double, 2 * most_degree + 1>, 2 * most_degree + 
   }
   return c;
 }
-// Exact: the greatest, C(24, 12), is far below 2^53.
+// Computes exactly: the greatest, C(24, 12), is far below 2^53.
 inline constexpr auto binomial = binomials();
 
 inline double ways_to_choose(int n, int k) {

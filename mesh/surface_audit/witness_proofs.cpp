@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Proves that a witness is as far as it is said to be: by hulls of control points on the far side
-// of a plane, and by triangles, each of which is farther.
+// Proves that a witness has at least its distance: by hulls of control points on the far side of a
+// plane, and by triangles, each of which is farther.
 #include "asterism/mesh/surface_audit/witness_proofs.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace asterism::internal {
 namespace {
 
-// Shares of the proposed distance that are tried, in order: the proposal is rounded.
+// Factors of the proposed distance that are tried, in order: the proposal is rounded.
 constexpr std::array<double, 5> shares = {1 - 0x1p-48, 1 - 1e-12, 1 - 1e-9, 1 - 1e-6, 1 - 1e-3};
 
 // Returns the point of a Bezier curve, by de Casteljau's algorithm.
@@ -62,7 +62,7 @@ struct surface_point_proof {
 
 bool surface_point_proof::holds(double distance) const {
   bool all = true;
-  // Boxes a little beyond the distance are looked at too, which allows for rounding of theirs.
+  // Tests boxes a little beyond the distance too, which allows for the rounding of their distances.
   const double limit = 1.01 * distance * distance;
   scene.triangles.visit_near(
       about, [&] { return all ? limit : -1.0; },
@@ -70,7 +70,7 @@ bool surface_point_proof::holds(double distance) const {
   return all;
 }
 
-// A part of a piece with the control points over it.
+// A part of a piece, with the control points over it.
 struct far_cell {
   std::uint32_t piece = 0;
   control_net net;

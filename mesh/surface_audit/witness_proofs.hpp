@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Proves of a witness how far it is at least.
+// Proves a lower bound of the distance of a witness.
 #pragma once
 
 #include "asterism/mesh/surface_audit/deviation_report.hpp"
@@ -12,8 +12,8 @@ namespace asterism::internal {
 // of the surface, else 0.
 double proved_distance_of_mesh_point(const deviation_scene& scene, const deviation_witness& at,
                                      double proposed);
-// The same for a point of the surface and all of the mesh. Exact where intervals do not decide and
-// the patch is a Bezier patch, whose control points are doubles.
+// Returns such a distance of a point of the surface from all of the mesh. Exact where intervals do
+// not decide and the patch is a Bezier patch, whose control points are doubles.
 double proved_distance_of_surface_point(const deviation_scene& scene, const surface_place& at,
                                         double proposed);
 

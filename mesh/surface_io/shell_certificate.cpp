@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// nlohmann's library reports by exceptions; none leaves this file.
+// Writes and reads certificates as JSON. Catches the exceptions by which nlohmann's library reports
+// errors.
 #include "asterism/mesh/surface_io/shell_certificate.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +46,7 @@ std::string quoted(const std::string& s) {
   return json(s).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-// Rows of a list, one a line.
+// Appends the rows of a list, one a line.
 template <class Line>
 void append_rows(std::string& text, const char* name, std::size_t count, const Line& line) {
   text += fmt::format(",\n   \"{}\": [", name);
@@ -93,7 +94,8 @@ void append_face(std::string& text, const shell_face& face) {
 
 error malformed(const std::string& what) { return {what, error_code::malformed_file}; }
 
-// Reads a whole number; what is none, or beyond the type, becomes its greatest, which nothing is.
+// Reads a whole number; other values, and those beyond the type, become its greatest, which is
+// never valid.
 template <class Whole>
 Whole whole_of(const json& from) {
   constexpr Whole none = std::numeric_limits<Whole>::max();
@@ -104,7 +106,7 @@ Whole whole_of(const json& from) {
   return std::in_range<Whole>(number) ? static_cast<Whole>(number) : none;
 }
 
-// Reads an index that counts from 1; one that is out of range becomes one that the audit refuses.
+// Reads an index that counts from 1; one out of range becomes one that the audit refuses.
 std::uint32_t index_of(const json& from) {
   const auto number = whole_of<std::int64_t>(from);
   return number < 1 || number > 0xFFFFFFFFLL ? ~0U : static_cast<std::uint32_t>(number - 1);
@@ -142,7 +144,7 @@ void read_report(const json& from, shell_certificate& c) {
   c.reason = from.at("reason").get<std::string>();
   c.asked.chord = from.at("chord").get<double>();
   c.asked.angle_bound = from.at("angle_bound").get<double>();
-  // Certificates written before it could be asked for do not have it.
+  // Accepts certificates written before this option existed.
   c.asked.no_crossings = from.value("no_crossings", false);
   r.certified = from.at("certified").get<bool>();
   r.vertices = whole_of<std::size_t>(from.at("vertices"));

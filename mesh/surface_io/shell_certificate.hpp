@@ -12,8 +12,8 @@
 
 namespace asterism::internal {
 
-// All that is claimed of a shell, with the surface and the plane meshes, so that it can be proved
-// again from this and the mesh in space.
+// All claims about a shell, with the surface and the plane meshes, so that they can be proved again
+// from this and the mesh in space.
 struct shell_certificate {
   surface of;
   surface_shell shell;  // without points
@@ -24,7 +24,7 @@ struct shell_certificate {
 };
 
 std::string shell_certificate_text(const shell_certificate& c);
-// True if the text begins as one of these does.
+// True if the text begins like the certificate of a shell.
 bool is_shell_certificate(std::string_view text);
 result<shell_certificate> parse_shell_certificate(const std::string& text, const std::string& file);
 

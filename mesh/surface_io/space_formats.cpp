@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// .obj, .stl and .ply. Sources: Wavefront's appendix B1; the StL interface specification of 3D
-// Systems, 1989; Turk's "The PLY polygon file format", 1994.
+// Reads .obj, .stl and .ply. Sources: Wavefront's appendix B1; the StL interface specification of
+// 3D Systems, 1989; Turk's "The PLY polygon file format", 1994.
 #include "asterism/mesh/surface_io/space_formats.hpp"
 
 #include <fmt/format.h>
@@ -51,7 +51,8 @@ result<space_point> point_of(const text_scanner& from, const std::vector<word>& 
   return p;
 }
 
-// Numbers count from 1, or backwards from -1, the last vertex so far.
+// Returns the vertex of a number, which counts from 1, or backwards from -1, the last vertex so
+// far.
 result<std::uint32_t> obj_vertex(const text_scanner& from, const word& w, std::size_t count) {
   word number = w;
   number.text = w.text.substr(0, w.text.find('/'));
@@ -70,7 +71,7 @@ class corner_collector {
  public:
   explicit corner_collector(space_mesh& to) : to_(to) {}
   std::uint32_t add(const space_point& p) {
-    // 0 and -0 are the same place.
+    // Maps 0 and -0 to the same place.
     const std::array<double, 3> key = {p.x + 0.0, p.y + 0.0, p.z + 0.0};
     const auto [at, is_new] =
         number_of_.emplace(key, static_cast<std::uint32_t>(to_.points.size()));
@@ -83,7 +84,7 @@ class corner_collector {
   std::map<std::array<double, 3>, std::uint32_t> number_of_;
 };
 
-// A number type of .ply.
+// A type of numbers in .ply files.
 struct ply_type {
   std::size_t bytes = 0;
   bool is_real = false, is_signed = false;

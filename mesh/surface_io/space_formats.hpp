@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// `file` is the name for messages.
+// Reads a mesh from text; `file` is the name for messages.
 result<space_mesh> parse_obj(std::string_view text, const std::string& file);
 result<space_mesh> parse_stl(std::string_view bytes, const std::string& file);
 result<space_mesh> parse_ply(std::string_view bytes, const std::string& file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// gmsh's .msh as a mesh in space: its triangles, by the reader of plane meshes.
+// Reads gmsh's .msh as a mesh in space: its triangles, by the reader of plane meshes.
 #include "asterism/mesh/surface_io/space_gmsh.hpp"
 
 #include <utility>
@@ -9,8 +9,8 @@
 
 namespace asterism::internal {
 
-// Refuses elements whose surface their corners do not tell: sides of second order, four corners
-// that need not be in a plane.
+// Refuses elements whose surface their corners do not determine: sides of second order, four
+// corners that need not be in a plane.
 result<space_mesh> parse_space_gmsh(std::string_view text, const std::string& file) {
   text_scanner from(file, text);
   auto read = read_gmsh_as_listed(from);

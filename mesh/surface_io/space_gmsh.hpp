@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// `file` is the name for messages.
+// Reads a mesh from text; `file` is the name for messages.
 result<space_mesh> parse_space_gmsh(std::string_view text, const std::string& file);
 
 }  // namespace asterism::internal

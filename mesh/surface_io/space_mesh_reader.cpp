@@ -43,7 +43,7 @@ failure read_vertex(text_scanner& from, const space_mesh& to, std::uint32_t& v) 
   return {};
 }
 
-// How many words a record has of the sections that are passed over; 0: not known.
+// Returns the number of words in a record of a skipped section; 0 if it is not known.
 std::size_t words_of(std::string_view section) {
   if (section == "Edges") return 3;
   if (section == "Corners" || section == "Ridges" || section == "RequiredVertices" ||

@@ -4,8 +4,8 @@
 // .mesh as text, gmsh's .msh 2.2 and 4.1 as text, and .vtu.
 //
 // Corners of .stl files that are equal become one vertex; in other formats vertices stay as they
-// are. Polygons of .obj and .ply become fans of triangles, with a note. Points, lines, and what is
-// told of materials and normals is passed over. Other cells are an error.
+// are. Polygons of .obj and .ply become fans of triangles, with a note. Points, lines, materials
+// and normals are ignored. Other cells are an error.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace asterism::internal {
 
-// True if a file of this name can be one.
+// True if a file with this name may be a mesh in space.
 bool is_space_mesh_file(std::string_view name);
 
 result<space_mesh> read_space_mesh(const std::filesystem::path& path);

@@ -43,7 +43,7 @@ std::string obj_text(const space_mesh& m) {
 std::string stl_text(const space_mesh& m) {
   std::string text = "solid asterism\n";
   append_lines(text, m.triangles.size(), [&](std::size_t t, std::string& to) {
-    // Readers find the normal of the corners themselves.
+    // Writes zero normals: readers compute the normal from the corners.
     to += "facet normal 0 0 0\nouter loop\n";
     for (const std::uint32_t v : m.triangles[t]) {
       append_point(to += "vertex ", m.points[v]);

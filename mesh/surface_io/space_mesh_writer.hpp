@@ -10,9 +10,9 @@
 
 namespace asterism::internal {
 
-// Returns the content of a file in the format that the name's ending says: .obj, .stl and .ply as
-// text, Medit's .mesh, gmsh's .msh 2.2, .vtu. Doubles read back the same. Faces are references
-// and physical groups.
+// Returns the content of a file in the format of the name's ending: .obj, .stl and .ply as text,
+// Medit's .mesh, gmsh's .msh 2.2, .vtu. Doubles read back the same. Faces are references and
+// physical groups.
 result<std::string> space_mesh_text(const space_mesh& m, const std::string& file);
 
 }  // namespace asterism::internal

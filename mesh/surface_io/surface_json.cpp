@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// nlohmann's library reports by exceptions; none leaves this file.
+// Reads and writes JSON. Catches the exceptions by which nlohmann's library reports errors.
 #include "asterism/mesh/surface_io/surface_json.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 using failure = std::optional<error>;
 
-// More than lists in lists in patches take; deeper ones are no surface.
+// Deepest nesting that is read, more than lists in patches need; deeper texts are no surface.
 constexpr std::size_t most_nested = 16;
 
 error refuse(const std::string& what) { return {what, error_code::malformed_file}; }

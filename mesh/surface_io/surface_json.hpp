@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Errors say `file: patch N: ...`; what the numbers mean is bezier_pieces' to judge.
+// Reads a surface. Errors have the form `file: patch N: ...`; bezier_pieces checks the numbers.
 result<surface> parse_surface(std::string_view text, const std::string& file);
 result<surface> read_surface(const std::filesystem::path& path);
 
