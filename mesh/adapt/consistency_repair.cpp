@@ -60,7 +60,7 @@ bool consistency_repair::is_active(vertex_index t) const {
   return active_[f.v[0]] + active_[f.v[1]] + active_[f.v[2]] > 0;
 }
 
-// Tests all active nodes once and mends what fails; returns true if anything had to be mended.
+// Tests all active nodes once and mends their defects; returns true if anything had to be mended.
 bool consistency_repair::round() {
   next_.assign(m_.nodes().size(), 0);
   report_.disagreeing = report_.low = 0;

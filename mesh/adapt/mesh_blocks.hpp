@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Cuts a triangulation into blocks along a Hilbert curve, which are changed apart from each other,
-// and puts them together again.
+// Cuts a triangulation into blocks along a Hilbert curve, which are changed independently, and
+// joins them again.
 //
-// The faces of a block follow each other on the curve; about as many are in each, whatever threads
-// there are. The edges between blocks, and their ends, are the frame: in a block they cannot
-// change. As blocks are independent, and are numbered in the order of the curve when they are
-// joined, the result does not depend on the number of threads. Cuts with different numbers have
-// their frames elsewhere: only the few nodes where the frames of both cross are left out of both.
-// Internal to mesh/adapt.
+// The faces of a block follow each other on the curve; all blocks have about equally many, whatever
+// the number of threads. The edges between blocks, and their ends, are the frame, which changes in
+// blocks leave as it is. As blocks are independent, and are numbered in the order of the curve when
+// they are joined, the result does not depend on the number of threads. Cuts with different numbers
+// have their frames elsewhere: only the few nodes where the frames of both cross are left out of
+// both. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>

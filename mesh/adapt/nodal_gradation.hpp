@@ -6,8 +6,9 @@
 // measure lengths too differently. Each |ln l_i| is clipped, a part of the excess taken from the
 // coarser end, the rest from the finer one; with halves that is the projection onto the pairs
 // within the limit, which keeps the product of the determinants. This is done edge after edge in
-// their order, until none is left. With halves it ends since all sets of such pairs have the equal
-// pairs in common (docs/math/delivered-metric.md), and the number of rounds is bounded as well.
+// their order, until none is left. With halves the rounds converge, since all sets of such pairs
+// have the equal pairs in common (docs/math/delivered-metric.md), and the number of rounds is
+// bounded as well.
 //
 // Doubles throughout: the outcome is a metric, not a claim.
 #pragma once

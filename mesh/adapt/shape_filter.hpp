@@ -5,10 +5,10 @@
 //
 // A Hessian recovered from values with noise turns and stretches at random where it is small. The
 // shape of a tensor is the trace-free part of its logarithm: the direction and the ratio of its
-// stretching. A node's shape is replaced by that neighbour's which is nearest to those of the
-// others, if it is farther from that one than they are, and if the metric is nowhere much less
-// dense than around: a feature that the background barely resolves is denser than what is beside
-// it, and keeps its shape. Densities stay, so that the number of sites wanted does not change.
+// stretching. A node's shape is replaced by the neighbour's that is nearest to the other
+// neighbours' shapes, if it is farther from that one than they are, and if the neighbours are as
+// dense as the node: a feature that the background barely resolves is denser than its surroundings,
+// and keeps its shape. Densities stay, so that the number of sites wanted does not change.
 //
 // Works in doubles: a mesh is made in the filtered metric, and the metric wanted stays unchanged.
 #pragma once

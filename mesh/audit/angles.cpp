@@ -17,11 +17,12 @@
 namespace asterism::internal::audit_detail {
 namespace {
 
-// A triangle in plain doubles, as one metric sees it. Each edge component is off by at most eps =
-// 2^-52 of itself, whichever way the machine rounds, and no monomial of the terms below meets more
-// than four roundings besides those of its two components: 8 eps of the magnitude bound them, and
-// the few roundings of the bound itself. Within `in_range` what underflow takes is below 2^-600.
-// Triangle and metric are brought to about unit size by powers of two, which no angle depends on.
+// A triangle in plain doubles, scaled for the angles of one metric. Each edge component has an
+// error of at most eps = 2^-52 of itself, whichever way the machine rounds, and no monomial of the
+// terms below meets more than four roundings besides those of its two components: 8 eps of the
+// magnitude bound them, and the few roundings of the bound itself. Within `in_range` underflow
+// takes less than 2^-600. Triangle and metric are brought to about unit size by powers of two,
+// which no angle depends on.
 struct plain_triangle {
   plain_triangle(const audit_context& context, const triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {

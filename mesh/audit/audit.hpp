@@ -14,10 +14,10 @@
 //     that are sharper, in metrics that measure it so;
 //  4. have every triangle in the star of each of its vertices: each star is a fixed point of the
 //     incremental insertion among the sites visible from its centre.
-// When asked for, it is moreover proven or refused that the mesh
+// If that is asked for, it is also proven or refused that the mesh
 //  5. is the dual of the anisotropic Voronoi diagram of its sites, restricted to the domain, all of
-//     whose arcs are wedged. A mesh can be certified without.
-// docs/math/certificate.md states and proves what each point rests on, voronoi-certificate.md
+//     whose arcs are wedged. A mesh can be certified without point 5.
+// docs/math/certificate.md states and proves the grounds of each point, voronoi-certificate.md
 // point 5.
 //
 // Input: any mesh, however damaged; indices out of range or numbers that are not finite are

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what an audit of a mesh is asked, what it finds and what it measures
+// Holds the options of an audit, its findings and its measurements
 // (mesh/audit/audit.hpp).
 #pragma once
 

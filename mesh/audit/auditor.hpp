@@ -9,15 +9,15 @@
 //   if (judge.report().certified) write(judge.make_certificate(account));
 //
 // Rechecking. The answer to "does the star of v accept w between x and y" depends on these four
-// sites, and on the subsegments between v and w, alone. So only those questions are asked again of
-// which a site was changed; the answers to the others are the ones there were. A gap that there was
-// not is one of a new triangle, and an edge that there was not, or that has another site across, is
-// one of it: their questions are asked where the new triangle's corners count as changed.
+// sites, and on the subsegments between v and w, alone. So only questions with a changed site are
+// asked again; all other answers stay. A new gap, a new edge, and an edge with a new site across
+// belong to a new triangle: their questions are asked if the corners of new triangles are listed as
+// changed.
 //
-// Open questions. A mesh that is being mended need not be asked at once what takes long to answer:
-// where doubles do not tell whether a star accepts a site, its tensors may be changed for another
-// reason, or for that one. Such questions are left open, and a mesh is not certified while there is
-// one.
+// Open questions. While a mesh is being mended, questions that take long need no answer at once:
+// where doubles do not decide whether a star accepts a site, its tensors may be changed for another
+// reason, or because the question is open. Such questions are left open, and a mesh is not
+// certified while there is one.
 #pragma once
 
 #include <cstddef>
@@ -62,12 +62,12 @@ class auditor {
   // Audits the mesh, however damaged it is. A mesh with an open question is not certified.
   const audit_report& run(const audit_effort& effort = {});
 
-  // Audits the mesh again, some sites of which were changed since the last audit. Returns what
-  // run() would report but for the counts of work, which are of both audits. Requires: the last
-  // audit looked at all stars, without cutting anything short; and of each of its findings about
-  // stars, and of each question that is still open, a vertex is in `changed`, be it changed or not.
-  // Sites may have other tensors; inside, they may also be elsewhere, or be gone, and triangles be
-  // others, all corners of which are in `changed`. Subsegments are the same.
+  // Audits the mesh again, some sites of which were changed since the last audit. Returns the
+  // report of run(), except that the counts of work are of both audits. Requires that the last
+  // audit checked all stars to the end, and that `changed` lists a vertex of each of its findings
+  // about stars and of each open question, changed or not. Sites may have new tensors. Inside sites
+  // may also have moved or been removed, and triangles be new; all corners of new triangles must be
+  // in `changed`. Subsegments must be the same.
   const audit_report& recheck(const std::vector<vertex_index>& changed,
                               const audit_effort& effort = {});
 

@@ -27,8 +27,8 @@ rational squared_distance(const point& p, const point& a, const point& b, double
 
 // Walks along two polygons with the same ends at once, and finds the greatest distance of the two
 // places on the way. It is an upper bound of the distance of the polygons, however the walk goes
-// on, as long as it never goes back: between two stops both places move evenly, so that their
-// distance is a convex function of time.
+// on, as long as neither place moves back: between two stops both places move at constant speed, so
+// that their distance is a convex function of time.
 class common_walk {
  public:
   common_walk(const std::vector<point>& one, const std::vector<point>& other)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// States all that is known of a finished mesh, beside it, so that anybody can check it again.
+// States everything proved and measured of a finished mesh, in a file beside it, so that it can be
+// checked again.
 //
-// As a file: JSON, UTF-8, the same bytes for the same run (no times, no machine). Numbers are
+// The file is JSON, UTF-8, the same bytes for the same run (no times, no machine). Numbers are
 // written so that they read back to the same doubles; vertices, triangles and boundary edges are
 // counted from 1, as in a .mesh file, though the fields below count from 0.
 #pragma once

@@ -4,11 +4,11 @@
 // of the derivative, which is quadratic itself, is positive all over each triangle.
 //
 // A polynomial in Bernstein's form lies between its least and its greatest coefficient. The six of
-// the determinant are computed in doubles that carry a bound of their error; where these do not say
-// that all are positive, in rationals. Coefficients that are not all positive decide nothing: the
-// triangle is halved, up to `most_halvings` times one after another, until those of every part are,
-// or the value at a corner of a part, which is a coefficient, is not positive: that the triangle
-// folds or collapses there is certain, too. docs/math/curves.md has the formulas.
+// the determinant are computed in doubles that carry a bound of their error; where these do not
+// show that all are positive, in rationals. Coefficients that are not all positive decide nothing:
+// the triangle is halved, up to `most_halvings` times one after another, until those of every part
+// are, or the value at a corner of a part, which is a coefficient, is not positive: in the second
+// case the triangle certainly folds or collapses there. docs/math/curves.md has the formulas.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 //
 // Point 2, seen from each vertex: its triangles surround it once, or fill each sector of the
 // domain once; internal edges separate sectors like any others. The other checks of point 2 imply
-// it; this one names the vertex, and because the star check walks these fans. Requires matched
+// it; this one names the vertex, and makes the fans for the check of stars. Requires matched
 // edges.
 #include <algorithm>
 #include <cstddef>

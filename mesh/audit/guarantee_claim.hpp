@@ -16,7 +16,7 @@ namespace asterism {
 inline constexpr double guaranteed_covering = 0.75 * (1 + 0x1p-20);
 
 // Holds the numbers of a guarantee: the size factor k, sigma, eps and the bound on the number of
-// sites. Lengths are metric, in the metric asked for, which is that of the mesh.
+// sites. Lengths are in the metric asked for, which is the mesh's metric.
 struct guarantee_claim {
   // Size factor k: edges are k times shorter than the metric asks for.
   double size_factor = 1;

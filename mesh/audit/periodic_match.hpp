@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Proves that two sides of the boundary of a mesh have the same points, as periodic boundary
-// conditions require, from the mesh alone, with no code of what made it.
+// conditions require, from the mesh alone, with no code of the mesher.
 //
 // The sides are the boundary edges with one marker each. Each is a line with two ends. As the
 // domain is on the left of both, the first side from its start to its end goes with the second from
@@ -49,8 +49,8 @@ struct periodic_match {
   // Upper bound of the distance of a vertex from the image of its partner, in units of the domain;
   // 0 where the map is exact.
   double greatest_offset = 0;
-  // ln of the greatest ratio of the lengths that partners measure of one displacement, the map's
-  // turn taken into account; in floating point. 0 where they have the same tensor.
+  // Logarithm of the greatest ratio of a displacement's lengths in the tensors of two partners,
+  // after the map's turn; in floating point. 0 where all partners have the same tensor.
   double metrics_apart = 0;
 
   friend bool operator==(const periodic_match& a, const periodic_match& b) {

@@ -4,9 +4,9 @@
 // triangles beside them; inside the auditor alone.
 //
 // No mesh has a larger angle at such a corner, in a metric that measures the domain's angle there
-// below the bound: the triangles only divide it. That angle alone is excused. Whatever else is low
-// in the same triangles, or in those across a narrow wedge between segments, is collateral: likely
-// where a corner is very sharp, but nothing that no mesh could do without.
+// below the bound: the triangles only divide it. That angle alone is excused. Other low angles in
+// the same triangles, or in those across a narrow wedge between segments, are collateral: likely
+// where a corner is very sharp, but avoidable in principle.
 #pragma once
 
 #include <tuple>

@@ -324,8 +324,9 @@ bool site_tree::is_measurable(const site& v, double reach) {
 // Rounds the square down: of m11 dx^2 + 2 m12 dx dy + m22 dy^2 no monomial passes more than seven
 // roundings, 2^-49 of it, and the middle one is no more than the others together, as the metric is
 // positive definite: 2^-48 of those covers all, and they are taken with 2^-46 less. Places are less
-// than 2^399 apart, so that underflow takes less than 2^-670, of what is compared with 2^-400 or
-// more. What overflows is too far, or no number, which is compared with nothing.
+// than 2^399 apart, so that underflow takes less than 2^-670, in values that are compared with
+// 2^-400 or more. A value that overflows means too far, or is NaN, for which every comparison is
+// false.
 void site_tree::measure(nearby_sites& nearby, const site& v) {
   constexpr double down = 1 - 0x1p-46;
   const auto& [place, m] = v;
@@ -368,7 +369,7 @@ site_tree::separation site_tree::separation_along(const point& h, const offset_b
   return {least, own_squared, std::min(other_squared, turned)};
 }
 
-// Takes roots only where (a + b)^2 is not settled by lying between 4 a^2 and 2 a^2 + 2 b^2.
+// Takes roots only where (a + b)^2 is not decided by its bounds 4 a^2 and 2 a^2 + 2 b^2.
 bool site_tree::separation::is_beyond(double reach) const {
   if (!(least > 0 && reach < 0x1p200)) return false;
   constexpr double smallest_reach = 0x1p-200;

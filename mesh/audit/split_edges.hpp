@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds inner edges that join two vertices of the boundary. A function that is given on the
-// boundary is given all over such an edge, and all over a triangle with all three vertices there.
+// Finds inner edges that join two vertices of the boundary. A linear element has all its values
+// prescribed on such an edge, and in a triangle with three boundary vertices, if the boundary's
+// values are.
 #pragma once
 
 #include <array>

@@ -2,11 +2,11 @@
 //
 // Tests the fans of a few stars against sites: their neighbours, or all that are in reach.
 //
-// How far a gap reaches takes few operations (audit/gap_reach.hpp); most gaps have no site within
+// The reach of a gap takes few operations (audit/gap_reach.hpp); most gaps have no site within
 // that. Nearly every test is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
 // for a gap; the rest by the auditor's own filter of wider range, and then edge_test. The mesher
-// uses prepared gaps too. Where the two are not to share that, as in verify(), they are left out
-// (audit_options::own_filter_alone).
+// uses prepared gaps too. Where nothing may be shared with the mesher, as in verify(), prepared
+// gaps are left out (audit_options::own_filter_alone).
 #pragma once
 
 #include <algorithm>
@@ -65,8 +65,8 @@ class star_check {
 
   bool is_over() { return patience_.is_over(); }
 
-  // Checks vertices near each other: the sites around are looked for once for all of them. Needs
-  // the tree unless neighbours alone are asked about. The order of all vertices ends at `last`.
+  // Checks vertices near each other: searches the sites around all of them once. Needs the tree
+  // unless only neighbours are tested. `last` is the end of the order of all vertices.
   void run(const vertex_index* begin, const vertex_index* end, const vertex_index* last,
            bool neighbours_alone);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Point 4: the triangles of the mesh around v are the star of v. Not built again but recognised: a
-// star is final when (a) each of its neighbours, taken out, would be accepted again, and (b) no
-// other site that v sees inside the domain would be. The two ends of an open fan are boundary
-// subsegments or internal ones, and stay.
-// Requires what points 0 to 2 prove: no site lies on an edge or inside a triangle, so that a site
-// on the ray of a neighbour is farther than it, and a site in a gap is beyond the gap's edge.
-// Source: the thesis, section 3.3 (INSERTIONTEST) and definition 9.
+// Point 4: the triangles of the mesh around v are the star of v. Stars are not built again but
+// recognised: a star is final when (a) each of its neighbours, taken out, would be accepted again,
+// and (b) no other site that v sees inside the domain would be. The two ends of an open fan are
+// boundary subsegments or internal ones, and stay. Requires what points 0 to 2 prove: no site lies
+// on an edge or inside a triangle, so that a site on the ray of a neighbour is farther than it, and
+// a site in a gap is beyond the gap's edge. Source: the thesis, section 3.3 (INSERTIONTEST) and
+// definition 9.
 //
 // A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
 // test against each. It also has edges that are refused at once, by the site across them. So edges

@@ -104,10 +104,10 @@ point nearer_to_vertex(const std::array<site, 3>& t, const point& to_b, const po
           x.y + inverse * (excess_c * slope_b.x - excess_b * slope_c.x)};
 }
 
-// Returns about where all three corners are equally far: a step from the centre of the circle that
-// the sum of their metrics sees through them, as a place of the triangle; beyond an edge the middle
-// of that edge. The result is never outside the triangle; nothing else is assumed of it. Both
-// vectors are from the first corner.
+// Returns about the point equally far from all three corners, as a place of the triangle: one
+// Newton step from the centre of the circle through them in the sum of their metrics; beyond an
+// edge the middle of that edge. The result is never outside the triangle; nothing else is assumed
+// of it. Both vectors are from the first corner.
 place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const point& to_c) {
   constexpr double all_but = 1 - 0x1p-40;
   metric_tensor m{0, 0, 0};
@@ -132,9 +132,9 @@ place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const 
 
 // Returns an upper bound of |q - p|_m for two points of a triangle, given as vectors from its first
 // corner. No coordinate of either or of their difference is more than that of `extent`, the sum of
-// the absolute ones of both other corners; what is computed of the difference is off by at most
-// five roundings of that, not of itself: sums cancel. The form is off by fifteen, each of 2^-52 at
-// most in any rounding mode, of `size`. What underflows is less than that in the range checked
+// the absolute ones of both other corners; the computed difference has an error of at most five
+// roundings of `extent`, not of itself, as sums cancel. The form has an error of fifteen roundings
+// of `size`, each of 2^-52 at most in any rounding mode. Underflow is less in the range checked
 // first.
 double plain_distance_above(const metric_tensor& m, const point& p, const point& q,
                             const point& extent) {
@@ -149,7 +149,7 @@ double plain_distance_above(const metric_tensor& m, const point& p, const point&
 bool is_in_range(double size) { return size > 0x1p-800 && size < 0x1p800; }
 
 // Returns the largest tau with which a pair at this distance exceeds no measure in `known`; 0 where
-// none is sure. 1 - sigma d has an error below 2^-30 of it where it is not small.
+// none is certain. 1 - sigma d has an error below 2^-30 of it where it is not small.
 double distortion_allowed(const pair_measures& known, double distance_below) {
   constexpr double down = 1 - 0x1p-28;
   const double left = 1 - known.variation_above * distance_below;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures what the hypotheses of the theorem on nets ask of one triangle, of one boundary edge and
-// of two sites, in doubles that carry a bound of their error (audit/number.hpp). Source:
-// docs/math/angle-theorem.md.
+// Measures the quantities in the hypotheses of the theorem on nets for one triangle, of one
+// boundary edge and of two sites, in doubles that carry a bound of their error (audit/number.hpp).
+// Source: docs/math/angle-theorem.md.
 #pragma once
 
 #include <array>

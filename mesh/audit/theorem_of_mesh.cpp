@@ -189,9 +189,9 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
   }
 }
 
-// Returns how far points of a subsegment are from their nearer end, from above: of its length A as
-// one end measures, and B as the other, a point at the part t of the way is t A and (1 - t) B away,
-// and the lesser is at most A B / (A + B).
+// Returns an upper bound of the distance from points of a subsegment to their nearer end: with its
+// length A by one end's metric and B by the other's, the point at the parameter t is t A and (1 -
+// t) B away, and the lesser is at most A B / (A + B).
 double farthest_from_nearer_end(double by_a, double by_b) {
   constexpr double up = 1 + 0x1p-48;
   return by_a / (by_a + by_b) * by_b * up;

@@ -134,7 +134,7 @@ void compare_guarantee(contradictions& all, const certificate& claim,
 }
 
 // Compares the areas of regions. Those of the domain are compared where it is the claimed one;
-// those before an adaptation are for whoever has the mesh that was adapted.
+// those before an adaptation can only be compared with the mesh that was adapted.
 void compare_regions(contradictions& all, const certificate& claim, const certificate& found,
                      bool as_claimed) {
   std::map<int, std::array<region_area, 2>> regions;
@@ -252,7 +252,7 @@ void compare_adapted_names(contradictions& all, const certificate& claim) {
 }
 
 // True if the name of the metric is that of a file with it at the vertices of a mesh, in upper or
-// lower case, as is_mesh_file and is_metric_file (mesh/io/read_mesh.hpp) tell them.
+// lower case, with the endings of is_mesh_file and is_metric_file (mesh/io/read_mesh.hpp).
 bool is_of_mesh(const std::string& metric) {
   constexpr std::array<std::string_view, 14> endings = {".mesh", ".meshb", ".msh",  ".msh2", ".vtu",
                                                         ".vtk",  ".su2",   ".14",   ".grd",  ".2dm",
@@ -310,7 +310,7 @@ void compare_completeness(contradictions& all, const certificate& claim) {
 }
 
 // Accepts certificates of library callers, who need not state the question in words: then there is
-// no metric, and no option but the tolerance, on which it depends whether the mesh was completed.
+// no metric, and no option but the tolerance, which decides whether the mesh was complete.
 void compare_unworded(contradictions& all, const certificate& claim) {
   for (const auto& [name, value] : claim.options)
     if (name != "metric-tolerance")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Audits a mesh once more, and compares its certificate with what is found.
+// Audits a mesh again, and compares its certificate with the results.
 #pragma once
 
 #include <optional>
@@ -28,10 +28,10 @@ struct verify_report {
   std::vector<periodic_match> periodic;  // found again, of the sides that the certificate names
 };
 
-// Audits again, from the mesh and the certificate alone. From the certificate come the domain and
-// the angle bound where `options` has none of its own, and what it says of the Voronoi diagram is
-// checked. Sharp corners are looked for. Without an angle bound from either nothing is certified,
-// and `verified` is false.
+// Audits again, from the mesh and the certificate alone. Takes the domain and the angle bound from
+// the certificate where `options` has none of its own. Checks the certificate's claim on the
+// Voronoi diagram. Searches for sharp corners. Without an angle bound from either nothing is
+// certified, and `verified` is false.
 ASTERISM_EXPORT verify_report verify(const mesh& subject, const std::optional<certificate>& claim,
                                      audit_options options);
 

@@ -16,8 +16,8 @@ class visibility_test {
                   filtered_kernel kernel)
       : context_(context), subsegments_(subsegments), kernel_(kernel) {}
 
-  // True if no boundary subsegment meets the open segment between v and w. Otherwise w is not seen
-  // from v: what v sees is joined to it inside the domain.
+  // True if no boundary subsegment meets the open segment between v and w. Otherwise v does not see
+  // w: only sites joined to v inside the domain are seen.
   bool clear(vertex_index v, vertex_index w) const {
     return subsegments_.visit(box_around(context_.at(v), context_.at(w)),
                               [&](vertex_index subsegment) {

@@ -49,8 +49,8 @@ class dual_edge_question {
   // Returns at which points of the dual edge w is as near as the owners. Says nothing of an end on
   // the boundary.
   arc_meeting meeting_with(vertex_index w);
-  // True if both owners and w see each other's side of the end at the triangle `at`, one of the
-  // two, w being as near to it as they are: it is in the wedges of w and each owner.
+  // True if the end at triangle `at`, one of the edge's two, lies in the wedges of w and each
+  // owner. Requires that w is as near to that end as the owners.
   bool is_wedged_with(vertex_index w, vertex_index at);
 
  private:

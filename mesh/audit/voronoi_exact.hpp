@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Decides what mesh/audit/voronoi_arc.hpp leaves open, in exact numbers: Voronoi vertices are real
-// roots of polynomials in the parameter of a visible arc (docs/math/visible-arc.md). Complete:
-// every question has an answer, ties included. Milliseconds each.
+// roots of polynomials in the parameter of a visible arc (docs/math/visible-arc.md). Every question
+// has an answer, ties included. Each takes milliseconds.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ struct arc_meeting {
   bool nearer = false, between = false, at_from = false, at_to = false;
 };
 
-// How near a site is along the segment between two others, compared at each point with the nearer
-// of the two.
+// Result of comparing a site's distance with that of the nearer of two others, along the segment
+// between these.
 enum class segment_meeting {
   apart,      // farther at every point
   at_middle,  // as near where both ends are equally far, and farther elsewhere
@@ -43,7 +43,7 @@ class exact_voronoi_arc {
   // Returns the sign of a minus b. Parameters grow counter-clockwise around v.
   static sign order(parameter a, parameter b) { return compare(a, b); }
 
-  // Returns how near w is, against both owners, between two parameters on the arc, from < to.
+  // Returns the comparison of w with both owners between two parameters on the arc, from < to.
   arc_meeting meeting_with(const site& w, parameter from, parameter to) const;
   // True if the point is in the wedges of w and of each owner.
   bool is_wedged_with(const site& w, parameter at) const;

@@ -81,8 +81,8 @@ result<std::unique_ptr<metric_field>> dressed(std::unique_ptr<metric_field> bare
   return std::move(graded.value().field);
 }
 
-// Makes the metric the certificate says was asked for, of the size asked for even where the limit
-// on sites made edges longer. One on a mesh has to be that of the mesh it names.
+// Makes the metric that the certificate states was asked for, of the size asked for even if the
+// limit on sites made edges longer. A metric on a mesh must be that of the mesh it names.
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
   const auto placed = placed_in(claim);
   if (!placed) return error{"the certificate has no domain to place it in"};
@@ -98,7 +98,7 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
   return dressed(std::move(bare).value(), asked.value(), *placed);
 }
 
-// True if the metric came as numbers: from a file that `certify` read, or from a program.
+// True if the metric was given as numbers: from a file that `certify` read, or from a program.
 bool is_of_numbers(const certificate& claim) { return claim.metric.starts_with("of "); }
 
 // True if the metric was graded over a domain of which the certificate holds a piece alone, or has

@@ -29,7 +29,8 @@ struct metric_wording {
 };
 
 // Makes a metric of the sizes asked for, graded as it was. `shape` is the domain as meshed, curves
-// divided: formulas are placed in its box, sizes at its segments, and gradation knows its width.
+// divided: formulas are placed in its box, local sizes at its segments, and gradation uses its
+// width.
 result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, const domain& shape);
 
 // Returns the words in which a certificate states the metric asked for. Fails,
@@ -42,8 +43,8 @@ result<metric_wording> wording_in(const certificate& claim);
 // domain.
 std::optional<domain> placed_in(const certificate& claim);
 
-// Makes the metric that a certificate says its mesh is in, where that is the one asked for. Fails,
-// in half a sentence, where the mesh is delivered in another, the metric came as numbers, or it
+// Makes the metric that a mesh has by its certificate, if that is the one asked for. Fails, with
+// half a sentence, if the mesh is delivered in another one, the metric was given as numbers, or it
 // cannot be made again.
 result<std::unique_ptr<metric_field>> field_in(const certificate& claim);
 

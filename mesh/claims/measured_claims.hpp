@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares the measurements in a certificate with those of numerics/mesh_statistics.hpp. They are
-// not the auditor's part, which shares no code with what made the mesh.
+// Compares the measurements in a certificate with those of numerics/mesh_statistics.hpp. The
+// auditor does not check them, as it shares no code with the mesher.
 #pragma once
 
 #include <string>

@@ -3,11 +3,11 @@
 // Makes metrics for a series of solutions, the windows of a run in time, that share one complexity.
 //
 // The windows are treated as separate parts of one mesh. Second derivatives, the optimum and
-// gradation do not cross parts; and the optimum's one D, and the one factor, are those of the sum
-// of the complexities: a window in which more happens gets more of it, as the space-time optimum
-// has it for windows of as many time steps each. Source: Alauzet, Loseille and Olivier,
-// "Time-accurate multi-scale anisotropic mesh adaptation for unsteady flows in CFD", J. Comput.
-// Phys. 373, 2018.
+// gradation do not cross parts; and the optimum has one constant D and one factor for the sum of
+// the complexities: a window with larger second derivatives gets a larger part, which is the
+// space-time optimum for windows with equal numbers of time steps. Source: Alauzet, Loseille and
+// Olivier, "Time-accurate multi-scale anisotropic mesh adaptation for unsteady flows in CFD", J.
+// Comput. Phys. 373, 2018.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds a polygon with holes, as GeoJSON, well-known text and their kin mean it, by the segments of
-// a domain. Where a domain has polygons, a point on no segment belongs to it if one of them
-// contains it: if the outer ring encloses it and none of this polygon's own holes does. A hole
+// Holds a polygon with holes, as GeoJSON, well-known text and similar formats define it, by the
+// segments of a domain. Where a domain has polygons, a point on no segment belongs to it if one of
+// them contains it: if the outer ring encloses it and none of this polygon's own holes does. A hole
 // takes nothing away from another polygon.
 //
 // Source: OGC 06-103r4, section 6.1.11; RFC 7946, section 3.1.6.

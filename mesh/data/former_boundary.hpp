@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the boundary that a mesh had before it was adapted, where another mesh's domain was made of
-// it: what the new boundary is compared with.
+// Holds the boundary that a mesh had before it was adapted, if another mesh's domain was made of
+// it: the new boundary is compared with it.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace asterism {
 // The former boundary, with internal segments, along the segments of a domain. Each leads from one
 // former vertex to another; so do all chords of a curve together, whose first has their vertices.
 struct former_boundary {
-  // The former vertices between the ends of each segment, from its first to its second: as many
-  // lists as the domain has segments.
+  // The former vertices between the ends of each segment, from its first to its second: one list
+  // for each segment of the domain.
   std::vector<std::vector<point>> between;
   // Greatest distance asked for between the two, in units of the domain; default:
   // none.

@@ -37,7 +37,7 @@ struct mesh {
   std::vector<boundary_edge> boundary;
   std::vector<triangle> disagreeing;  // empty when refinement was complete
   // References of vertices, where a file gives others than the markers of its edges; else empty.
-  // Carried along and part of the fingerprint, and without any other use.
+  // They are kept and part of the fingerprint, and have no other use.
   std::vector<int> references;
   // Notes on what its reader changed or left out, a sentence each; empty for a mesh made here. Not
   // part of the fingerprint.

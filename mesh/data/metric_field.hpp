@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says which metric tensor is wanted at each point of the domain.
+// Defines the metric field: the metric tensor wanted at each point of the domain.
 #pragma once
 
 #include <functional>

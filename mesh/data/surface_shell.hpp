@@ -34,7 +34,7 @@ struct shell_face {
 };
 
 // The triangles of the shell are those of its faces in order, without those that have a vertex
-// twice: such lie at a side of a patch that is one point.
+// twice, which lie at a side of a patch that is one point.
 struct surface_shell {
   std::vector<space_point> points;
   std::vector<shell_face> faces;

@@ -104,7 +104,7 @@ class constant_metric_fallback {
   }
 
  private:
-  // Measures the mean of the metric, in the frame.
+  // Computes the mean of the metric, in the unit frame.
   std::optional<error> measure_sites(bool may_be_constant = true) {
     std::vector<metric_tensor> tensors;
     field_.expect([this] { return positions_of(as_given_.result.sites); });

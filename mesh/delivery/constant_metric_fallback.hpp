@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a mesh on which all stars agree where nothing else has led to one.
+// Makes a mesh on which all stars agree where no other attempt led to one.
 //
-// Stars see each other differently at any distance that sites can have where a metric jumps, or
-// turns by much over one edge (docs/math/refinement.md). A site's metric is its own, however: where
-// no metric that was changed site by site led to a mesh (delivery/metric_delivery.hpp) one is taken
-// for all sites, in which stars agree whatever sites there are (docs/math/delivered-metric.md):
-//  1. the log-Euclidean mean of the tensors at the sites there are, with the demands;
+// Stars disagree at any distance of sites where a metric jumps, or turns by much over one edge
+// (docs/math/refinement.md). A site's metric is its own, however: where no metric that was changed
+// site by site led to a mesh (delivery/metric_delivery.hpp) one is taken for all sites, in which
+// stars agree whatever the sites (docs/math/delivered-metric.md):
+//  1. the log-Euclidean mean of the tensors at the present sites, with the demands;
 //  2. the same without demands on angles and sizes, which is never called complete.
 //
 // A delivery by local changes that led to no certified mesh tries one metric as well, earlier: with

@@ -15,7 +15,7 @@ namespace {
 
 // Number of vertices of a mesh whose edges have length 1, for each unit of its area.
 constexpr double vertices_for_area = 2 / std::numbers::sqrt3;
-// Shares, of the number of vertices that all the room for short segments takes, for which meshes
+// Shares, of the number of vertices that full room for short segments needs, with which meshes
 // failed and succeeded: with less than the first no attempt led to a mesh, whatever its work; the
 // second sufficed on the coasts tried.
 constexpr double too_small_a_part = 0.57, part_that_does = 0.75;

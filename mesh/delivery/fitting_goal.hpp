@@ -44,9 +44,9 @@ class fitting_goal {
   // cannot be met, or where the room takes a large share of all vertices. Otherwise the first mesh
   // shows whether it is needed.
   void make_room_where_needed(const cancellation& stop);
-  // Refines the metric at short segments, and raises the number of vertices to this share of what
-  // that takes. Angles need nodes there that the metric wanted does not have; without them no
-  // attempt led to a mesh with so many nodes.
+  // Refines the metric at short segments, and raises the number of vertices to this share of the
+  // number that takes. Angles need nodes there that the wanted metric does not ask for; without
+  // them no attempt led to a mesh.
   void make_room_for_segments(double part, const cancellation& stop);
   // Keeps the metric with room at chords for good, and forgets the one without.
   void keep_room_at_chords() { without_room_.reset(); }

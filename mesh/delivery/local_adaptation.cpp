@@ -113,8 +113,8 @@ class local_adaptation {
     return std::abs(elementary::log(static_cast<double>(sites) / static_cast<double>(wanted)));
   }
 
-  // Makes the mesh once more if mending has changed the number of sites by much, with as many more
-  // or fewer wanted to begin with. The new mesh stays if it is nearer to the number wanted.
+  // Makes the mesh once more if mending has changed the number of sites by much, with the number
+  // wanted corrected by the difference. The new mesh stays if it is nearer to the number wanted.
   void meet_count(const mesh& start) {
     constexpr double tolerable = 0.04;
     const std::size_t wanted = goal_.count(), got = made_.subject().sites.size();
@@ -136,8 +136,8 @@ class local_adaptation {
     sort_along_curve(std::span(seeds_), domain_.box());
   }
 
-  // Goes back to the metric without room at chords where no mesh was certified with it, as fewer
-  // vertices are wanted than it takes. Returns whether it did.
+  // Goes back to the metric without room at chords if no mesh was certified with it, since fewer
+  // vertices are wanted than the room needs. Returns whether it did.
   bool give_up_room_at_chords(bool is_made) {
     const bool is_kept = stop_reason() || is_overworked() || (is_made && is_certified());
     if (!is_kept) return goal_.give_up_room_at_chords();

@@ -68,7 +68,7 @@ metric_delivery::metric_delivery(const domain& d, const metric_field& field,
       options_(options),
       image_(d, field, options) {}
 
-// Makes the coarse mesh and the background, once; false where there are none.
+// Makes the coarse mesh and the background, once; returns false if there are none.
 bool metric_delivery::prepare() {
   if (prepared_) return start_ && background_;
   prepared_ = true;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a mesh by local changes, in a metric as near to the one wanted as stars can agree about
-// (docs/design/adaptation.md). The metric delivered is reported.
+// Makes a mesh by local changes, in a metric in which stars agree, as near as possible to the one
+// wanted (docs/design/adaptation.md). The metric delivered is reported.
 //
-// Stars disagree where tensors turn or change by much over an edge, whatever sites there are. The
-// metric of a site is its own, however. It is changed where needed, as little as suffices, and the
+// Stars disagree where tensors turn or change by much over an edge, whatever the sites. The tensors
+// of sites can be chosen, however. They are changed where needed, as little as suffices, and the
 // outcome states by how much. The mesh is certified in the metric delivered.
 #pragma once
 
@@ -33,8 +33,9 @@ class metric_delivery {
   // True if the metric is a formula with a size that varies by so much over an edge that meshes
   // seldom meet it as it is. Samples the metric, which takes as much as a thousand triangles.
   bool varies_fast();
-  // True if the metric comes on a mesh and differs by so much at the ends of one edge in two
-  // hundred, for its length, that stars on either side do not agree. Where it jumps these are few.
+  // True if the metric is given on a mesh and changes so much over one edge in two hundred,
+  // relative to its length, that stars on either side do not agree. Where it jumps there are only
+  // few such edges.
   bool jumps() const;
   // True if the metric wants few sites, by scattered samples: then it costs more to find out how
   // fast it varies than to try.

@@ -3,7 +3,8 @@
 
 namespace asterism::internal {
 
-// Chooses the frame. The metric is scaled as well when a length in it means nothing in itself.
+// Chooses the frame. The metric is scaled as well if its unit is arbitrary, no size being asked
+// for.
 normalised_problem::normalised_problem(const domain& d, const metric_field& field,
                                        const mesh_options& options)
     : field_(field),

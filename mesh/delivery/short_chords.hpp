@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds chords of curves that are much shorter than a metric wants. A mesh of unit edges beside
-// them has triangles that are as narrow as the chord and as high as an edge wanted: a layer of
-// needles on the curve, with hardly a vertex near it. Internal to mesh/pipeline.
+// Finds chords of curves that are much shorter than edges of the metric. A mesh of unit edges
+// beside them has triangles that are as narrow as the chord and as high as an edge wanted: a layer
+// of needles on the curve, with hardly a vertex near it. Internal to mesh/pipeline.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,12 @@
 
 namespace asterism::internal {
 
-// Returns, for each node of the field, the number by which its tensor is to be multiplied so that
-// chords near it have the length 1, at least 1; nothing where no chord is shorter than two fifths
-// of what the metric wants. A chord is near if one of its ends is in a triangle of the node and no
-// farther from it than the chord is long: on a curve that the field's mesh follows, those are of
-// the nodes on it. Curves that were not divided are left out: each is an edge that the mesh had.
-// The time is that of looking up the ends.
+// Returns, for each node of the field, the factor of its tensor, at least 1, with which chords near
+// it have the length 1; nothing if no chord is shorter than two fifths of an edge of the metric. A
+// chord is near if one of its ends is in a triangle of the node and no farther from it than the
+// chord is long: on a curve that the field's mesh follows, chords are near to the nodes on it.
+// Curves that were not divided are left out: each is an edge that the mesh had. The time is that of
+// looking up the ends.
 std::vector<double> factors_at_short_chords(const domain& d, const background_metric& field);
 
 }  // namespace asterism::internal

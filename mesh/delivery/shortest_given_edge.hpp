@@ -24,9 +24,9 @@ struct given_edge {
 // edge, if the stars agree.
 std::optional<given_edge> shortest_given_edge(const mesh& m);
 
-// True if the edge is too short a part of the domain's width for triangles that meet an angle bound
-// to fit beside it: below 2^-40 neither their corners nor what lies between have places enough
-// among the doubles. This is the least distance that a repair joins vertices within, too.
+// True if the edge is so short relative to the domain's width that triangles which meet an angle
+// bound do not fit beside it: below 2^-40 doubles have too few places for their corners. A repair
+// joins vertices within the same distance at least.
 constexpr bool is_rounding(const given_edge& e) { return e.part_of_width < 0x1p-40; }
 
 // Returns two given vertices that are a rounding apart, if the run did not end well and there are

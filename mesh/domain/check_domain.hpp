@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Establishes by exact signs alone what a mesher relies on in a domain. A planar straight-line
-// graph is put in order where that changes no point set, and refused where it cannot be meant.
+// Establishes, by exact signs alone, the properties of a domain that a mesher relies on. A planar
+// straight-line graph is put in order where that changes no point set, and refused where its
+// meaning is unclear.
 //
 // Put in order, and counted in the report:
 //  - vertices with identical coordinates are merged (the first one stays);
@@ -31,7 +32,7 @@
 //  - a polygon's ring that is not closed, or has a segment that does not exist;
 //  - a curve without chords (domain/divide_curves.hpp), or with a chord that is cut by a vertex on
 //    it, covered by another segment, or dropped alone;
-//  - a domain of which nothing is left.
+//  - a domain of which no face is left.
 //
 // Hole points whose hole has become one with the outside are dropped silently.
 // A domain that was accepted once is accepted again, unchanged. Rings may touch in vertices and the

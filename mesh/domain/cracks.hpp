@@ -4,9 +4,9 @@
 // triangles on each side. Inside the mesher, and for the auditor, such an edge is a segment inside
 // the domain with one vertex at each place. Files have the vertices of both sides.
 //
-// A vertex is there once for each fan of triangles around it that the edges of cracks, and the
-// boundary, part from the others: once at the tip of a crack, twice along it, three times where
-// three cracks meet.
+// A vertex exists once for each fan of triangles around it that edges of cracks, and the boundary,
+// separate from the others: once at the tip of a crack, twice along it, three times where three
+// cracks meet.
 #pragma once
 
 #include <map>
@@ -36,11 +36,11 @@ struct joined_cracks {
 
 // Joins vertices at one place where the triangles of both meet along edges: two boundary sides with
 // the same ends, one from each side. The first vertex stays, with a metric that is as fine as those
-// of all. An edge is listed once, the way in which the lesser marker is on its left; its own marker
-// is that of both sides, if all other edges have others, else one that is free. Fails, naming the
-// vertices, where vertices are at one place and no such edge is at it. Triangles and edges that
-// name missing vertices are left to others to find: then nothing is joined. A mesh that is refused
-// stays as it is.
+// of all. An edge is listed once, in the direction with the lesser marker on its left; its own
+// marker is the common one of both sides, if no other edge has that, else a free one. Fails, naming
+// the vertices, where vertices are at one place and no such edge is at it. Joins nothing if
+// triangles or edges name missing vertices, which other checks report. A mesh that is refused stays
+// as it is.
 ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m);
 
 // A mesh with the vertices of both sides.

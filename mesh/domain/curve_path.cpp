@@ -18,8 +18,8 @@ point between(const point& a, const point& b, double t) {
   return {(1 - t) * a.x + t * b.x, (1 - t) * a.y + t * b.y};
 }
 
-// Returns the angle from u to v: above 0 and at most a turn counter-clockwise, the negative of such
-// a one clockwise.
+// Returns the angle from u to v, in radians: above 0 and at most a full turn if counter-clockwise,
+// the negative of that if clockwise.
 double angle_between(const point& u, const point& v, bool clockwise) {
   const double angle = elementary::atan2(cross(u, v), dot(u, v));
   if (clockwise) return angle < 0 ? angle : angle - turn;

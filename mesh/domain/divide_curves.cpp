@@ -38,7 +38,7 @@ constexpr double part_of_chord = 1.0 / 50;
 // the drag of a cylinder is off by less than 3e-4 at 3,000 vertices (docs/results/adaptation.md).
 constexpr double part_of_size = 1.0 / 50, part_of_size_on_mesh = 1.0 / 100;
 // Least metric length of a piece that is halved for the size across. Where pieces are much shorter
-// than the metric wants, triangles at them have low angles in it: with half a unit all around,
+// than edges of the metric, triangles at them have low angles in it: with half a unit all around,
 // meshes by local changes were not certified in a metric near the one wanted.
 constexpr double least_halved = 0.8;
 
@@ -71,8 +71,8 @@ result<bool> is_near_enough(const curve_path& path, const curve_division& wanted
                             double t1) {
   if (!path.is_straightforward(t0, t1)) return false;
   // Does not halve cubics through a polygon for their turn alone: they are a guess, and their
-  // pieces turn as much as the polygon however short they are. Halved for that, the next mesh's are
-  // shorter, and so in each round of a loop that moves them.
+  // pieces turn as much as the polygon however short they are. Halved for their turn, they would
+  // become shorter in each round of a loop that moves them.
   if (wanted.field != nullptr && !wanted.is_even) {
     const auto short_already = is_short(path, *wanted.field, t0, t1);
     if (!short_already || short_already.value()) return short_already;
@@ -179,8 +179,8 @@ result<parameters_of_curves> even_parameters(const std::vector<curve_path>& path
   return found;
 }
 
-// Puts new vertices for curve `c` into `d`, its first chord in the place of its segment
-// and the others at the end.
+// Adds the vertices of curve `c` to `d`, with its first chord in the place of its segment and the
+// other chords at the end.
 void put_chords(domain& d, std::size_t c, const curve_path& path,
                 const std::vector<double>& parameters) {
   domain_curve& curve = d.curves[c];
@@ -229,7 +229,7 @@ domain with_chords(domain d, const std::vector<curve_path>& paths,
   return d;
 }
 
-// Takes chords out of a domain, and the vertices between them: each curve leads from its first
+// Removes chords, and the vertices between them, from a domain: each curve leads from its first
 // vertex to its last again, in the place of its first chord.
 domain without_chords(const domain& d) {
   std::map<std::pair<vertex_index, vertex_index>, std::size_t> curve_of;

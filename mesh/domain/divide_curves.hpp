@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Replaces the curves of a domain by chords: segments between points of the curve, each rounded
-// once. What is meshed is the polygon of these.
+// once. The polygon of these is meshed.
 //
 // A curve as a file or a program gives it has two vertices, with parameters 0 and 1, and
 // `segment` names the segment between them. (Of a whole circle both are the same, and that segment
@@ -9,7 +9,7 @@
 // marker; new vertices and the other chords come after those that are there, in the order of the
 // curves and along each.
 //
-// A curve is divided until, as doubles tell,
+// A curve is divided until, computed in doubles,
 //  - an arc turns by at most an eighth of a turn in each piece, and a cubic's control polygon goes
 //    forward along the chord;
 //  - no piece is farther from its chord than the tolerance;
@@ -17,9 +17,9 @@
 //    chord than a fiftieth of the size wanted across it, or, of a metric on a mesh, a
 //    hundredth, as long as that leaves pieces that are nearly half as long as wanted;
 // and, by exact signs of rounded control points,
-//  - between a piece and its chord there is nothing else: the hulls of the pieces have no point in
+//  - nothing is between a piece and its chord: the hulls of the pieces have no point in
 //    common with each other, with a straight segment or with a vertex, their common ends left out.
-//    So the polygon lies as the curves do: nothing that is inside of these is outside of it.
+//    So the polygon has the topology of the curves: nothing inside of these is outside of it.
 //
 // Refused, by name and line:
 //  - centres and control points that are not finite, a radius of 0;
@@ -48,8 +48,8 @@ struct curve_division {
   // Greatest distance of a curve from its chord; default: a fiftieth of the chord's length.
   std::optional<double> chord_tolerance = {};
   // Metric in which pieces are as long as edges of a mesh of unit edges, and near to their chords;
-  // default: none. Each of the two is not asked for where it takes more than `most_chords`. Must
-  // outlive the call.
+  // default: none. Either demand is dropped if it takes more than `most_chords`. Must outlive the
+  // call.
   const metric_field* field = nullptr;
   std::size_t most_chords = 100000;
   // False to add no pieces for the metric length: present pieces are halved alone, and only while
@@ -57,8 +57,8 @@ struct curve_division {
   bool is_even = true;
 };
 
-// Returns the domain with chords for its curves, as check_domain takes it. Without curves it comes
-// back as it is. Fails also where the field does.
+// Returns the domain with chords for its curves, as check_domain takes it. Without curves it is
+// returned unchanged. Fails also where the field does.
 ASTERISM_EXPORT result<domain> divide_curves(const domain& d, const curve_division& wanted = {});
 
 // Returns a domain that check_domain has accepted, divided already, with other chords: removes the

@@ -151,8 +151,8 @@ bool outliner::turns(vertex_index v) const {
 // True if a smooth vertex between two smooth ones turns so much more than they do that a curve
 // meets another there. Where an arc meets a straight side the polygon turns by half of what it
 // turns along the arc, so that a factor of four leaves room for chords of unequal length. A cubic
-// that had the direction of the other would turn by all of the angle near its end, and be divided
-// there into chords much shorter than the metric wants.
+// with the other curve's direction at its end would turn by the whole angle near it, and be divided
+// there into chords much shorter than edges of the metric.
 bool outliner::stands_out(vertex_index v) const {
   constexpr double factor = 4;
   double most = 0;

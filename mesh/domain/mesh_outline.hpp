@@ -3,14 +3,14 @@
 // Finds the domain that a mesh covers, with as few vertices as possible: for adaptation loops, in
 // which a mesh's own vertices may be removed.
 //
-// Vertices of the domain: corners and required vertices, ends of required edges, where not two
-// segments meet, where the marker changes or a segment becomes internal, and where the boundary
-// turns by more than the angle. The segments between them are
+// Vertices of the domain are: corners and required vertices, ends of required edges, and vertices
+// where not exactly two segments meet, where the marker changes or a segment becomes internal, and
+// where the boundary turns by more than the angle. The segments between them are
 //   - straight, where all vertices between are on the line up to sixteen units in the last place,
 //     which then go;
 //   - else, pieces of the polygon: of its vertices those stay that keep every piece at most one
 //     long, as its ends' metric measures it, and no dropped one farther from it than is allowed:
-//     by default a hundredth of the piece, and of the size that the metric wants across it. So a
+//     by default a hundredth of the piece, and of the metric's size across it. So a
 //     curved boundary follows the polygon, coarser where the metric is. Lines between different
 //     regions keep every vertex that is not on a straight part. Between its ends a piece of the
 //     outer boundary is a cubic through them (outline_curves.hpp), on which the next mesh splits
@@ -38,7 +38,8 @@ namespace asterism {
 struct outline_options {
   double corner_angle = 30;  // degrees, above 0 and at most 180
   // Greatest distance of the boundary of the mesh from that of any mesh of the domain, both ways;
-  // default: see above. Not less than roundings make: 2^-40 of the largest coordinate.
+  // default: as described above. Must be at least 2^-40 of the largest coordinate, which exceeds
+  // rounding errors.
   std::optional<double> largest_distance = {};
 };
 

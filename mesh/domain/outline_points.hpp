@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds points in the holes and regions of a mesh that tell its domain from the outside. In
-// doubles; users must compare areas.
+// Finds points in the holes and regions of a mesh by which its domain is distinguished from the
+// outside. In doubles; users must compare areas.
 #pragma once
 
 #include <map>

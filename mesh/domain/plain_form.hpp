@@ -12,9 +12,9 @@ namespace asterism::internal {
 // Returns the domain without its polygons, and with a hole point in each face that is enclosed,
 // outside and has none, and a region point in each part that has none and whose number differs from
 // that of such parts. A domain that its points describe already, as one of a .poly file, is
-// returned unchanged. Requires what check_domain accepted. Fails where there is no double in a
-// face, and where faces and their segments are so many that it would exceed a work limit. Time: O(n
-// log n), and O(n) for each point, for n segments.
+// returned unchanged. Requires a domain that check_domain accepted. Fails where there is no double
+// in a face, and where faces and their segments are so many that it would exceed a work limit.
+// Time: O(n log n), and O(n) for each point, for n segments.
 result<domain> plain_form(domain accepted);
 
 }  // namespace asterism::internal

@@ -23,8 +23,8 @@ bool contains(const domain& d, const point& q);
 // each point.
 class inside_index {
  public:
-  // Prepares the domain, or one region of it. Requires of `d` what contains() requires. Copies the
-  // segments that it needs, so `d` may go.
+  // Prepares the domain, or one region of it. Requirements on `d` are those of contains(). Copies
+  // the segments that it needs, so `d` need not outlive it.
   explicit inside_index(const domain& d, std::optional<int> region = {});
 
   // True if q is strictly inside: not on a segment between inside and outside. Segments with the

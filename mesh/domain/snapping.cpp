@@ -201,8 +201,9 @@ bool snapper::is_safe(vertex_index v, const edge& e) const {
   return v == e.a || v == e.b || shortens(at(v), at(e.a), at(e.b));
 }
 
-// Returns a new vertex at the crossing, or the nearest one there is. The exactly nearest one would
-// always be valid; here the crossing is rounded, so that further vertices are tried after it.
+// Returns a vertex for the crossing: a new one at the rounded crossing, or a present one near it.
+// The vertex nearest to the exact crossing would always be valid; since the crossing is rounded,
+// further near vertices are tried after it.
 std::optional<vertex_index> snapper::common_vertex(const edge& e, const edge& f) {
   const point p = rounded_crossing(at(e.a), at(e.b), at(f.a), at(f.b));
   std::vector<vertex_index> near = near_.around(p);

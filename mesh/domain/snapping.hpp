@@ -3,7 +3,7 @@
 // Makes a plane graph of segments that cross, nearly meet, or have ends that nearly coincide. Works
 // inside repair_domain.
 //
-// With a distance D, until nothing is left to do:
+// With a distance D, repeats three steps until nothing changes:
 //  1. A point nearer than D to an earlier one becomes that one.
 //  2. A segment that passes a point within D/2 is bent to go through it.
 //  3. Segments that cross get their crossing for a vertex, its coordinates rounded once; or, where
@@ -11,16 +11,16 @@
 // Every test is made exactly on the present doubles, and repeated after they were changed. Points
 // of the input keep their coordinates.
 //
-// It ends: step 1 is done once, and afterwards vertices are D apart, so that there is room for a
-// finite number; steps 2 and 3 replace a piece of a segment by pieces that are each strictly
-// shorter. Step 2: at height h <= D/2 beside a piece, D from both its ends, a point leaves squared
-// lengths less by 3 D^2 - 4 h^2 at least. Step 3: with x the crossing and v the vertex nearest to
-// it, |av| < |ax| + |xv| <= |ax| + |xb| = |ab|. Distances between finitely many points are finitely
-// many.
-// At the end vertices are D apart or more, no piece passes one within D/2, and pieces meet in
-// vertices alone.
-// Source: the steps are those of iterated snap rounding (Halperin and Packer, 2002), with the
-// points themselves in place of a grid's.
+// It ends: step 1 is done once, and afterwards vertices are D apart, so that there
+// is room for a finite number; steps 2 and 3 replace a piece of a segment by pieces
+// that are each strictly shorter. Step 2: at height h <= D/2 beside a piece, D from
+// both its ends, a point makes the squared lengths less by 3 D^2 - 4 h^2 at least.
+// Step 3: with x the crossing and v the vertex nearest to it, |av| < |ax| + |xv| <=
+// |ax| + |xb| = |ab|. There are finitely many distances between finitely many
+// points. At the end vertices are D apart or more, no piece passes one within D/2,
+// and pieces meet in vertices alone. Source: the steps are those of iterated snap
+// rounding (Halperin and Packer, 2002), with the points themselves in place of a
+// grid's.
 #pragma once
 
 #include <cstddef>

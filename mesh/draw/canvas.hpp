@@ -29,8 +29,8 @@ inline constexpr int largest_extent = 20000;  // of a page, pixels or points
 // Returns the fault of a page's width, or nothing.
 std::optional<error> fault_of_width(int width);
 
-// Draws on a page. Keeps a path, as cairo does: move_to and line_to extend it; fill and stroke
-// draw and clear it. Lines have round ends and corners. Lengths are pixels or points; y goes
+// Draws on a page. Keeps a path, as cairo does: move_to and line_to extend it; fill and stroke draw
+// and clear it. Lines have round ends and corners. Lengths are in pixels or points; y points
 // downwards.
 class canvas {
  public:

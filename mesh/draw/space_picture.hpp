@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws a mesh in space as it is first seen on its page: from above and aside, z up, each patch in
-// a colour of its own, triangles shaded by how they lie to the light.
+// Draws a mesh in space in the first view of its page: from above and the side, z up, each patch in
+// a colour of its own, triangles shaded by their angle to the light.
 //
 // Draws triangles in the order of their middles, the farthest first, so that nearer ones hide what
 // is behind them. Of long triangles that pass each other closely the farther may hide the nearer.

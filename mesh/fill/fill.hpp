@@ -33,11 +33,11 @@ struct filled_domain {
   std::vector<std::vector<site>> divisions;
   // Sites inside the domain, in the order of a space-filling curve.
   std::vector<site> interior;
-  // The neighbours of each site among all sites, counter-clockwise, as the fill saw them: a first
-  // guess at its star. A site on a segment may have neighbours that it does not see in the domain.
-  // Numbers count the vertices first, then the points of the divisions, then the interior. A list
-  // is empty where the fill's stars disagree, and there are no lists where the fill did not end.
-  // Marks are set for sites whose neighbours are all accepted without doubt
+  // The neighbours of each site among all sites, counter-clockwise, by the fill's approximate
+  // stars: a first guess at its star. A site on a segment may have neighbours that it does not see
+  // in the domain. Numbers count the vertices first, then the points of the divisions, then the
+  // interior. A list is empty where the fill's stars disagree, and there are no lists where the
+  // fill did not end. Marks are set for sites whose neighbours are all accepted without doubt
   // (numerics/approximate_star.hpp).
   neighbour_lists stars;
   std::size_t rounds = 0;

@@ -31,8 +31,8 @@ class relaxation {
     std::array<double, 2> squared;
   };
 
-  // Takes a fill that has come to its end, and does not ask the index of its sites. `order` are all
-  // sites, in an order in which neighbours are near each other; it must outlive the object.
+  // Takes a fill that has ended; does not use the index of its sites. `order` lists all sites so
+  // that near ones follow each other; it must outlive the object.
   relaxation(const fill_parts& parts, const std::vector<vertex_index>& order)
       : parts_(parts), order_(order), locator_(parts.shape) {}
 

@@ -71,14 +71,15 @@ division at_lengths(const point& a, const point& b, const arc_length& measured,
 
 // Divides a segment of which the first and the last subsegment are to be from_a and from_b long.
 // Keeps to both if at least half a subsegment is left between them, so that none comes out shorter
-// than that. Otherwise there are two or three: of about equal length if the ends want about the
-// same, within a quarter; else one end keeps its length, and the other gets the rest.
+// than that. Otherwise makes two or three subsegments: of about equal length if the lengths wanted
+// at both ends differ by at most a quarter; else one end keeps its length, and the other gets the
+// rest.
 //
 // Points between subsegments of equal length are shifted a little along the segment. At a corner
-// where the metric is its own mirror image, as all of a square are in many fields, both sides would
-// else be divided alike: four of their sites then are on one circle, up to rounding, and only exact
-// numbers tell which diagonal is an edge. Parallel sides are shifted alike: those of a narrow strip
-// stay divided alike.
+// where the metric is symmetric, like all corners of a square in many fields, both sides would
+// otherwise be divided alike: four of their sites then are on one circle, up to rounding, and only
+// exact numbers tell which diagonal is an edge. Parallel sides are shifted alike: those of a narrow
+// strip stay divided alike.
 division divide(const point& a, const point& b, const arc_length& measured, double from_a,
                 double from_b, double longest) {
   const double shift = shift_along({b.x - a.x, b.y - a.y});

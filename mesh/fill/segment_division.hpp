@@ -34,9 +34,9 @@ struct segment_divisions {
 result<segment_divisions> divide_segments(const domain& d, const metric_field& field,
                                           double longest, std::size_t most_points);
 
-// Divides each segment of `d` into parts of equal metric length, but for the shift, as many as
-// bring that nearest to the geometric mean of `shortest` and `longest`: with a ratio of 1.2 all
-// lengths are between the two where the segment is at least five times `shortest` long. Fails as
+// Divides each segment of `d` into parts of equal metric length, except for the shift, with a
+// length nearest to the geometric mean of `shortest` and `longest`: with a ratio of 1.2 all lengths
+// are between the two if the segment is at least five times `shortest` long. Fails as
 // divide_segments() does.
 result<segment_divisions> divide_segments_evenly(const domain& d, const metric_field& field,
                                                  double shortest, double longest,

@@ -44,7 +44,7 @@ class site_proposals {
       : parts_(parts), uneven_(uneven), locator_(parts.shape) {}
 
   // Places sites farther than `distance` from each other all over the domain, before there is any
-  // star, until there is no room for more or `sites` is full.
+  // star, until no place keeps that distance or `sites` is full.
   void scatter(double distance);
 
   // Returns the Voronoi vertices of the stars that changed that are farther than `distance` from

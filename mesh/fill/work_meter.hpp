@@ -35,8 +35,8 @@ class work_meter {
   }
 
   // Returns the work done in the units of kernels/work_units.hpp. Where metrics vary wildly stars
-  // have hundreds of gaps. Finding the gap of a site costs less than one test a gap, as it is a
-  // bisection; making such a star costs more than two microseconds.
+  // have hundreds of gaps. Finding the gap of a site by bisection costs less than a test of each
+  // gap; making such a star costs more than two microseconds.
   double units() const {
     return work_weights::approximate_star * static_cast<double>(disturbed_) +
            work_weights::plain_candidate * static_cast<double>(candidates_) +

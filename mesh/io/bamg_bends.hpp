@@ -18,7 +18,7 @@ bool is_about_bamg_curves(std::string_view keyword);
 
 // Returns a note on the vertices between two edges that turn there by less than `bound`, in
 // degrees, and which are no corners: BAMG has a curve through these. None where there is no such
-// vertex. The turn is told by rounded numbers.
+// vertex. The turn is computed in rounded numbers.
 std::optional<std::string> note_of_bamg_bends(const mesh& edges,
                                               const std::vector<vertex_index>& corners,
                                               double bound);

@@ -255,8 +255,8 @@ json json_with(const certificate& c, bool lists_of_domain) {
   return written;
 }
 
-// Appends a number as the library that writes the rest does: the fewest digits that it finds, and
-// null for what is none.
+// Appends a number in the form of the library that writes the rest: the fewest digits that it
+// finds, and null for infinity and NaN.
 void append_value(std::string& text, double x) {
   if (!std::isfinite(x)) {
     text += "null";
@@ -306,7 +306,7 @@ void write_segments(const domain& d, const byte_sink& put) {
   put("\n  ]");
 }
 
-// Writes a text that has the two lists empty, with what is in them. The key is the only one that
+// Fills the items of two lists into a text that has these lists empty. The key is the only one that
 // far from the left, and no value holds the end of a line. The lists may be most of a large text,
 // which is never held whole.
 void write_with_lists(std::string_view text, const domain& d, const byte_sink& put) {

@@ -19,8 +19,8 @@ output_file certificate_file(const std::filesystem::path& path, const certificat
 // Returns the matches of periodic sides, one object each.
 nlohmann::ordered_json json_of(const std::vector<periodic_match>& matches);
 
-// Returns every field of the certificate. The reader holds what it was given against what is
-// written of it, so that no field passes unread.
+// Returns every field of the certificate as JSON. The reader compares its input with the JSON of
+// the result, so that no field is ignored.
 nlohmann::ordered_json json_of(const certificate& c);
 
 }  // namespace asterism::internal

@@ -12,8 +12,8 @@
 namespace asterism::internal {
 
 // Returns the fields at the vertices of a mesh that was read from this file: node data of a .msh,
-// point data of a .vtu, of a .mesh what NAME.sol beside it holds, if that is no metric, and
-// NAME.fields.sol. None is no failure.
+// point data of a .vtu, for a .mesh the fields of NAME.sol beside it, if that is no metric, and of
+// NAME.fields.sol. Succeeds without any fields.
 result<solution> fields_of_mesh(const std::filesystem::path& path, const mesh_file& read);
 
 }  // namespace asterism::internal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells the kind of a file by the end of its name, in any case: PART.POLY is a .poly file.
+// Finds the kind of a file by the ending of its name, in any case: PART.POLY is a .poly file.
 #pragma once
 
 #include <algorithm>

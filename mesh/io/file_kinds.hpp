@@ -18,7 +18,7 @@
 
 namespace asterism::internal {
 
-// Tells the parts of a mesh that a format has a place for, beside vertices, triangles and markers.
+// Parts of a mesh that a format has a place for, in addition to vertices, triangles and markers.
 // Pictures and pages show all parts, and a mesh cannot be read back from them: their parts are
 // never listed.
 struct kept_parts {

@@ -80,7 +80,7 @@ class replacement {
 
  private:
   // Gives the file at `path` a second name, by a link or, where there are none, by renaming it.
-  // Fails for a directory, which may have come there since the place was checked.
+  // Fails for a directory, which may have been created since the place was checked.
   void keep_old(const fs::path& path, std::error_code& status) {
     old_.emplace_back();
     std::error_code linked;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes meshes for programs of rivers and coasts: SMS's .2dm and ADCIRC's fort.14.
+// Writes meshes for programs that simulate rivers and coasts: SMS's .2dm and ADCIRC's fort.14.
 //
 // Both have triangles and strings of nodes along the boundary, one for each part with one marker
 // that is not interrupted. There is no metric, and heights are 0.

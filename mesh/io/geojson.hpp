@@ -3,11 +3,11 @@
 // Reads polygons of GeoJSON (RFC 7946).
 //
 // Read: Polygon and MultiPolygon, and collections of these, within each other too; of GeoJSON
-// also Feature and FeatureCollection. What they contain is as the formats have it
+// also Feature and FeatureCollection. The formats define what they contain
 // (data/domain_polygon.hpp). Rings are closed or not. The rings of polygon k, from 1, have the
 // marker k, and where there are several features the polygons of feature k are region k.
 // Polygons that share a part of their boundary have internal edges there. Skipped with a note:
-// points and lines, what is empty, coordinates beyond the second, rings without area and
+// points and lines, empty geometries, coordinates beyond the second, rings without area and
 // polygons whose outer ring has none. Refused: files without a polygon, other kinds of geometry,
 // numbers that are not finite. Coordinates are taken as they are: degrees are not turned into
 // lengths.

@@ -12,12 +12,12 @@
 //
 // Read: versions 1, 2.0 to 2.2, 4.0 and 4.1; sections in the order that gmsh writes, tags in any
 // order and with gaps; points, lines, triangles and quadrilaterals, of higher order by their
-// corners; node data "metric"; other sections are passed over. Each line is a segment. An element
-// in several physical groups has a number for the set of them and all their names. What does not
-// begin as gmsh's is FreeFEM's (mesh/io/freefem_reader.cpp). Refused: binary files, elements of
-// other kinds, tags that do not exist or twice, numbers that are not finite, and what put_in_order
-// refuses. Source: the gmsh 4.11 manual, "MSH file format", and "MSH file format version 1/2
-// (Legacy)".
+// corners; node data "metric"; other sections are skipped. Each line is a segment. An element in
+// several physical groups has a number for the set of them and all their names. A file that does
+// not begin like gmsh's is read as FreeFEM's (mesh/io/freefem_reader.cpp). Refused: binary files,
+// elements of other kinds, tags that do not exist or twice, numbers that are not finite, and what
+// put_in_order refuses. Source: the gmsh 4.11 manual, "MSH file format", and "MSH file format
+// version 1/2 (Legacy)".
 #pragma once
 
 #include <filesystem>

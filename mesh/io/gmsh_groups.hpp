@@ -28,10 +28,10 @@ class gmsh_groups {
   // 2 have no other form for several groups.
   void unite_repeated(listed_mesh& m);
 
-  // Replaces the numbers of sets by markers and regions, and names these. Those of one group are
-  // its tag, or what its name says ("marker -7" for a number that no group can have); of several a
-  // tag that no other set has, or the next free number, under all their names. Regions are left
-  // out where no surface is in a group.
+  // Replaces the numbers of sets by markers and regions, and names these. A set of one group gets
+  // its tag, or the number in its name ("marker -7" for a number that no group can have); a set of
+  // several groups gets a tag that no other set has, or the next free number, with all their names.
+  // Regions are left out where no surface is in a group.
   void settle(listed_mesh& m);
 
  private:

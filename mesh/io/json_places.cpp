@@ -132,7 +132,7 @@ std::string json_places::name_of(std::size_t m) const {
   return name;
 }
 
-// True if the member's name is this one or, unless it is to be the whole, ends in it.
+// True if the member's name is this one or, unless the whole name is required, ends in it.
 bool json_places::is_named(std::size_t m, std::string_view name, bool whole) const {
   for (; m != root; m = members_[m].parent) {
     const std::string_view key = members_[m].key;

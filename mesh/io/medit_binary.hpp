@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Turns Medit's binary files, .meshb and .solb, into the words of its text files and back, so that
-// one reader and one writer know what they mean.
+// one reader and one writer suffice for both.
 //
 // A file is a number 1 (which shows the order of bytes), a version, and sections: a keyword's
 // number, the place in the file where the next section begins, a count, and the records. Reals have
-// 4 bytes in version 1, else 8; integers 8 in version 4, else 4; places 8 from version 3 on,
-// else 4. Both orders of bytes are read; written is version 2, little-endian, or 3 beyond 2
-// gigabytes. Sections that mean nothing to the reader of the text are passed over by their places.
-// Source: libMeshb 7, https://github.com/LoicMarechal/libMeshb, whose format this is.
+// 4 bytes in version 1, else 8; integers 8 in version 4, else 4; places 8 from version 3 on, else
+// 4. Both orders of bytes are read; written is version 2, little-endian, or 3 beyond 2 gigabytes.
+// Sections that the reader of text does not use are skipped by their places. Source: libMeshb 7,
+// https://github.com/LoicMarechal/libMeshb, whose format this is.
 #pragma once
 
 #include <filesystem>

@@ -19,7 +19,7 @@ struct passed_over {
 };
 
 // Skips the section that the keyword begins: by its count where its shape is known, else to the
-// next word that begins with a letter. Refuses what cannot be a keyword.
+// next word that begins with a letter. Refuses a word that cannot be a keyword.
 std::optional<error> pass_over(text_scanner& source, const word& keyword, int dimension,
                                passed_over& passed);
 

@@ -306,8 +306,8 @@ failure medit_reader::read_required_edges() {
   return {};
 }
 
-// Reads parts of a geometry: 2, an edge, the side of it, and a number. They are used only if there
-// are no triangles.
+// Reads parts of a geometry, each as the number 2, an edge, one of its sides, and the part's
+// number. They are used only if there are no triangles.
 failure medit_reader::read_parts(std::string_view keyword) {
   const auto count = read_count(keyword);
   if (!count.ok()) return count.failure();

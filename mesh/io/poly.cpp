@@ -58,7 +58,7 @@ class poly_reader {
   // failure.
   failure read_coordinate(const words& record, std::size_t at, std::string_view what,
                           double& value);
-  // Reads a header line with 1 to `most` words; `wanted` says what it should hold.
+  // Reads a header line with 1 to `most` words; `wanted` names its contents in messages.
   failure read_header(std::string_view wanted, std::size_t most, words& header);
   // Reads the next line, as record `position` (from 0) of `count`: its number must be the next one.
   failure read_record(std::string_view what, std::size_t position, std::size_t count,

@@ -20,8 +20,8 @@
 // name; where it is the only number on its line, it is the largest area, too.
 //
 // Coordinates are the doubles nearest to the decimals, in any locale. Every error names file, line
-// and token: what is no number, not finite or out of range, what is missing or too much.
-// Source: https://www.cs.cmu.edu/~quake/triangle.poly.html and triangle.node.html.
+// and token, and the fault: no number, not finite, out of range, missing or superfluous. Source:
+// https://www.cs.cmu.edu/~quake/triangle.poly.html and triangle.node.html.
 #pragma once
 
 #include <filesystem>

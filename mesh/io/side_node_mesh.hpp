@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Puts a mesh into the shape in which files have second-order triangles: a node for every side,
+// Converts a mesh to the form in which files have second-order triangles: a node for every side,
 // numbered after the vertices.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace asterism::internal {
 
-// A mesh with nodes. Values at a node are the means of those at the ends of its side: what a linear
-// field has in the middle.
+// A mesh with nodes. Values at a node are the means of those at the ends of its side: the values of
+// a linear field in the middle.
 struct side_node_mesh {
   mesh content;  // its sites go on with the nodes
   // Nodes of the sides 01, 12, 20 of each triangle, then of each disagreeing triangle.

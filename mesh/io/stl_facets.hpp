@@ -25,8 +25,8 @@ struct stl_facets {
   std::map<int, std::string> names;  // of solids that have one
 };
 
-// Fails, naming the line or the facet, where there is no facet, a number is none or not finite, or
-// a facet has not three corners.
+// Reads the facets of a file. Fails, naming the line or the facet, if there is no facet, a number
+// is invalid or not finite, or a facet has not three corners.
 result<stl_facets> read_stl_facets(std::string_view text, const std::string& file);
 
 }  // namespace asterism::internal

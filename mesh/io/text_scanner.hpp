@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Splits text files into words with line numbers, for the readers of this folder. Errors say
-// `file:line: what`.
+// Splits text files into words with line numbers, for the readers of this folder. Errors have the
+// form `file:line: what`.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,7 @@ class text_scanner {
   word next();
   // Returns the words of the next line that has any; empty at the end of the text.
   std::vector<word> next_line();
-  // Returns the rest of the current line, without its end, and goes on with the next one.
+  // Returns the rest of the current line, without its end, and continues with the next line.
   std::string_view rest_of_line();
   // Returns this many bytes from the present place; fewer if the text ends before.
   std::string_view take_bytes(std::size_t count);
@@ -75,8 +75,8 @@ result<double> to_number(const text_scanner& source, const word& w, std::string_
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
 // Reads a marker or reference, an int.
 result<int> to_marker(const text_scanner& source, const word& w, std::string_view meaning);
-// Reads a number of records to come: not negative, and no more than the rest of the file can hold
-// when each takes at least two bytes.
+// Reads the number of records that follow: not negative, and no more than the rest of the file can
+// hold when each takes at least two bytes.
 result<std::size_t> to_count(const text_scanner& source, const word& w, std::string_view meaning);
 
 }  // namespace asterism::internal

@@ -4,9 +4,9 @@
 //
 // Triangles (5), strips of them (6), pixels (8), quadrilaterals (9), polygons (7) of three or four
 // points and lines (3, 4) are read; those of higher order (21 to 23, 28, 34, 35, 68 to 70) by their
-// corners; points (1, 2) are passed over; other cells are refused. Regions and markers are the
-// values of one array of cell data: the first one with a name that programs use for them (such as
-// region, gmsh:physical, medit:ref), else the only one of whole numbers, with a note. Source:
+// corners; points (1, 2) are skipped; other cells are refused. Regions and markers are the values
+// of one array of cell data: the first one with a name that programs use for them (such as region,
+// gmsh:physical, medit:ref), else the only one of whole numbers, with a note. Source:
 // vtkCellType.h, as "VTK File Formats" has it.
 #pragma once
 

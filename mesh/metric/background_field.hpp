@@ -9,8 +9,8 @@
 
 namespace asterism::internal {
 
-// Interpolates logarithms of tensors in the triangles of a mesh, as make_interpolated_field says
-// (interpolated_field.hpp).
+// Interpolates logarithms of tensors in the triangles of a mesh, as the field of
+// make_interpolated_field (interpolated_field.hpp).
 class background_field final : public sized_field {
  public:
   background_field(const mesh& m, double size);

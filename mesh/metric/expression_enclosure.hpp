@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a formula in x and y, and encloses its values and derivatives over boxes. The formula means
-// what plane_expression says; a reader of its own is needed, as muparser evaluates in doubles alone
-// and does not tell how it read a formula.
+// Reads a formula in x and y, and encloses its values and derivatives over boxes. The formula has
+// the meaning that plane_expression gives it; a separate reader is needed, as muparser evaluates in
+// doubles alone and does not export how it read a formula.
 //
 // Its language is a part of muparser's: numbers, pi, e, x, y, + - * / ^, comparisons, && and ||,
 // `a ? b : c`, and sin, cos, tan, atan, sinh, cosh, tanh, exp, ln, log, log2, log10, sqrt, abs,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Spreads the first sites of a domain with many vertices as its short segments will need them: near
-// together there, farther apart inside, about as triangles of 20 degrees grow. Without this every
-// vertex sees a good part of all others until refinement has put sites between them, one by one.
-// The field decides only where sites are proposed; the sites have the metric as given.
+// Spreads the first sites of a domain with many vertices by its short segments: close together
+// there, farther apart inside, with about the growth of triangles of 20 degrees. Otherwise every
+// vertex would see a large part of all others until refinement has inserted sites between them, one
+// by one. The field decides only where sites are proposed; the sites have the metric as given.
 #pragma once
 
 #include <cstddef>

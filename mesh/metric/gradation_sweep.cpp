@@ -19,8 +19,8 @@ namespace {
 // edge.
 constexpr double largest_defect = 0.1, largest_variation = 1, longest_diagonal = 1;
 
-// A leaf with an altered node in which the field as given varies more than this (in logarithms)
-// may hold a jump of it, which must not come back between the nodes.
+// Largest variation, in logarithms, of the given field in a leaf with an altered node: beyond it
+// the leaf may contain a jump of the field, which must not reappear between the nodes.
 constexpr double largest_mixed = 0.2;
 
 // Relative excess of a squared length below which it is not passed on. A unit of length allows a
@@ -28,9 +28,9 @@ constexpr double largest_mixed = 0.2;
 // is about a quarter of the largest defect.
 constexpr double slack_at_nodes = 0.005, slack_between_nodes = 0.03;
 
-// The points a node looks at besides its neighbours, in units of its own metric. A path over edges
-// of the grid crosses a thin layer again and again where it should follow it, and allows too much;
-// a smaller circle takes more sweeps to the same end.
+// Points that a node visits in addition to its neighbours, in units of its own metric. A path over
+// edges of the grid repeatedly crosses a thin layer that it should follow, and so allows too long
+// edges; a smaller circle takes more sweeps to the same end.
 constexpr double circle_radius = 1;
 constexpr double root_half = 0.70710678118654752;
 constexpr std::array<point, 8> circle = {{{1, 0},

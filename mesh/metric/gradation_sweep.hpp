@@ -35,7 +35,8 @@ class gradation_sweep {
   std::optional<error> run();
 
   const std::vector<node>& nodes() const { return nodes_; }
-  // Returns for each node whether the field as given may stand for it and its surroundings.
+  // Returns a flag for each node: whether the given field may be used unchanged at it and around
+  // it.
   std::vector<bool> kept() const;
   const gradation_report& report() const { return report_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a metric field change slowly, as measured by itself (metric gradation).
+// Makes a metric field change slowly in its own lengths (metric gradation).
 //
 // With sigma = ln(beta), each metric is intersected with what every other allows at its place,
 //     M_q <- M_q ∩ (1 + sigma d_p(q))^-2 M_p,   d_p(q) the distance from p to q as p measures it
@@ -11,20 +11,21 @@
 // Alauzet, "Size gradation control of anisotropic meshes", Finite Elements in Analysis and Design
 // 46, 2010.
 //
-// How: the field is sampled on an adaptive grid over the box (metric/gradation_grid.hpp), nodes
-// take over what neighbouring nodes and eight points at distance 1 in their own metric allow, until
-// that changes nothing, and the grid is refined where the result is not yet resolved. Between the
-// nodes logarithms are interpolated. Metrics only grow, and no eigenvalue grows above the largest
-// in the box: the sweeps come to an end, and there is a bound on their number besides.
+// How: the field is sampled on an adaptive grid over the box (metric/gradation_grid.hpp), nodes are
+// intersected with the limits of neighbouring nodes and of eight points at distance 1 in their own
+// metric, until nothing changes, and the grid is refined where the result is not yet resolved.
+// Between the nodes logarithms are interpolated. Metrics only grow, and no eigenvalue grows above
+// the largest in the box: the sweeps end, and their number is bounded as well.
 //
 // Guaranteed: no node is coarser than the field as given, every value is positive definite, the
 // same input gives the same field, and where no node of a triangle of the grid was changed the
 // field as given is returned itself. Not guaranteed: the growth is bounded up to the slack of the
 // sweeps and the resolution of the grid (a fifth more than sigma in all but some pairs of points in
 // a thousand, the tests measure it); between nodes a length may come out some percent longer than
-// given; a feature narrower than a 32nd of the box that no sample hits is not seen. For beta below
+// given; a feature narrower than a 32nd of the box that no sample hits is missed. For beta below
 // about 1.02 the slack, 0.03 of the square of a length at distance 1, is more than sigma allows,
-// and bounds the growth instead. Outside the box the field goes on as on its border.
+// and bounds the growth instead. Outside the box the field is that of the nearest point of its
+// border.
 #pragma once
 
 #include <memory>
@@ -43,9 +44,9 @@ struct graded_metric {
   gradation_report report;
 };
 
-// Takes `field` over, and returns it when no node was changed. `box` is that of the domain. Fails
-// where the field does anywhere in the box, inside the domain or not, for options out of range, and
-// when it was stopped.
+// Grades `field`, and returns it unchanged if no node was changed. `box` is that of the domain.
+// Fails where the field does anywhere in the box, inside the domain or not, for options out of
+// range, and when it was stopped.
 ASTERISM_EXPORT result<graded_metric> grade_metric(std::unique_ptr<metric_field> field,
                                                    const bounding_box& box,
                                                    const gradation_options& options = {});

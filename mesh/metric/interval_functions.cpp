@@ -46,8 +46,8 @@ rounded_interval increasing(plain_function f, const rounded_interval& a) {
 double tangent_inverse(double x) { return elementary::atan2(x, 1); }
 
 // False only if the interval is without a point (k + shift) pi with k of the given parity: there a
-// wave is greatest (parity 0) or least (parity 1). Looks at five k, as the interval is shorter than
-// two of pi's.
+// wave is greatest (parity 0) or least (parity 1). Tests five values of k, as the interval is
+// shorter than 2 pi.
 bool may_have_crest(const rounded_interval& a, double shift, int parity) {
   const double first = std::floor(a.inf() / std::numbers::pi - shift) - 1;
   for (int step = 0; step < 5; ++step) {

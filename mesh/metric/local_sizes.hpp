@@ -27,9 +27,9 @@ ASTERISM_EXPORT double size_where_none_is_wished(const size_wishes& wishes, cons
 //  - bounds, as `asterism adapt` has them: no direction longer than `greatest`, then none shorter
 //    than `least`, which wins, then `aspect`.
 //
-// A tensor that has to change in nothing keeps its bits. Distances are straight, through walls too.
-// Fails for a region or a marker that the domain does not have, naming those it has, and for bounds
-// of which the least is not below the greatest.
+// A tensor that need not change keeps its bits. Distances are straight, also through walls. Fails
+// for a region or a marker that the domain does not have, naming those it has, and for bounds of
+// which the least is not below the greatest.
 ASTERISM_EXPORT result<std::unique_ptr<metric_field>> with_local_sizes(
     std::unique_ptr<metric_field> base, const domain& d, const size_wishes& wishes);
 

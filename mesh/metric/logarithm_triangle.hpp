@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Bounds how fast a metric varies in a triangle in which its logarithm is linear, and halves it.
-// Source: docs/math/guarantee.md, "The field's sigma". In a floating_point_scope(rounding::upward)
-// where it says so.
+// Source: docs/math/guarantee.md, "The field's sigma". Functions marked so require a
+// floating_point_scope(rounding::upward).
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Maps very large and very small domains to images of about unit size, by a power of two, which is
-// exact. The same mesh comes out as for a domain of ordinary size, and as fast, since no product
-// leaves the range in which doubles decide. If no size is wanted, so that a length in the metric
-// means nothing in itself, the metric is scaled to unit size as well.
+// exact. The mesh is the same as for a domain of ordinary size, and made as fast, since no product
+// leaves the range in which doubles decide. If no size is asked for, so that the unit of metric
+// length is arbitrary, the metric is scaled to unit size as well.
 #pragma once
 
 #include "asterism/core/site.hpp"

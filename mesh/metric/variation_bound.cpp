@@ -173,8 +173,8 @@ class formula_region {
     return {p.low.x / 2 + p.high.x / 2, p.low.y / 2 + p.high.y / 2};
   }
   // Returns how far the farther end is from the middle, rounded up: difference and product have
-  // errors of 2^-53 of themselves each, and none where they are subnormal. The middle is no mean of
-  // the ends where it was rounded.
+  // errors of 2^-53 of themselves each, and none where they are subnormal. The rounded middle need
+  // not be the mean of the ends.
   static double reach(double low, double middle, double high) {
     return std::max(high - middle, middle - low) * (1 + 0x1p-50);
   }

@@ -4,14 +4,14 @@
 // site.
 //
 // Exact tests on the points as rounded decide everything that follows: approximate stars only
-// propose where sites may go. It is many times cheaper than true stars, and a wrong neighbour costs
-// at most a proposal that comes to nothing.
+// propose where sites may go. They are many times cheaper than true stars, and a wrong neighbour
+// costs at most one useless proposal.
 //
-// The star of v is read off a convex hull: with d = w - v the site w lies, as v's territory is
-// concerned, about where the covector z = M_w d / |d|_w^2 says (the first point of the ray in
-// direction u that w sees as near as v is u / s with s = 2 z.u to first order in M_w - M_v), and
-// the neighbours are the corners of the hull of all z. Source: docs/math/certificate.md,
-// section 4.1.
+// The star of v is read off a convex hull: with d = w - v the effect of the site w on v's
+// territory is given, approximately, by the covector z = M_w d / |d|_w^2 (the first point in
+// direction u at which w is as near as v is u / s with s = 2 z.u to first order in M_w - M_v), and
+// the neighbours are the corners of the hull of all z. Source: docs/math/certificate.md, section
+// 4.1.
 #pragma once
 
 #include <boost/container/small_vector.hpp>

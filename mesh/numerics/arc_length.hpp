@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures lengths along a line in a metric, in plain doubles: they decide where points are
-// proposed, nothing else.
+// Measures lengths along a line in a metric, in plain doubles: they only decide where points are
+// proposed.
 #pragma once
 
 #include <functional>

@@ -160,7 +160,8 @@ std::vector<point> resultant_points(const std::array<site, 3>& s) {
 }
 
 // Adds the points where the line through v perpendicular (in v's metric) to v w first meets the
-// bisector, either way. There v's wedge ends, and being the first hit means v sees the point.
+// bisector, either way. There v's wedge ends; as the first point of the bisector on the line, it is
+// visible from v.
 void exits_from(const site& v, const site& w, std::vector<point>& exits) {
   const point d = w.position - v.position, n = perpendicular(v.metric, d);
   const double a = inner_product(v.metric, n, n) - inner_product(w.metric, n, n);

@@ -47,8 +47,8 @@ std::vector<point> voronoi_vertices(const site& a, const site& b, const site& c)
 // border, at most two. An arc that runs to infinity inside the wedge has no end there.
 std::vector<point> wedge_exits(const site& v, const site& w);
 
-// Returns the point where the segment a b meets the bisector of a and b, rounded: its "midpoint" as
-// both see it.
+// Returns the point where the segment a b meets the bisector of a and b, rounded: the point equally
+// far from both.
 point bisector_point(const site& a, const site& b);
 
 // Returns the point of segment a b at the given distance from a, as a measures it, rounded.

@@ -37,8 +37,8 @@ ASTERISM_EXPORT triangle_shape shape_of(const triangle_sites& t);
 // Statistics of a mesh in its metric.
 struct mesh_statistics {
   std::size_t edges = 0;
-  // Share of the edges of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is
-  // the mean of what the two ends measure.
+  // Share of the edges of metric length in [1/sqrt 2, sqrt 2], and the mean length. A length is the
+  // mean of both ends' lengths.
   double unit_edges = 0, mean_length = 0;
   // Mean and least quality of all triangles.
   double mean_quality = 0, least_quality = 0;

@@ -50,8 +50,8 @@ metric_tensor intersection(const metric_tensor& a, const metric_tensor& b);
 // Returns sqrt(det b / det a), the ratio of the densities of sites: b's to a's.
 double density_ratio(const metric_tensor& b, const metric_tensor& a);
 
-// Returns two displacements of length 1, at right angles as the metric sees them: its unit circle
-// is cos(t) first + sin(t) second.
+// Returns two displacements of length 1 that are orthogonal in the metric: its unit circle is
+// cos(t) first + sin(t) second.
 struct unit_displacements {
   point first, second;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures angles as a metric sees them, in plain doubles: for reports and pictures, never for a
-// decision about a mesh (the certificate tests angles exactly).
+// Measures angles in a metric, in plain doubles: for reports and pictures, never for a decision
+// about a mesh (the certificate tests angles exactly).
 #pragma once
 
 #include "asterism/core/site.hpp"

@@ -29,8 +29,8 @@ enum clipped : std::uint8_t {
 // one raised to keep the aspect; the same bits where nothing had to change. Adds marks to `what`.
 metric_tensor bounded(const metric_tensor& m, const size_bounds& bounds, std::uint8_t& what);
 
-// Returns the tensor changed so that no length is more than `factor` times, nor less than one
-// factor-th of, what it is in `now`.
+// Returns the tensor changed so that every length is between its length in `now` divided by
+// `factor` and that times `factor`.
 metric_tensor step_limited(const metric_tensor& m, const metric_tensor& now, double factor,
                            std::uint8_t& what);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Computes logarithms and exponentials to 1e-13, for building metrics, where thousands are asked
-// for and the last digits do not matter: a fifth of the work of core/elementary.hpp. The same bits
+// Computes logarithms and exponentials to 1e-13, for building metrics, which takes thousands of
+// them and does not need the last digits: a fifth of the work of core/elementary.hpp. The same bits
 // on every machine, as there. Decides nothing.
 #pragma once
 

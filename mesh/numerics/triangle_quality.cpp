@@ -291,8 +291,8 @@ double metric_circumradius(const triangle_sites& given) {
 }
 
 double circumradius_in_round(const triangle_sites& t) {
-  // Newton's method from the centre of the mean circle finds the near vertex of nearly every
-  // triangle at a tenth of the cost.
+  // Finds the near vertex of nearly every triangle by Newton's method from the centre of the mean
+  // circle, at a tenth of the cost.
   if (const auto near = numeric::voronoi_vertex_near(t[0], t[1], t[2])) {
     const auto seen = apply(t[0].metric, *near);
     if (dot(seen, between(t[0].position, t[1].position)) > 0 &&

@@ -41,7 +41,7 @@ class angle_requirement {
 // same up to rounding, and doubles can then measure them.
 triangle_sites in_round_coordinates(triangle_sites t);
 
-// Returns the smallest of the nine angles, in degrees, in doubles: to put triangles in order. For
+// Returns the smallest of the nine angles, in degrees, in doubles, to rank triangles. For
 // coordinates whose products are in range, as in the unit frame; numerics/metric_angle.hpp has one
 // for any.
 double smallest_angle(const triangle_sites& t);
@@ -73,7 +73,7 @@ inline constexpr double longest_subsegment = 1.2;
 // above, a little shorter.
 inline constexpr double longest_subsegment_of_fill = 0.9;
 
-// Returns the distance from the three sites to the nearest point all three are equally far from;
+// Returns the distance from the three sites to the nearest point equally far from all three;
 // infinite when there is none.
 double metric_circumradius(const triangle_sites& t);
 // Returns the distance from three sites to the nearest point equally far from them; requires

@@ -4,8 +4,8 @@
 //
 // The file is JSON, UTF-8, with the same bytes for the same question, however the work was shared.
 // Pieces, vertices and edges are counted from 1 there, and 0 is none. It ends with a digest of
-// itself, which tells files apart and protects against no forger; verify_pieces.hpp says what is
-// proved.
+// itself, which distinguishes files and does not protect against forgery; verify_pieces.hpp states
+// what is proved.
 #pragma once
 
 #include <cstddef>

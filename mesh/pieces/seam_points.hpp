@@ -15,8 +15,8 @@
 namespace asterism::internal {
 
 // Divides the seams by metric length, as a fill divides segments. Where the domain has so many
-// vertices that a fill spreads sites by its features, points of seams are closer near these, too.
-// Fails where the field does.
+// vertices that a fill spreads sites by its features, points of seams near these features are
+// closer, too. Fails where the field does.
 result<seam_points> divide_seams(const domain& d, const domain_cut& cut, const metric_field& field);
 
 // A seam in the mesh of one of its pieces: all points, in the edge's own direction.

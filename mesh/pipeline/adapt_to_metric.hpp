@@ -83,8 +83,8 @@ struct adapted_mesh {
 // wanted stays as it is if it is as good as a new one: with as many vertices as are named, to 2 %,
 // or as its metric asks for, to a tenth, and with lengths as a new mesh has them (95 edges of a
 // hundred within a factor of sqrt 2 of one, none below a third or above 1.75, or no worse than
-// those of the new mesh that is made to see). So adapting twice with the metric delivered changes
-// nothing. Fails for what is no triangulation.
+// those of a new mesh made for comparison). So adapting twice with the metric delivered changes
+// nothing. Fails for a mesh that is no triangulation.
 ASTERISM_EXPORT result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
                                                      const mesh_adaptation_options& options,
                                                      const progress_listener& progress = {});

@@ -15,7 +15,7 @@
 
 namespace asterism::internal {
 
-// The metric that an adaptation was asked for, and the report of the metric that was made.
+// The metric asked for in an adaptation, and the report of the metric made.
 struct adaptation_wish {
   const solution_metric_options& wishes;
   const solution_metric_report& report;

@@ -12,8 +12,8 @@
 
 namespace asterism::internal {
 
-// One attempt. Shares are of the work of one attempt, which is the limit of a run with a metric
-// tolerance of 0; a run with a larger tolerance may do 1.6 times as much.
+// One attempt at a mesh. Shares are of the work of one attempt, which is the limit of a run with a
+// metric tolerance of 0; a run with a larger tolerance may do 1.6 times as much.
 struct attempt_rule {
   mesh_attempt what;
   std::string_view name;

@@ -15,8 +15,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Returns the question without the account of work: an audit's findings may not depend on what was
-// done before it, as `verify` has no account.
+// Returns the stop without its account of work: an audit's findings may not depend on earlier work
+// of the run, as `verify` has no account.
 cancellation question_of(const cancellation& stop) {
   return [stop]() { return stop.told(); };
 }

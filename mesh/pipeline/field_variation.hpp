@@ -28,9 +28,9 @@ struct field_samples {
   std::optional<field_jump> jump;  // the first that was found
 };
 
-// Samples the field on a grid of points inside the domain, and between neighbours of the grid that
-// differ by more than a little: there the half over which it changes more is followed. Fails where
-// the field does. `d` must have been accepted by check_domain.
+// Samples the field on a grid of points inside the domain, and further between neighbours of the
+// grid whose metrics differ noticeably: there it follows the half over which the metric changes
+// more. Fails where the field does. `d` must have been accepted by check_domain.
 result<field_samples> sample_variation(const domain& d, const metric_field& field);
 
 }  // namespace asterism::internal

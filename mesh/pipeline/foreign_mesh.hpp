@@ -50,10 +50,10 @@ enum class region_edges {
 
 // Puts a mesh in order. Its boundary edges are kept, turned where the only triangle is on their
 // right; if it lists none, the edges with one triangle are taken, with marker 0. Regions are kept
-// as they are. Fails, naming the number of the offender, for what no site or triangle can be: no
-// triangle, vertices that do not exist, two at one place as `slits` has it, numbers that are not
-// finite, tensors that are not positive definite; and for regions that are not as many as
-// triangles.
+// as they are. Fails, naming the number of the offender, if there is no triangle, for vertices
+// that do not exist, for two at one place if `slits` refuses them, for numbers that are not
+// finite, for tensors that are not positive definite, and if regions and triangles differ in
+// number.
 ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere,
                                                 region_edges between = region_edges::segments,
                                                 slit_rule slits = slit_rule::refused);
@@ -92,7 +92,7 @@ ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 // Builds the stars, compares and audits. An edge is a unit edge when its length, the mean of what
 // its two ends measure, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
 // `check_voronoi` the audit has a verdict on point 5 as well, on which certified() does not depend.
-// `stop` is polled during the judgement, which it ends.
+// `stop` is polled during the judgement, and can end it.
 ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
                                        bool check_voronoi = false,
                                        std::size_t findings_kept = audit_options{}.findings_kept,

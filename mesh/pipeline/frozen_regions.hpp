@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Adapts a mesh but for the triangles of some of its regions, which stay as they are.
+// Adapts a mesh except for the triangles of some of its regions, which stay as they are.
 //
 // The rest is adapted, certified and verified as a mesh of its own: the border with the frozen
 // regions is a part of its boundary, of which every vertex stays. The file has both parts together:
 // first the rest's vertices, triangles and edges, then the others.
 //
-// A mesher splits edges of a boundary where the metric wants that or stars need it. Those of the
-// border must not be split. So the tensors at its vertices are made coarser, by equal factors in
-// all directions, until the mesh does not split them; `border_lengths` lists the lengths that are
+// A mesher splits edges of a boundary for the metric or for stars, but edges of the border must
+// not be split. So the tensors at its vertices are made coarser, by equal factors in all
+// directions, until the mesh does not split them; `border_lengths` lists the lengths that are
 // tried, in order.
 #pragma once
 
@@ -29,7 +29,7 @@ namespace asterism {
 // them.
 inline constexpr std::array<double, 4> border_lengths = {0.9, 0.6, 0.4, 0.25};
 
-// A mesh without the triangles of some regions, and what joins it to these.
+// The mesh without the triangles of some regions, and its border with these.
 struct frozen_part {
   mesh rest;
   // Number in the whole mesh of each vertex of the rest.

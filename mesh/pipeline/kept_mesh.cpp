@@ -21,8 +21,8 @@ namespace {
 
 constexpr double least_length = 1.0 / 3, greatest_length = 1.75;
 
-// Returns the logarithmic mean of what the two ends measure, which is the length in a metric that
-// changes geometrically from one to the other.
+// Returns the logarithmic mean of both ends' lengths, which is the length in a metric that changes
+// geometrically from one end to the other.
 double logarithmic_mean_length(const site& a, const site& b) {
   const point d{b.position.x - a.position.x, b.position.y - a.position.y};
   return logarithmic_mean(plain_length(a.metric, d), plain_length(b.metric, d), elementary::log);

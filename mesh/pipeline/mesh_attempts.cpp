@@ -81,7 +81,7 @@ double work_for_ways(const mesh_options& options) {
 // Goes through the list of attempts, and chooses the mesh that is shown.
 class attempts_at_mesh {
  public:
-  // References must outlive it. Takes the budget of work_for_ways() attempts.
+  // Takes the budget of work_for_ways() attempts. References must outlive the object.
   attempts_at_mesh(const domain& d, const metric_field& field, const mesh_options& options,
                    const progress_listener& progress, star_confirmation confirmed, bool may_deliver)
       : domain_(d),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tries, one after the other, the ways to a mesh of a domain in a metric, and chooses what is
-// shown.
+// Makes the attempts at a mesh of a domain in a metric, one after the other, and chooses the mesh
+// that is shown.
 #pragma once
 
 #include "asterism/core/result.hpp"

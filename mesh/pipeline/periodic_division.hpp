@@ -17,9 +17,9 @@
 
 namespace asterism::internal {
 
-// Divides both sides by metric length, as a fill divides segments, each place in the metric that is
-// at least as fine as those of both sides there; none where that takes more than `most` points.
-// Fails where the field does.
+// Divides both sides by metric length, as a fill divides segments, in a metric that is at each
+// place at least as fine as those of both sides; returns none if that takes more than `most`
+// points. Fails where the field does.
 std::optional<error> divide_by_length(const metric_field& field, std::size_t most,
                                       periodic_sides& sides);
 

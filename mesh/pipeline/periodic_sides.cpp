@@ -41,7 +41,7 @@ double unit_in_last_place(double size) {
   return next - std::abs(size);
 }
 
-// True if the sum is a double: what is lost in rounding it is one itself (Knuth).
+// True if the sum is exact: its rounding error, computed by Knuth's method, is zero.
 bool is_exact_sum(double a, double b, double sum) {
   const double from_b = sum - a;
   return sum - from_b == a && from_b == b && std::isfinite(sum);

@@ -4,10 +4,10 @@
 // the places on both that go together.
 //
 // A side is the line of the segments with one marker. The domain is on the left of both: the first
-// from its start to its end goes with the second from its end to its start. Where a translation, or
-// a turn by quarters and a shift, of two doubles takes the corners of the one to those of the other
-// exactly, every further place is put where its image is a double, too. Else places go together
-// that are at the same part of their segments.
+// from its start to its end matches the second from its end to its start. Where a translation, or a
+// turn by quarters and a shift, of two doubles takes the corners of the one to those of the other
+// exactly, every further place is chosen so that its image is exact, too. Otherwise places match
+// that are at the same parameter of their segments.
 #pragma once
 
 #include <cstddef>
@@ -61,9 +61,9 @@ class periodic_sides {
   const std::vector<side_interval>& intervals() const { return intervals_; }
   const side_map& map() const { return map_; }
 
-  // Puts stations near these places of the first side between two stations, in their order. Returns
+  // Adds stations near these places of the first side between two stations, in their order. Returns
   // the number of new ones: places without room among the doubles are left out. The map is no
-  // longer exact where no place near enough has an image among the doubles.
+  // longer exact if no near place has an exact image.
   std::size_t insert(std::size_t interval, const std::vector<point>& places);
   // Returns the approximate place on the first side that matches one of the second.
   point first_of(std::size_t interval, const point& on_second) const;

@@ -18,7 +18,7 @@ namespace asterism::internal {
 result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted);
 
 // Reads a mesh without its metric, sites and triangles as they are in the file. Its notes include
-// those of the file's reader. Refuses what is no triangulation.
+// those of the file's reader. Refuses a mesh that is no triangulation.
 result<mesh> read_plain_triangulation(const std::string& path);
 // Reads the mesh as above, with the marks, names and fields of its file.
 result<mesh_file> read_plain_mesh_file(const std::string& path);

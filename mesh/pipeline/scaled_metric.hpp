@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the metric wanted of a size, or of the size that gives it the complexity wanted, graded
-// where that is asked for.
+// Makes the metric wanted for a given size, or for the size that gives it the complexity wanted;
+// graded if that is asked for.
 //
-// The complexity of a metric is the area of the domain as it measures it, the integral of
-// sqrt(det M). A mesh of unit edges has about 2 / sqrt 3 vertices for each unit of it, half as many
-// triangles again as an area has equilateral ones of side 1 to its vertex.
+// The complexity of a metric is the domain's area in it, the integral of sqrt(det M). A mesh of
+// unit edges has about 2 / sqrt 3 vertices for each unit of complexity: equilateral triangles of
+// side 1 have an area of sqrt 3 / 4, and there are two for each vertex.
 #pragma once
 
 #include <cstdint>

@@ -34,8 +34,8 @@ class bad_face_queue {
  public:
   bool empty() const { return heap_.empty(); }
 
-  // Takes the square of the face's shortest edge. Faces for which `has_gone` are dropped once they
-  // may be most of the queue.
+  // Adds a face by the square of its shortest edge. Removes faces for which `has_gone` is true once
+  // they may be most of the queue.
   template <class HasGone>
   void push(const triangle& where, std::uint32_t face, double squared_shortest_edge,
             const HasGone& has_gone) {

@@ -33,7 +33,7 @@ std::optional<point> near_vertex(const triangle_sites& t) {
 }
 
 // Returns the place for a site that mends a triangle with a low angle: the off-centre from which
-// its shortest edge is so many degrees wide, or its near Voronoi vertex if that is nearer to the
+// its shortest edge is seen under `degrees`, or its near Voronoi vertex if that is nearer to the
 // edge. None where a metric is thin, or neither is found.
 std::optional<point> mending_place(const triangle_sites& t, double width) {
   constexpr double most = 60;
@@ -128,9 +128,9 @@ class delaunay_prerefinement {
     return {state_.sites()[t[0]], state_.sites()[t[1]], state_.sites()[t[2]]};
   }
 
-  // Returns how wide, in degrees, the shortest edge of a triangle is to be seen from the site that
-  // mends it. A width near the bound makes triangles as large as it allows. Where sites are given
-  // inside, that is best: with Voronoi vertices alone 10,000 random sites in swirl:12 with 20
+  // Returns the angle, in degrees, under which the site that mends a triangle sees the shortest
+  // edge. An angle near the bound makes triangles as large as the bound allows. Where sites are
+  // given inside, that is best: with Voronoi vertices alone 10,000 random sites in swirl:12 with 20
   // degrees take 19,157 sites, with 1.4 times the bound 16,863, with 1.2 16,450, with 1.1 16,372
   // and with 1.05 16,404; with 30 degrees 48,583, 36,380, 31,954, 30,377 and 30,338. Beside the
   // boundary alone it is not: a circle of 5,000 equal segments takes 11,910 with 1.1 and 9,956 with

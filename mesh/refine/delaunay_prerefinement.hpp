@@ -5,7 +5,7 @@
 //
 // Works on one triangulation (stars/averaged_metric_triangulation.hpp), which takes a site in a few
 // microseconds where stars take two hundred. Star refinement repairs whatever it leaves, or
-// triangulates differently from the stars. Adds nothing where low angles may have to stay.
+// triangulates differently from the stars. Adds no sites where low angles may be unavoidable.
 #pragma once
 
 #include <cstddef>

@@ -74,9 +74,9 @@ class subsegment_distances {
     return true;
   }
 
-  // True if w certainly encroaches: if at some t it is nearer than a and b. t is exact, as it is
-  // chosen. f_a(t) is t^2 |d|_a^2, whose error squared_length_above tells, and f_b(t) likewise with
-  // 1 - t, rounded once; f_w is off by less than 40 eps S as above.
+  // True if w certainly encroaches: if at some t it is nearer than a and b. t is chosen and exact.
+  // f_a(t) is t^2 |d|_a^2, whose error squared_length_above bounds, and f_b(t) likewise with 1 - t,
+  // rounded once; f_w is off by less than 40 eps S as above.
   bool surely_encroached() const {
     const double squared_a = squared_length_below(a_, d_), squared_b = squared_length_below(b_, d_);
     const double from_a = std::sqrt(squared_a), from_b = std::sqrt(squared_b);

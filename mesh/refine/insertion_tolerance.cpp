@@ -18,14 +18,15 @@ constexpr double degree = std::numbers::pi / 180;
 // Constants of Voronoi arcs: the start as a part of the shortest distance, the start over the floor
 // (ten halvings), and the start over the finest. They hardly matter: starts of 0.05 to 0.4, ladders
 // of 16 to 1024 and finest parts of 32 to 1024 give the same meshes of the square in swirl:12 and
-// sink:12 and of the airfoil. They are there to end what no site can mend.
+// sink:12 and of the airfoil. They only end attempts at triangles that no site can mend.
 constexpr double arc_fraction = 0.2;
 constexpr double arc_ladder = 1024;
 constexpr double arc_finest_part = 256;
 // Constants after a fill, when defects are mended at points nearly as far from all sites as the
-// fill's own. Chosen by what they leave of a metric that varies too fast, the square in polar-1
-// with size 0.5: 317 disagreeing triangles. With 0.3 or 0.9 for 0.6 it is 821 or 530, with 0.5 or
-// 0.9 for the factor 0.75 it is 827 or 513, with 8 for 32 it is 702, and with a ladder of 16 the
+// fill's own. The start is 0.6 of the fill's distance, the factor between steps 0.75, and the start
+// over the finest 32. Chosen by the number of disagreeing triangles left in a metric that varies
+// too fast, the square in polar-1 with size 0.5: 317. With 0.3 or 0.9 for 0.6 it is 821 or 530,
+// with 0.5 or 0.9 for 0.75 it is 827 or 513, with 8 for 32 it is 702, and with a ladder of 16 the
 // run ends before its stars are made. Of tamer metrics (airfoil and square with sizes) 0.3, or the
 // factor 0.5, would save 2 to 5 % of the sites.
 constexpr double fill_fraction = 0.6;
@@ -34,8 +35,8 @@ constexpr double finest_part = 32;   // start over finest
 constexpr double fill_shrink = 0.75;
 // Constants of darts: the start as a part of the median distance, and the start over the floor.
 // Half of the median takes 92 and 115 sites on the square with 30 points in swirl:3 and sink:3; a
-// quarter takes 216 and 148, the whole 75 and 152. Like that of the arcs the ladder only ends what
-// is stuck.
+// quarter takes 216 and 148, the whole 75 and 152. As for arcs, the number of steps only ends
+// attempts that are stuck.
 constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 

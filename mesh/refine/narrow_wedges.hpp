@@ -52,9 +52,9 @@ class narrow_wedges {
   bool is_mirrored(vertex_index segment) const;
   // Returns the wedges one of whose segments the site splits.
   std::vector<const domain_wedge*> at_split(vertex_index v) const;
-  // Returns the first wedge that accepts() and whose two segments hold all three corners of the
-  // triangle, at least one of them a point that splits a segment; none if there is none. Each
-  // segment must hold one that is not the corner of both.
+  // Returns the first wedge for which accepts() is true and whose two segments hold all three
+  // corners of the triangle, at least one of them a point that splits a segment; none if there is
+  // none. Each segment must hold one that is not the wedge's corner.
   const domain_wedge* across(const triangle& t,
                              const std::function<bool(const domain_wedge&)>& accepts) const;
 

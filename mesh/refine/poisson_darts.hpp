@@ -17,8 +17,8 @@
 namespace asterism::internal {
 
 // Returns a uniformly random point of an ellipse around the triangle. It is centred at the
-// centroid, a disk in the mean of the three metrics, and large enough to hold the triangle half as
-// large again.
+// centroid, a disk in the mean of the three metrics, and large enough for the triangle enlarged by
+// half.
 point throw_dart(const refine_state& state, const triangle& t, splitmix64& random);
 
 class dart_thrower {

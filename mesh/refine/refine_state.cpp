@@ -50,8 +50,9 @@ void refine_state::construct_stars(const neighbour_lists& likely, star_confirmat
 }
 
 // Divides the segments at the proposed points, or beside them on the curve of a chord. Leaves out a
-// point that rounding put on the wrong side of something, and all further points once the run is
-// told to end: where thousands of segments share a vertex each point is tested against all of them.
+// point that rounding moved to the wrong side of a site or subsegment, and all further points once
+// the run is told to end: where thousands of segments share a vertex each point is tested against
+// all of them.
 void refine_state::divide(const domain& d, const filled_domain& filling, numbered_sites& taken) {
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     std::size_t subsegment = segments_.find_subsegment(d.segments[s].a, d.segments[s].b);

@@ -72,7 +72,7 @@ class refine_state {
   std::vector<std::size_t> encroached_by(const site& s) const;
 
   // Makes all stars; those guessed by the fill are not all tested against all sites. Before this
-  // call subsegments may be split, but nothing that concerns stars may be asked or done.
+  // call subsegments may be split, but no function that uses stars may be called.
   void construct_stars(star_confirmation confirmed);
   // Makes all stars from the neighbours that they are likely to have.
   void construct_stars(const neighbour_lists& likely, star_confirmation confirmed);

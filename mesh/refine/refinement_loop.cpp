@@ -324,7 +324,7 @@ class refinement_loop {
 
 }  // namespace
 
-// Low angles beside sharp corners are mended together or not at all: one corner whose refinement
+// Mends low angles beside all sharp corners together or not at all: one corner whose refinement
 // never ends takes all sites allowed. So refinement begins again without the corners found
 // hopeless; each round finds at least one more.
 result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed) {

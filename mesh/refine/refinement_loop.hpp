@@ -11,9 +11,9 @@
 
 namespace asterism::internal {
 
-// Refines the job's domain with the proposed sites put in first, and fills in everything of the
-// outcome but the counters, in the unit frame. Fails where the field does. With a kernel that is
-// not exact the outcome claims what that kernel believes.
+// Refines the job's domain with the proposed sites inserted first, and fills in the whole outcome
+// without the counters, in the unit frame. Fails where the field does. With a kernel that is not
+// exact the outcome claims what that kernel believes.
 result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed);
 
 }  // namespace asterism::internal

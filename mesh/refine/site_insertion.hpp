@@ -29,8 +29,8 @@ placement_outcome place_site(refine_state& state, const point& q, double toleran
 // Splits a subsegment at a corner of less than twice the bound that the bad triangle lies in; true
 // if one was split. Such a corner can have no neighbour between its two subsegments: one part would
 // be below the bound. The remedy is therefore to shorten its subsegments (the longer one first, as
-// the corner measures) until the triangle between them is small enough to be good and nothing else
-// reaches the corner.
+// the corner measures) until the triangle between them is small enough to be good and no other site
+// is a neighbour of the corner.
 bool shorten_tight_corner(refine_state& state, const triangle& bad, const angle_requirement& angle,
                           double tolerance);
 

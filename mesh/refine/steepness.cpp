@@ -8,9 +8,9 @@
 namespace asterism::internal {
 namespace {
 
-// Greatest sigma * distance with which refinement has been seen to reach 20 degrees; the proof
-// wants 0.052 (docs/math/refinement.md). A triangle beyond it is given up, so this is the greater
-// of the two.
+// Greatest sigma * distance with which refinement reached 20 degrees in experiments; the proof
+// requires 0.052 (docs/math/refinement.md). A triangle beyond it is given up, so the greater number
+// is used.
 constexpr double resolved_variation = 0.3;
 // Distortion below which two sites have wedged arcs at any distance that sites of a net can have:
 // the root of the golden ratio (the same page, point 4).

@@ -35,7 +35,7 @@ class steepness {
   bool awaits_other_metric() const { return options_.metric_tolerance != 0.0 && jump_disagrees_; }
   // True if enough sites were inserted since the first triangle was given up. The mesh cannot
   // become complete any more, and beside a jump of the metric stars with thousands of neighbours
-  // keep the others from agreeing; to go on to the floor of the tolerance takes days.
+  // keep the others from agreeing; continuing to the floor of the tolerance would take days.
   bool has_waited_enough() const;
   // Returns the number of sites inserted since the first triangle was given up, or all if none was.
   std::size_t sites_since() const { return state_.sites().size() - sites_at_first_; }

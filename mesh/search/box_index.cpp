@@ -74,7 +74,7 @@ std::uint32_t box_index::place(const bounding_box& box, bool grow) {
 }
 
 // Halves a cell along each axis along which many of its items are small, and moves these items to
-// the halves. Looks at the items when their number has doubled, so that an insertion takes constant
+// the halves. Does so when the number of items has doubled, so that an insertion takes constant
 // time on average.
 void box_index::relieve(std::uint32_t at) {
   constexpr std::size_t many = 16;

@@ -27,7 +27,8 @@ bounding_box box_of_place(const sized_place& p) {
           {std::max(p.a.x, p.b.x) + p.radius, std::max(p.a.y, p.b.y) + p.radius}};
 }
 
-// Returns how far along the segment, as a part of it, the foot of the perpendicular from q is.
+// Returns the parameter, from 0 at a to 1 at b, of the foot of the perpendicular from q on the
+// segment.
 double foot_on(const point& q, const point& a, const point& b) {
   const double x = b.x - a.x, y = b.y - a.y, squared = x * x + y * y;
   if (!(squared > 0)) return 0;

@@ -11,9 +11,9 @@
 namespace asterism::internal {
 namespace {
 
-// One operation is off by at most 2^-52 of its result in any rounding mode; the bounds below are
-// at most 16 operations deep, so a factor 1 +- 2^-47 covers them all. Underflow is kept away by
-// answering "not known" for extreme operands.
+// Bounds of errors: one operation has an error of at most 2^-52 of its result in any rounding mode;
+// the bounds below are at most 16 operations deep, so a factor 1 +- 2^-47 covers them all. For
+// extreme operands, with which underflow could occur, the answer is "not known".
 constexpr double up = 1 + 0x1p-47, down = 1 - 0x1p-47;
 constexpr double smallest = 0x1p-900, largest = 0x1p900;
 

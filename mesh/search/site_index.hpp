@@ -121,7 +121,7 @@ class site_index {
                          Visit& visit) const;
   template <class Visit>
   bool visit_cluster(const std::vector<site>& sites, const node& n, Visit&& visit) const;
-  // 1 if the closed boxes meet, or the point is in the box; else 0.
+  // Returns 1 if the closed boxes meet, or the point is in the box; else 0.
   static std::uint32_t touches(const bounding_box& a, const bounding_box& b) {
     return std::uint32_t{a.low.x <= b.high.x} & std::uint32_t{a.high.x >= b.low.x} &
            std::uint32_t{a.low.y <= b.high.y} & std::uint32_t{a.high.y >= b.low.y};
@@ -186,9 +186,9 @@ class site_index {
   std::vector<inverse_range> inverses_;  // of the nodes; none where places alone are asked for
   bool bounds_metrics_ = true;
   std::vector<leaf_sites> leaves_{1};
-  // The positions of the first sites of leaves, where places alone are asked for: then these are
-  // all that is read, and sites may be anywhere in memory. Large: a vector would hold them twice
-  // while it grows.
+  // Positions of the first sites of leaves, for an index of positions alone: queries then read only
+  // these, while sites may be anywhere in memory. Kept in pages: a growing vector would hold them
+  // twice.
   using place_blocks = boost::container::deque_options_t<boost::container::block_size<256>>;
   boost::container::deque<std::array<point, leaf_capacity>, void, place_blocks> places_;
   std::vector<std::vector<vertex_index>> overflow_{1};

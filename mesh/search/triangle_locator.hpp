@@ -38,9 +38,9 @@ class triangle_locator {
   };
 
   // Returns the triangle in which q's least weight is greatest, the first one of equals. Searches
-  // around q, then farther and farther, until there is a triangle.
+  // in growing boxes around q until they contain a triangle.
   located deepest(const point& q) const;
-  // Walks to q from the triangle `hint`. Returns what deepest() does where the walk meets the
+  // Walks to q from the triangle `hint`. Returns the result of deepest() if the walk meets the
   // boundary: the triangle depends on the hint only where q is on an edge.
   located nearby(const point& q, vertex_index hint) const;
 

@@ -17,8 +17,8 @@
 
 namespace asterism::internal {
 
-// Second derivatives of the fields in the order of their names: as recovered, and with the means of
-// moduli that the metric is made of.
+// Second derivatives of the fields in the order of their names: as recovered, and as means of
+// moduli, from which the metric is made.
 struct field_derivatives {
   std::vector<std::string> names;
   std::vector<std::vector<metric_tensor>> recovered, moduli;

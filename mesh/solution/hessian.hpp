@@ -52,8 +52,8 @@ struct recovered_hessian {
   std::size_t noise = 0;            // vertices with nothing but rounding: their tensor is zero
 };
 
-// Returns the Hessian of the field. Requires a triangulation. Fails where the numbers are not as
-// many as vertices, or a derivative overflows, naming the vertex. Linear in time and memory,
+// Returns the Hessian of the field. Requires a triangulation. Fails if the numbers of values and of
+// vertices differ, or a derivative overflows, naming the vertex. Linear in time and memory,
 // parallel, the same for any number of threads.
 ASTERISM_EXPORT result<recovered_hessian> recover_hessian(
     const mesh& m, const std::vector<double>& values,

@@ -13,11 +13,11 @@ namespace asterism::internal {
 
 // Returns, for each vertex, the mean of |H| over the triangles at it, by area, where |H| of a
 // triangle is the mean of its corners', and has the moduli of H's eigenvalues. The error of a
-// triangle is made of all of |H| on it; H of one ring of triangles is next to nothing on the line
-// where a front is steepest, and greatest one triangle beside it, so that without this the
-// triangles between would be left out. Signs are removed before the mean: with them a wave's two
-// halves would cancel. Vertices of the boundary keep their own: a mean over what lies inside takes
-// from a layer at a wall, and from a corner.
+// triangle depends on |H| all over it; H from one ring of triangles nearly vanishes on the line
+// where a front is steepest, and is greatest one triangle beside it, so that without the mean the
+// triangles between would stay too large. Signs are removed before the mean: with them a wave's two
+// halves would cancel. Vertices of the boundary keep their own |H|: a mean with the inside would
+// weaken a layer at a wall, and a corner.
 std::vector<metric_tensor> mean_moduli(const mesh& m, const mesh_links& links,
                                        const std::vector<metric_tensor>& hessian);
 

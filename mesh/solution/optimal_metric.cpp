@@ -121,9 +121,10 @@ class optimum_search {
     return (2 - power_) / 2 * (p.strong + edge_bound_);  // less that of the root of D^r
   }
 
-  // Finds D such that the complexity is 1. Its logarithm is a convex increasing function of that of
-  // D, as each place's is the greatest of three straight lines. So Newton's method comes down to
-  // the solution from where one of the sums alone is 1. Returns false where there is none.
+  // Finds D such that the complexity is 1. The logarithm of the complexity is a convex increasing
+  // function of that of D, as for each place it is the greatest of three linear functions. So
+  // Newton's method decreases to the solution from a D with which one of the sums alone is 1.
+  // Returns false if there is none.
   bool find_factor() {
     const auto log_sum = [&](const auto& density) {
       return log_of(ordered_sum(logs_.size(), [&](std::size_t v) {
@@ -168,9 +169,9 @@ class optimum_search {
   bool is_flat_ = false;
 };
 
-// Returns the L^p mean, over an equilateral triangle of side 1, of the error of interpolating
-// (x^2 + y^2) / 2: half of 1/3 less the squared distance from the middle. By midpoints of 4096
-// parts.
+// Returns the L^p mean, over an equilateral triangle of side 1, of the error of interpolating (x^2
+// + y^2) / 2: half of 1/3 less the squared distance from the middle. Integrates by the midpoints of
+// 4096 parts.
 double unit_error(double p) {
   constexpr int n = 64;
   const double height = std::sqrt(3.0) / 2;

@@ -17,9 +17,9 @@
 namespace asterism::internal {
 
 // Share of the complexity that covers the whole domain at the least density allowed. A place
-// without second derivatives has no size of its own and no direction, and gets the size of that
-// density, twenty times that of a uniform mesh of as many vertices. By experiment
-// (docs/results/adaptation.md).
+// without second derivatives determines no size and no direction, and gets the size of that
+// density, twenty times that of a uniform mesh with the same number of vertices. Chosen by
+// experiment (docs/results/adaptation.md).
 inline constexpr double usual_floor_share = 0.0025;
 
 // Lower bounds of a metric of complexity 1.
@@ -39,10 +39,11 @@ struct optimal_metric {
 
 // Returns the optimal metric. `norm` is p >= 1; none stands for infinity. No density (the root of
 // the determinant) is below `floor_share` over the area of the domain, so that all places without
-// second derivatives take so much of the complexity at most. No eigenvalue is below the one given,
-// or that density if it is less. Elsewhere the metric is the optimum under these bounds. Where a
-// place is at the least density the weaker eigenvalue is as low as keeps it there: from strong to
-// flat places shapes change continuously. `round` gives both moduli the greater one's value.
+// second derivatives take at most that share of the complexity. No eigenvalue is below the one
+// given, or that density if it is less. Elsewhere the metric is the optimum under these bounds. At
+// a place with the least density the weaker eigenvalue is the lowest with that density: from
+// strong to flat places shapes change continuously. `round` gives both moduli the greater one's
+// value.
 optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
                                    const std::vector<double>& areas, std::optional<double> norm,
                                    bool round, const optimum_bounds& bounds);
@@ -50,14 +51,15 @@ optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
 // Returns the integral of the root of the determinant.
 double complexity_of(const std::vector<metric_tensor>& tensors, const std::vector<double>& areas);
 
-// Returns the L^p norm of the error of linear interpolation of a field with this Hessian that a
-// mesh of unit edges in `tensors` has, as the continuous mesh has it, on triangles that the metric
-// sees as equilateral. With a and b the second derivatives along their axes,
+// Returns the L^p norm of the error of linear interpolation of a field with this Hessian on a mesh
+// of unit edges in `tensors`, by the continuous mesh model, with triangles that are equilateral in
+// the metric. With a and b the second derivatives along their axes,
 //   for p = 2 its mean square is ((a+b)/2)^2 / 60 + ((a-b)/2)^2 / 480. With d_i the second
 //     derivatives along the three sides the error is -(1/2) sum d_i l_j l_k in barycentric
 //     coordinates, and its mean square (sum d_i^2 + (sum d_i)^2) / 720;
 //   for other p it is k (|a| + |b|) / 2, where k belongs to a = b: 1/8 for p = 1, 1/6 for infinity,
-//     else by quadrature. Where a and b have two signs that is too much, up to three times.
+//     else by quadrature. Where a and b have different signs the result is too large, by a factor
+//     of up to three.
 double predicted_error(const std::vector<metric_tensor>& tensors,
                        const std::vector<metric_tensor>& hessian, const std::vector<double>& areas,
                        std::optional<double> norm);

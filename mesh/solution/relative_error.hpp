@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Computes metrics in which linear interpolation has an error relative to a field's values, as BAMG
-// and FreeFEM's adaptmesh understand their `err`.
+// Computes metrics in which linear interpolation has an error relative to a field's values, as
+// `err` of BAMG and of FreeFEM's adaptmesh.
 //
-// M = unit_share |H| / (E s), with |H| the Hessian with the moduli of its eigenvalues, E the part
-// and s what it is a part of: without a cutoff the greatest less the least value of the field
-// (adaptmesh's default, `abserror` true and `rescaling` true), with a cutoff C at each vertex the
-// modulus of the value there, or C times the greatest modulus where that is more (`abserror` false,
-// `cutoff` C). So a displacement d of length 1 has d^T |H| d = E s, about; the error of
-// interpolation is at most 1/6 of that on the triangles that M sees as equilateral. No size is
-// greater than the extent of the mesh. Source: the formulas of BAMG's Metric.cpp, FreeFEM 4.11.
+// M = unit_share |H| / (E s), with |H| the Hessian with the moduli of its eigenvalues, E the
+// relative error and s its reference: without a cutoff the greatest less the least value of the
+// field (adaptmesh's default, `abserror` true and `rescaling` true), with a cutoff C at each vertex
+// the modulus of the value there, or C times the greatest modulus where that is more (`abserror`
+// false, `cutoff` C). So a displacement d of length 1 has about d^T |H| d = E s; the error of
+// interpolation is at most 1/6 of that on triangles that are equilateral in M. No size is greater
+// than the extent of the mesh. Source: the formulas of BAMG's Metric.cpp, FreeFEM 4.11.
 #pragma once
 
 #include <optional>

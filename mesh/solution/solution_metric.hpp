@@ -2,13 +2,13 @@
 //
 // Makes the metric, at the vertices of a mesh, in which the next mesh for a solution is best.
 //
-// The order of the steps is part of the result, and this one:
+// The result depends on the order of the steps, which is:
 //   1. the Hessian of each field is recovered (mesh/solution/hessian.hpp);
 //   2. each is made the L^p-optimal metric of complexity 1, no size of it more than twenty
 //      times that of a uniform mesh (mesh/solution/optimal_metric.hpp);
 //   3. the fields, sorted by name, are intersected one after another by simultaneous reduction;
 //   4. that is multiplied by a factor;
-//   5. metrics given besides are intersected with it, in their order;
+//   5. further given metrics are intersected with it, in their order;
 //   6. with a step limit it is kept near the metric that the mesh implies;
 //   7. sizes are clipped to hmin and hmax, and the weaker eigenvalue is raised to keep the aspect;
 //   8. gradation.
@@ -83,10 +83,10 @@ ASTERISM_EXPORT result<solution_metric> make_hessian_metric(
     const mesh& m, const std::vector<nodal_hessian>& fields, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});
 
-// Applies bounds and gradation to a given metric, and scales it if a target is asked for; the
-// metric takes the place of steps 1 to 3, with options.isotropic made as strong in all directions
-// as in its strongest, and stays as it is where nothing is asked of it. With options.error it
-// fails.
+// Applies bounds and gradation to a given metric, and scales it if a target is asked for;
+// the metric takes the place of steps 1 to 3, made isotropic by its greater eigenvalue
+// with options.isotropic, and unchanged if no option changes it. Fails with
+// options.error.
 ASTERISM_EXPORT result<solution_metric> shape_metric(
     const mesh& m, const std::vector<metric_tensor>& given, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});

@@ -10,9 +10,9 @@
 
 namespace asterism {
 
-// Growth of sizes that loops do best with (docs/results/adaptation.md has 1.5 to 12, and none).
-// Faster growth is not delivered anyway, as stars do not agree about it; from 3 down, gradation
-// takes the vertices that fronts need.
+// Default growth of sizes, with which loops do best (docs/results/adaptation.md has 1.5 to 12, and
+// none). Faster growth is not delivered in any case, as stars do not agree about it; from 3 down,
+// gradation takes vertices that fronts need.
 inline constexpr double loop_gradation = 6;
 
 // Options of the metric. At most one of vertices, complexity and error; without any, the number of

@@ -3,9 +3,9 @@
 // Keeps a triangulation of all sites of a mesh whose edges are flipped by the mean of the metrics
 // at the four sites around each.
 //
-// It begins as one in a metric for all. Where metrics vary little over an edge, stars are about
-// those of this triangulation. Nothing may rely on its edges; that it is a triangulation with all
-// subsegments is exact.
+// It begins as a triangulation in one metric for all sites. Where metrics vary little over an edge,
+// stars are nearly those of this triangulation. Its edges are proposals; only that it is a
+// triangulation with all subsegments is exact.
 #pragma once
 
 #include <cstddef>
@@ -48,12 +48,12 @@ class averaged_metric_triangulation {
   // side of another edge: then the triangulation is of no use.
   bool split(const site& s, vertex_index a, vertex_index b, std::vector<std::uint32_t>& around);
 
-  // Follows a renumbering: what was site v of the mesh is site to[v] from now on.
+  // Follows a renumbering: the former site v of the mesh is now site to[v].
   void renumber(const std::vector<vertex_index>& to);
 
-  // Flips edges as the stars of both ends want, where these and the mean metric may differ. Returns
-  // the neighbours of each site, counter-clockwise from the nearest, and marks the sites all of
-  // whose neighbours are plainly accepted in doubles.
+  // Flips edges by the stars of both ends, where these and the mean metric may differ. Returns the
+  // neighbours of each site, counter-clockwise from the nearest, and marks the sites all of whose
+  // neighbours are plainly accepted in doubles.
   neighbour_lists settled_neighbours();
 
  private:
@@ -66,8 +66,8 @@ class averaged_metric_triangulation {
   averaged_metric_triangulation(std::unique_ptr<asked> questions, site_triangulation from,
                                 std::vector<char> inside);
 
-  // Says of an edge from a to b, with c on its left and d on its right, how much more than half a
-  // turn the angles at c and d are together, in the mean of the four metrics: from -1 to 1, above 0
+  // Returns by how much the angles at c and d together exceed half a turn, in the mean of the four
+  // metrics, for an edge from a to b with c on its left and d on its right: from -1 to 1, above 0
   // where the edge from c to d is the Delaunay one.
   double excess(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;
   bool is_better(vertex_index a, vertex_index b, vertex_index c, vertex_index d) const;

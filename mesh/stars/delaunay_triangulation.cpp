@@ -19,7 +19,7 @@ delaunay_triangulation::delaunay_triangulation(std::vector<site> sites,
   is_framed_ = add_frame();
 }
 
-// Puts four corners around the box of the sites, as far away as it is long.
+// Puts four corners around the box of the sites, at a distance of the box's length.
 bool delaunay_triangulation::add_frame() {
   const bounding_box box = box_of_sites(sites_);
   const double margin = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
@@ -97,7 +97,7 @@ std::optional<delaunay_triangulation::place> delaunay_triangulation::find_edge(v
   return std::nullopt;
 }
 
-// Returns the same edge seen from its other side.
+// Returns the same edge as an edge of the face on its other side.
 delaunay_triangulation::place delaunay_triangulation::other_side(const place& p) const {
   const face& f = faces_[p.face];
   const std::uint32_t other = f.across[p.corner];
@@ -140,8 +140,8 @@ delaunay_triangulation::way delaunay_triangulation::way_to(const point& q, std::
   return found;
 }
 
-// Walks towards v from the last face. In a Delaunay triangulation that comes to an end whichever
-// edge is crossed.
+// Walks towards v from the last face. In a Delaunay triangulation every such walk
+// ends.
 std::optional<delaunay_triangulation::place> delaunay_triangulation::locate(vertex_index v,
                                                                             bool& on_edge) {
   std::uint32_t at = last_, from = none;
@@ -210,8 +210,8 @@ void delaunay_triangulation::split_edge(const place& p, vertex_index v) {
   open_.assign({f, g, o, h});  // the first two on the corner's side
 }
 
-// Replaces the edge across from the corner v by that from v to the corner d on the other side; v
-// comes first in both faces.
+// Flips the edge across from the corner v to the edge from v to the corner d on the other side; v
+// becomes the first corner of both faces.
 void delaunay_triangulation::flip(const place& p) {
   const std::uint32_t f = p.face, i = p.corner, o = faces_[f].across[i];
   const face first = faces_[f], second = faces_[o];

@@ -2,10 +2,11 @@
 //
 // Keeps the constrained Delaunay triangulation of sites that all have one metric.
 //
-// Sites are put in one by one and edges flipped (Lawson), exactly, with the ties of edge_test. The
-// sites are in a frame of four more, far enough outside to be at no face inside the domain once the
-// domain's boundary is put in. Source: Lawson, Software for C1 surface interpolation, 1977; Sloan,
-// A fast algorithm for generating constrained Delaunay triangulations, 1993.
+// Sites are inserted one by one and edges flipped (Lawson), exactly, with the ties of edge_test.
+// The sites are in a frame of four more, far enough outside to be corners of no face inside the
+// domain once the domain's boundary is inserted. Source: Lawson, Software for C1 surface
+// interpolation, 1977; Sloan, A fast algorithm for generating constrained Delaunay triangulations,
+// 1993.
 #pragma once
 
 #include <array>
@@ -56,8 +57,8 @@ class delaunay_triangulation {
   // Flips edges until all are Delaunay but those that stay; to be called after the last segment.
   bool settle();
   // Flips edges while is_better(a, b, c, d) says that the edge from c to d is to take the place of
-  // that from a to b, at most so many times. What comes out is a triangulation with the edges that
-  // stay, and in general not the Delaunay one: to be called last. Returns true if is_better was
+  // that from a to b, at most so many times. The result is a triangulation with the edges that
+  // stay, and in general not the Delaunay one: must be called last. Returns true if is_better was
   // called for each remaining edge with the faces that it has in the end.
   using comparison =
       std::function<bool(vertex_index a, vertex_index b, vertex_index c, vertex_index d)>;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Remembers answers of edge_test. Two stars ask the same question of the edge between them, and
-// rebuilding stars asks again: a third of all tests of a refinement are repeats, and exact
+// Remembers answers of edge_test. Two stars pose the same question on the edge between them, and
+// rebuilt stars pose it again: a third of all tests of a refinement are repeats, and exact
 // arithmetic costs milliseconds.
 //
 // An answer depends on four sites alone, which never change, so it never goes stale. The table has
-// a fixed number of places, each holding the last question that fell on it; forgetting only costs
-// time. A memory must not be shared by threads.
+// a fixed number of places, each with the last question that was stored in it; forgetting only
+// costs time. A memory must not be shared by threads.
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@ namespace asterism::internal {
 
 class edge_test_cache {
  public:
-  // Takes many places for a whole refinement, few for the stars of a chunk. Allocates at the first
-  // question.
+  // Makes a cache with many places for a whole refinement, or few for the stars of a chunk.
+  // Allocates at the first question.
   enum class extent : unsigned { few = 1U << 10, many = 1U << 14 };
   explicit edge_test_cache(extent places = extent::many) : extent_(places) {}
 
   // Returns the answer for v, w, x, y; calls `ask` if it is not known. Exchanging v and w, or x and
-  // y, leaves the question the same. Requires four distinct indices.
+  // y, does not change the question. Requires four distinct indices.
   template <class Ask>
   bool recall(vertex_index v, vertex_index w, vertex_index x, vertex_index y, Ask ask) {
     if (places_.empty()) places_.resize(static_cast<std::size_t>(extent_));

@@ -38,8 +38,8 @@ double least_along(const std::vector<vertex_index>& order, const std::vector<sit
 }
 
 // Returns the squared distance of v to the nearest other site, the lesser of what both measure; at
-// most `most`. Both searches see whatever is nearer than the radius, with a factor of two to spare
-// for roundings.
+// most `most`. Both searches find all sites nearer than the radius, which has a factor of two to
+// spare for roundings.
 double nearest_other(const std::vector<site>& sites, const site_index& near, vertex_index v,
                      double most) {
   const site& s = sites[v];
@@ -63,8 +63,8 @@ double nearest_other(const std::vector<site>& sites, const site_index& near, ver
   return nearest;
 }
 
-// Returns the least squared distance of two sites, at most `least`, as either measures it. Looks a
-// little farther, so that what is not seen is farther, whatever the roundings of a distance.
+// Returns the least squared distance of two sites, at most `least`, as either measures it. Searches
+// a little farther, so that sites not found are farther, whatever the roundings of a distance.
 double least_of_pairs(const std::vector<site>& sites, const site_index& near, double least) {
   constexpr double margin = 1 + 0x1p-20;
   double look = margin * std::sqrt(least);

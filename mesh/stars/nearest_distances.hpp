@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Measures how near to each other the sites and subsegments of a mesh are, for the choice of
-// tolerances (refine/insertion_tolerance.hpp). Works in doubles and searches only what is near. The
-// values are those of a search of all pairs in the same doubles, unless a metric is stretched by
-// more than 2^24.
+// tolerances (refine/insertion_tolerance.hpp). Works in doubles and searches only near sites and
+// subsegments. The values are those of a search of all pairs in the same doubles, unless a metric
+// is stretched by more than 2^24.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Finds the sites and boundary subsegments near a place in a growing mesh, so that stars,
-// visibility and encroachment look at a few instead of all. Follows the mesh's own lists; holds no
+// visibility and encroachment test a few of them only. Follows the mesh's own lists; holds no
 // copy.
 #pragma once
 
@@ -40,14 +40,14 @@ class proximity {
     sites_.insert(sites, w);
     order_.push_back(w);
   }
-  // Follows a renumbering: what was site w is site to[w] from now on.
+  // Follows a renumbering: the former site w is now site to[w].
   void renumber(const std::vector<vertex_index>& to) {
     sites_.renumber(to);
     for (vertex_index& w : order_) w = to[w];
   }
-  // Takes a subsegment out of the index, or puts its parts in. To be called before and after
+  // Removes a subsegment from the index, or adds its parts. Must be called before and after
   // edges.split(subsegment, ...). `twin` is the subsegment's twin, if any; `first_new` is the
-  // number of subsegments there were before the split.
+  // number of subsegments before the split.
   void before_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment);
   void after_split(const std::vector<site>& sites, const boundary& edges, std::size_t subsegment,
                    std::optional<std::size_t> twin, std::size_t first_new);

@@ -48,7 +48,7 @@ struct star {
   friend bool operator==(const star&, const star&) = default;
 };
 
-// Returns the star of v before any site was looked at: no neighbours, or the forced ones.
+// Returns the star of v without any sites tested: no neighbours, or the forced ones.
 star empty_star(const boundary& edges, vertex_index v);
 
 enum class placement_kind {

@@ -5,12 +5,13 @@
 
 namespace asterism::internal {
 
-// The auditor asks of every finished star, from the mesh alone, what `by_mesher` asks of it before.
-// So where an audit follows at once the mesher need not, but for stars in doubt: nearly always all
-// are final. Where the audit finds that one is not, the mesh is to be made once more, by_mesher.
-// `by_auditor_if_calm` leaves to it only stars whose edges both ends measure about alike: guesses
-// from a triangulation of given sites, which may be far apart where the metric turns, are wrong
-// elsewhere too often.
+// Selects how finished stars are tested against all sites. The auditor asks of every finished star,
+// from the mesh alone, the same question that `by_mesher` makes the mesher ask. So where an audit
+// follows, the mesher need only test stars in doubt: nearly always all are final. If the audit
+// finds one that is not, the mesh must be made again, by_mesher. `by_auditor_if_calm` leaves to the
+// audit only stars whose edges have about the same length in both ends' metrics: other guesses from
+// a triangulation of given sites, which may be far apart where the metric turns, are wrong too
+// often.
 enum class star_confirmation { by_mesher, by_auditor_if_calm, by_auditor };
 
 }  // namespace asterism::internal

@@ -83,8 +83,8 @@ std::optional<std::vector<vertex_index>> between_ends(std::span<const vertex_ind
 // Returns the star of v with these neighbours, counter-clockwise, those outside the domain left
 // out; none if a gap is half a turn or more, or an end of a subsegment at v is missing.
 //
-// Checks for half turns alone: doubles tell directions apart well enough for the ring to go round
-// once, and nothing else could be wrong with it.
+// Checks for half turns only: doubles order directions well enough for the ring to go around once,
+// and no other fault is possible.
 std::optional<star> ring_star(const site_oracle& oracle, vertex_index v,
                               std::span<const vertex_index> ring) {
   star s;
@@ -198,8 +198,8 @@ star begun_star(const site_oracle& oracle, vertex_index v, const approximate_sta
 }
 
 // Returns the star guessed in plain doubles if exact tests confirm it: at once against all sites,
-// or else against the given ones. A search of what is near leaves gaps to which far sites matter to
-// a thorough one: where they are many, most stars with them are soon changed.
+// or else against the given ones. With the near search it tests only the given sites: gaps that far
+// sites reach are left to a thorough search, since most such stars are soon changed.
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
                                                 star_search search, const approximate_star& guess,
                                                 const std::vector<vertex_index>& order) {
@@ -324,16 +324,17 @@ star_extent extent_of(const site_oracle& oracle, vertex_index v, const approxima
 }
 
 // Constructs the star of v from the sites near it. Searches farther and farther, until the star's
-// farthest vertex is well within the radius searched. The first look takes two spacings, and the
-// margin of reach_of_vertices: they hold the star in an even lattice. Six sites are what a site has
-// as neighbours on average. A look that was too short names the reach it wants. The next one takes
-// that with 2 % for its own rounding, but at least a quarter more than the last, so that looks get
-// somewhere, and at most twice as much, as a guess from too few sites may have a vertex anywhere.
+// farthest vertex is well within the radius searched. The first radius is two spacings, times the
+// margin of reach_of_vertices, which contains the star in an even lattice. It requires six sites,
+// the average number of neighbours. The star found in too small a radius gives the radius that it
+// needs. The next search takes that with 2 % for its own rounding, but at least a quarter more than
+// the last, so that the radius grows, and at most twice as much, as a guess from too few sites may
+// have a vertex anywhere.
 //
-// Ends because attempts are counted. Where metrics vary wildly some gaps of less than half a turn
-// have no vertex however far one looks, and what is far away is refused there only after long
-// questions; then the sites of a third look, at little more each, have to do, until a thorough
-// search. With five looks the square in swirl:24 with 1,000 triangles takes 3.5 times as long.
+// The number of searches is limited. Where metrics vary wildly some gaps of less than half a turn
+// have no vertex at any distance, and far sites are refused there only after long exact tests; then
+// the sites of the third search suffice until a thorough one. With five searches the square in
+// swirl:24 with 1,000 triangles takes 3.5 times as long.
 local_star construct_near(const site_oracle& oracle, vertex_index v, star_search search) {
   constexpr double spacings = 2.2, infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t fewest = 6;

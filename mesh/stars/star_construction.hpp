@@ -4,19 +4,19 @@
 //
 // The thesis looks at every site once, in any order. Where Voronoi arcs are not wedged the result
 // then depends on the order, and coarse stars keep neighbours they should not. Here sites are
-// offered from near to far (as v measures; ties by position), again and again until the star is
+// offered from near to far (as v measures; ties by position), repeatedly until the star is
 // *settled*:
 //   (a) every neighbour that is not forced passes its own test against the star without it,
 //   (b) no other site that v sees is accepted.
-// Both hold of the finished star, not only at some moment on the way. A site that the star as it
-// stands has refused is not offered to it again, so a star that settles costs little more than one
+// Both hold for the finished star, not only at some earlier moment. A site that the present star
+// has refused is not offered to it again, so a star that settles costs little more than one
 // round.
 //
 // With a neighbourhood only the sites near v are looked at, in two steps. First, the sites within
 // about twice the distance of the farthest Voronoi vertex make the star. If plain doubles guess
-// that star right (numerics/approximate_star.hpp), it is merely confirmed
-// (stars/star_finality.hpp), against all sites there are if it can be. Then a thorough search
-// offers every other site that is not certainly out of reach (site_index.hpp).
+// that star right (numerics/approximate_star.hpp), it is only confirmed (stars/star_finality.hpp),
+// against all sites if possible. Then a thorough search offers every other site that is not
+// certainly out of reach (site_index.hpp).
 #pragma once
 
 #include <optional>

@@ -15,9 +15,9 @@
 namespace asterism::internal {
 
 // True if w passes INSERTIONTEST in the star of v: when the gap is 180 degrees or more (y == x: a
-// full turn), when w is strictly inside the triangle v, y, x, or when edge_test says so. Requires w
-// strictly between its clockwise neighbour y and its counter-clockwise one x, and not in the star.
-// Does not ask whether v sees w.
+// full turn), when w is strictly inside the triangle v, y, x, or when edge_test accepts it.
+// Requires w strictly between its clockwise neighbour y and its counter-clockwise one x, and not in
+// the star. Does not test whether v sees w.
 bool accepts(const site_oracle& oracle, vertex_index v, vertex_index w, vertex_index y,
              vertex_index x);
 

@@ -5,8 +5,8 @@
 //
 // A virtual call costs a few nanoseconds, an edge_test microseconds. The answers are those of the
 // kernel behind it (predicates/ defines them). Only filtered_kernel and exact_kernel are always
-// right; double_kernel is for comparison. The decisions are counted elsewhere, where the caller
-// says: one place a thread, to be added up.
+// right; double_kernel is for comparison. Decisions are counted in counters of the caller: one set
+// for each thread, to be added.
 #pragma once
 
 #include <memory>

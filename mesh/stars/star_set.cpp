@@ -164,9 +164,9 @@ std::size_t star_set::stars_missing() const {
       std::count_if(stars_.begin(), stars_.end(), [](const star& s) { return s.sectors.empty(); }));
 }
 
-// Makes stars block by block and checks the work done in between. Blocks grow while that is little,
-// up to a size at which the stars held beside the old ones take little memory. A star left out of a
-// block whose work was used up comes first in the next block.
+// Makes stars block by block and checks the work done in between. Blocks grow while their work is
+// small, up to a size at which the new stars beside the old ones take little memory. A star left
+// out of a block whose work was used up comes first in the next block.
 std::vector<vertex_index> star_set::construct(const site_oracle& oracle,
                                               const std::vector<vertex_index>& which,
                                               star_search search) {
@@ -422,7 +422,7 @@ bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search se
 }
 
 // Removes from all stars the edges that cross the subsegment a b, which a split has just made. Only
-// sites near it can have such edges, as rounding moved it by less than a sliver.
+// sites near it can have such edges, as rounding moved the split point only a little.
 void star_set::remove_hidden(const site_oracle& oracle, vertex_index a, vertex_index b) {
   const auto remove = [&](vertex_index v) {
     for (sector& s : stars_[v].sectors)

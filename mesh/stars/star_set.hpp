@@ -26,12 +26,13 @@ namespace asterism::internal {
 class star_set {
  public:
   star_set() = default;
-  // Takes stars from elsewhere as they are: all stale, except those named, which count as
+  // Takes stars made elsewhere: all of them stale, except those named, which count as
   // unsettled.
   explicit star_set(std::vector<star> stars, const std::vector<vertex_index>& unsettled = {});
 
-  // Sets the cancellation, which is polled while many stars are made. Once it is requested the rest
-  // stay as they are: stale, and empty if they are new. Whoever sets it must end refinement then.
+  // Sets the cancellation, which is polled while many stars are made. Once it is requested the
+  // other stars stay as they are: stale, and empty if they are new. The caller must then end
+  // refinement.
   void cancel_by(cancellation cancelled) { cancelled_ = std::move(cancelled); }
 
   // Bounds the work of making stars: gives up, even inside a star, once the kernel has done twice
@@ -77,7 +78,7 @@ class star_set {
                                       const std::vector<vertex_index>& which, star_search search);
 
   // Offers each of `which` the sites listed for it, list by list in the same order, and constructs
-  // those anew that would accept one, from these and what is near. Returns those that changed or
+  // those anew that would accept one, from these and the near sites. Returns those that changed or
   // did not settle, as the overload above. Requires `which` sorted.
   std::vector<vertex_index> exchange(const site_oracle& oracle,
                                      const std::vector<vertex_index>& which,

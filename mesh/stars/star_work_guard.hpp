@@ -3,8 +3,8 @@
 // Ends the making of stars early, even inside one star, when the run is cancelled or has reached
 // its work limit.
 //
-// A star of hundreds of neighbours with different metrics can take seconds. So the guard is asked
-// at every offer of a site. The cancellation, which may look at a clock, is polled only after some
+// A star of hundreds of neighbours with different metrics can take seconds. So the guard is checked
+// at every offer of a site. The cancellation, which may read a clock, is polled only after some
 // work. A star that was cut short is not settled, and its run ends without it.
 #pragma once
 

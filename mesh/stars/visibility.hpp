@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells which sites see each other inside the domain: only those may be neighbours in a star.
+// Decides which sites see each other inside the domain: only these may be neighbours in a star.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ namespace asterism::internal {
 // True if the open segment between sites v and w stays off the boundary: it crosses no subsegment
 // and passes through no boundary vertex. (A segment through a boundary vertex could never be an
 // edge of a mesh that has that vertex, whichever side it continues on.) If v is on the boundary,
-// requires w to lie strictly inside one of v's corners: the star itself deals with what happens at
-// v. Exact. Takes time linear in the number of subsegments, or, with a neighbourhood, of those near
+// requires w to lie strictly inside one of v's corners: the star itself handles the corner at v.
+// Exact. Takes time linear in the number of subsegments, or, with a neighbourhood, of those near
 // the segment.
 bool sees(const boundary& b, const std::vector<site>& sites, const star_predicates& kernel,
           vertex_index v, vertex_index w, const proximity* near = nullptr);

@@ -15,13 +15,13 @@ namespace asterism::internal {
 // Returns the work limit for this number of sites, in units of kernels/work_units.hpp.
 //
 // Meshes that become complete take 7 to 700 edge tests a site, the most where metrics are so thin
-// (condition 1e16) that all come to exact numbers, and 60 to 13000 orientations (of sites with
-// respect to subsegments of the boundary, where no metric says what is near). Where metrics vary
-// wildly every site is in reach of every other and of every subsegment: both grow with the number
-// of sites, and no mesh is within reach. The `given` vertices may all see each other before there
-// is a site between them, for instance on a convex polygon; so every pair of them has an allowance.
-// The limit is ten seconds on one core for 3,000 sites and thirty for 100,000, the default limit on
-// sites; meshes of that size take 5 to 20 units a site.
+// (condition 1e16) that all tests need exact numbers, and 60 to 13000 orientations (of sites with
+// respect to subsegments of the boundary, where no metric shows which sites are near). Where
+// metrics vary wildly every site is in reach of every other and of every subsegment: both grow with
+// the number of sites, and no mesh is possible. The `given` vertices may all see each other before
+// there is a site between them, for instance on a convex polygon; so every pair of them has an
+// allowance. The limit is ten seconds on one core for 3,000 sites and thirty for 100,000, the
+// default limit on sites; meshes of that size take 5 to 20 units a site.
 inline double most_work_units(std::size_t sites, std::size_t given) {
   constexpr double at_least = 4e5, for_each = 150, first_ones = 5000, for_more = 20, a_pair = 1,
                    pairs_at_most = 3e5;

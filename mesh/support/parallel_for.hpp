@@ -3,8 +3,8 @@
 // Wraps oneTBB's parallel_for and declares its order to the thread sanitizer: the loop begins after
 // everything that its caller did before, and ends before the caller goes on. oneTBB as packaged is
 // not compiled with the sanitizer, which would therefore take every value handed to a loop, or
-// back, for a race. Races between two turns of one loop are still found. Without the sanitizer this
-// is parallel_for and nothing else.
+// back, for a race. Races between two iterations of one loop are still found. Without the sanitizer
+// this is exactly parallel_for.
 #pragma once
 
 #include <tbb/global_control.h>

@@ -5,8 +5,8 @@
 
 namespace asterism::internal {
 
-// Ratio of one size to the next: the last step takes at most 1.69 times as many sites as the least
-// size factor would.
+// Ratio of one size to the next: the first step that suffices takes at most 1.69 times the sites of
+// the least factor that does.
 inline constexpr double ladder_ratio = 1.3;
 // Largest step of the ladder: 1.3^160 is 2^60, and edges shorter by that factor have no room among
 // doubles.

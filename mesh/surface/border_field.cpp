@@ -30,8 +30,8 @@ border_field::border_field(const metric_field& of, const domain& d) : of_(&of) {
   for (const segment& s : d.segments) border_.push_back({d.vertices[s.a], d.vertices[s.b]});
 }
 
-// Returns the length of the nearest segment and what the distance from it adds, in coordinates in
-// which the tensor is the unit: x' = l11 x + l21 y, y' = l22 y.
+// Returns the length of the nearest segment plus the growth by the distance from it, in coordinates
+// in which the tensor is the identity: x' = l11 x + l21 y, y' = l22 y.
 double border_field::wanted_length(const metric_tensor& m, const point& q) const {
   constexpr double growth = 1;  // of the length by the distance
   // Wanted length of edges at a segment, as a multiple of the segment's length: the mesher

@@ -27,7 +27,7 @@ class face_border {
     return is_trimmed() ? trims_[side].next : (side + 1) % 4;
   }
   bool runs_around(std::size_t side) const { return is_trimmed() || side < 2; }
-  // Returns the corners that a side starts and ends at, as its parameter runs. Corner k is where
+  // Returns the corners at the start and the end of a side, by its parameter. Corner k is where
   // side k starts, going around.
   std::array<std::size_t, 2> ends_of(std::size_t side) const;
 

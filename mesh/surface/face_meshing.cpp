@@ -18,8 +18,8 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the loops with a region inside, each less all holes. The sign of each loop's area tells
-// them apart, in doubles: a polygon that is no region is found by the auditor.
+// Returns the loops with a region inside, each with all holes removed. The sign of each loop's area
+// distinguishes them, in doubles: the auditor detects a polygon that is no region.
 std::vector<domain_polygon> polygons_of_loops(const domain& d, const face_border& border) {
   std::vector<domain_polygon> outer;
   std::vector<std::vector<std::uint32_t>> holes;
@@ -84,9 +84,9 @@ face_meshing::cell_place face_meshing::place_of(const point& p) const {
   return {i, k, x - i, y - k};
 }
 
-// Finds the density in a direction with which an edge of length 1 through p meets, in the mean, no
-// more than that density: the density for the curvature at p alone can be much too low where it is
-// zero on a curve.
+// Finds the density in a direction that equals the mean density along an edge of length 1
+// through p: the density for the curvature at p alone can be much too low where it is zero on a
+// curve.
 double face_meshing::consistent_density(const point& p, const point& direction,
                                         double density) const {
   constexpr int samples = 4, most_halvings = 24;

@@ -161,8 +161,8 @@ struct curve_jet {
   plain_control value, first, second;
 };
 
-// Overwrites the control points. The second derivative is left out unless it is asked for: most
-// places of a surface are looked at for a step of a projection.
+// Evaluates a Bezier curve, and overwrites its control points. Leaves out the second derivative
+// unless it is asked for: most evaluations are for a step of a projection.
 template <bool twice>
 curve_jet along(plain_row& c, int degree, double share) {
   curve_jet jet;

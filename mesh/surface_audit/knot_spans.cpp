@@ -59,8 +59,8 @@ std::vector<span_of_knots> spans_of_knots(const std::vector<double>& knots, int 
 
 namespace {
 
-// Returns the polar form of the span's polynomial at `high` taken `highs` times and else `low`:
-// its Bezier point of that number. Source: Ramshaw, "Blossoming", 1987.
+// Returns the polar form of the span's polynomial with `highs` arguments equal to `high`, the
+// others to `low`: the Bezier point of that number. Source: Ramshaw, "Blossoming", 1987.
 weighted_point polar_value(std::vector<weighted_point> c, const span_of_knots& s, int degree,
                            int highs) {
   for (int r = 1; r <= degree; ++r) {

@@ -209,9 +209,9 @@ double squared_tangent_at(const bezier_piece& piece, const plain_vector& own, do
   return along > 0 ? dot(across, across) / (along * along) : -1;
 }
 
-// Proposes the greatest over a part: in its middle, which says whether it is folded, and near its
-// corners, where normals that turn evenly are farthest from the triangle's. Not at the corners
-// themselves, as there is no normal where a side is one point.
+// Proposes the greatest angle over a part: from its middle, which shows whether it is folded, and
+// from places near its corners, where normals that turn evenly are farthest from the triangle's.
+// Not at the corners themselves, as there is no normal where a side is one point.
 double squared_tangent_below(const bezier_piece& piece, const parameter_triangle& corners,
                              const plain_vector& own) {
   constexpr double near = 63.0 / 64;

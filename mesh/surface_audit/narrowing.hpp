@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Narrows an enclosure of a greatest distance by branch and bound, in rounds: cells that cannot
-// hold more than is known, but for the width allowed, are dropped, the others divided. All cells of
-// a round are bounded in parallel, and the outcome is the same for any number of threads.
+// exceed the known lower bound by more than the width allowed are dropped, the others divided. All
+// cells of a round are bounded in parallel, and the outcome is the same for any number of threads.
 #pragma once
 
 #include <algorithm>

@@ -39,9 +39,9 @@ constexpr int roundings_of_net(int p, int q) {
   return 4 * (p + q) + static_cast<int>(net_size(p < q ? p : q)) + 5;
 }
 
-// Returns none where a corner may be outside of the piece, a weight may not be positive, or corners
-// or weights are known so roughly that intervals are narrower. Works in any rounding mode: it sets
-// its own, and has the same bits on every machine.
+// Returns the net in doubles; none where a corner may be outside of the piece, a weight may not be
+// positive, or corners or weights are known so roughly that intervals are narrower. Works in any
+// rounding mode: it sets its own, and has the same bits on every machine.
 std::optional<plain_triangle_net> plain_net_over(const tensor_net& from,
                                                  const parameter_triangle& corners,
                                                  bool is_rational);

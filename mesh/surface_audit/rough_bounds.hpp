@@ -16,8 +16,8 @@ struct middle_and_half {
   double middle, half;
 };
 
-// Returns a double of the interval, and what the interval reaches to either side of it, rounded as
-// the mode in force says.
+// Returns a double inside the interval, and the distance of the interval's farther end from it,
+// rounded by the present rounding mode.
 inline middle_and_half parted(const rounded_interval& a) {
   const double low = a.inf(), high = a.sup();
   const double middle = low == high ? low : low + (high - low) / 2;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Proves what a mesh of a surface claims, from the surface, the plane meshes and the shell alone.
+// Proves the claims of a surface's mesh, from the surface, the plane meshes and the shell alone.
 //
 // A certified shell is proven to
 //  1. have a certified plane mesh of each patch's whole square of parameters (audit/audit.hpp);
 //  2. be within D: every point of the surface within D of the mesh and of the mesh within D of the
 //     surface;
-//  3. be nowhere folded: (r_u x r_v).n_T > 0 on each triangle's whole piece, but at a side of a
-//     patch that is one point, where r_u x r_v is zero and its direction is meant;
+//  3. be nowhere folded: (r_u x r_v).n_T > 0 on each triangle's whole piece; at a side of a patch
+//     that is one point, where r_u x r_v is zero, its limit direction is tested instead;
 //  4. have the greatest normal deviation that is given, or less;
 //  5. have its vertices on the surface up to the rounding that is given;
 //  6. have every edge once each way, but those of open sides, which are counted; vertices that are
 //     shared are one vertex;
-//  7. if that is asked: have no two triangles that cross or touch but in what they share.
+//  7. if that is asked: have no two triangles that cross or touch except in common vertices and
+//     edges.
 // docs/math/surfaces.md has the proofs. Angles in space are reported, not certified.
 #pragma once
 

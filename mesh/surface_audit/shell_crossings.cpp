@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Uses that two triangles have a point in common, beside what they share, if and only if an edge of
-// one meets the other there: their intersection is convex, and its extreme points are on edges.
-// With a common vertex it is enough to look at the edges opposite to it, as the intersection is a
-// star about that vertex. With a common edge a further point makes them lie in one plane, on one
-// side of the edge.
+// Uses that two triangles have a point in common, other than in common vertices and edges, if and
+// only if an edge of one meets the other there: their intersection is convex, and its extreme
+// points are on edges. With a common vertex it is enough to test the edges opposite to it, as the
+// intersection is a star about that vertex. With a common edge a further point makes them lie in
+// one plane, on one side of the edge.
 #include "asterism/mesh/surface_audit/shell_crossings.hpp"
 
 #include <algorithm>

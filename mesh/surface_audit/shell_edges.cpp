@@ -120,9 +120,9 @@ std::optional<int> face_sides::of_rectangle(const point& a, const point& b) cons
   return std::nullopt;
 }
 
-// Returns the edges that plane triangles have on sides that no other patch has, as the shell turns
-// them. Edges of triangles collapsed in space count: where one lies between the shell and such a
-// side, its two edges are the same one in space.
+// Returns the edges of plane triangles on sides of a single patch, in the shell's orientation.
+// Edges of triangles collapsed in space count: where one lies between the shell and such a side,
+// its two edges are the same one in space.
 std::set<shell_edge> edges_at_open_sides(const surface& s, const surface_shell& shell,
                                          const std::vector<shell_triangle>& triangles,
                                          const side_facts& facts) {

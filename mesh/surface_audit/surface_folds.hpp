@@ -11,8 +11,8 @@
 
 namespace asterism::internal {
 
-// Returns s and t of a place of the piece where normals on both sides are more than 90 degrees
-// apart as near to it as doubles tell, between places of the part; none where they turn evenly.
+// Returns s and t of a place in the part at which normals turn abruptly: those on both sides differ
+// by more than 90 degrees as near to it as doubles distinguish. None where normals turn gradually.
 std::optional<std::array<double, 2>> fold_in(const bezier_piece& piece,
                                              const parameter_triangle& corners);
 

@@ -33,8 +33,8 @@ double squared_size(const plain_vector& a) { return dot(a, a); }
 
 interval_vector exact_origin(const plain_vector& p) { return {p.x, p.y, p.z}; }
 
-// Adds the images of a curve of the plane: on each piece of the patch that it may reach into.
-// Returns false if one is not known: a bound by the other images would not be valid.
+// Adds the images of a plane curve on all pieces of the patch that it may reach. Returns false if
+// one is not known: a bound by the other images would not be valid.
 bool add_images(const curve_on_patch& on, const plane_curve& curve, const interval_vector& origin,
                 std::vector<space_curve>& images) {
   const std::vector<std::uint32_t> along = pieces_along(on.spans, curve);

@@ -8,12 +8,13 @@
 
 namespace asterism::internal {
 
-// Returns a distance, `proposed` or little less, that the point of the mesh provably has from all
-// of the surface, else 0.
+// Returns a proved lower bound of the distance of a point of the mesh from all of the surface,
+// `proposed` or little less; 0 if none is proved.
 double proved_distance_of_mesh_point(const deviation_scene& scene, const deviation_witness& at,
                                      double proposed);
-// Returns such a distance of a point of the surface from all of the mesh. Exact where intervals do
-// not decide and the patch is a Bezier patch, whose control points are doubles.
+// Returns a proved lower bound of the distance of a point of the surface from all of the mesh,
+// likewise. Exact where intervals do not decide and the patch is a Bezier patch, whose control
+// points are doubles.
 double proved_distance_of_surface_point(const deviation_scene& scene, const surface_place& at,
                                         double proposed);
 

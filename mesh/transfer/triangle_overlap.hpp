@@ -2,10 +2,10 @@
 //
 // Finds the common part of two triangles, by exact signs.
 //
-// The eighteen orientations of three corners each alone say which corners and crossings the common
-// part has, however degenerate; places and weights are rounded. A crossing comes
-// out the same, bit for bit, from all triangles that share the two edges, so that the parts of a
-// triangle fit together.
+// The eighteen orientations of three corners each decide which corners and crossings the common
+// part has, however degenerate; only places and weights are rounded. A crossing is the same, bit
+// for bit, for all triangles that share the two edges, so that the parts of a triangle fit
+// together.
 #pragma once
 
 #include <array>
