@@ -77,7 +77,8 @@ std::string list_of(const std::set<int>& numbers) {
 error no_marker(const domain& d, int marker) {
   std::set<int> there;
   for (const segment& s : d.segments) there.insert(s.marker);
-  return {"no segment has the marker " + std::to_string(marker) + "; there are " + list_of(there),
+  return {"no segment has the marker " + std::to_string(marker) +
+              "; the markers there are: " + list_of(there),
           error_code::bad_option};
 }
 
@@ -87,8 +88,9 @@ error no_region(const domain& d, int region) {
     there.insert(s.left_region);
     if (s.internal) there.insert(s.right_region);
   }
-  return {"there is no region " + std::to_string(region) + "; there are " + list_of(there),
-          error_code::bad_option};
+  return {
+      "there is no region " + std::to_string(region) + "; the regions there are: " + list_of(there),
+      error_code::bad_option};
 }
 
 void add_places_without_shape(const size_wishes& wishes, std::vector<sized_place>& places) {

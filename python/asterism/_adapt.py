@@ -2,7 +2,7 @@
 """Adaptation: the metric that a solution asks for, the next mesh, and the solution brought to it."""
 from __future__ import annotations
 
-import warnings
+import os
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -10,7 +10,8 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError
-from ._domain import AnyDomain, as_domain
+from ._calls import told, told_methods, warn
+from ._domain import AnyDomain, Domain, as_domain
 from ._forms import (
     Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, tensor_rows)
 from ._mesh import Mesh
@@ -23,14 +24,24 @@ Gradation = Union[float, str, None]
 
 def _mesh_made(mesh: Any, name: str = "mesh") -> Any:
     if not isinstance(mesh, Mesh):
-        raise InputError(f"{name}: a Mesh is wanted, not {type(mesh).__name__}")
+        raise InputError(f"{name}: a Mesh is wanted, not {type(mesh).__name__}{_made_of(mesh)}")
     return mesh._made
+
+
+def _made_of(what: Any) -> str:
+    """How a Mesh is made of what was given in place of one."""
+    if isinstance(what, (str, os.PathLike)):
+        return "; asterism.read() makes one of a file"
+    if isinstance(what, (Domain, list, tuple, np.ndarray)):
+        return "; asterism.mesh() makes one of a domain, asterism.Mesh(points, triangles) of arrays"
+    return "; asterism.Mesh.from_meshio() makes one of meshio's" if hasattr(what, "cells_dict") else ""
 
 
 def _metrics(given: Sequence[npt.ArrayLike], count: int) -> List[Any]:
     return [tensor_rows("intersect", one, count) for one in given]
 
 
+@told
 def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, str] = 2, complexity: Optional[float] = None,
            vertices: Optional[float] = None, error: Optional[float] = None, gradation: Gradation = "default",
            hmin: Optional[float] = None, hmax: Optional[float] = None, aspect: Optional[float] = None,
@@ -68,15 +79,17 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
              "intersect": _metrics(intersect, len(mesh.points))}
     tensors, report = _asterism._metric(made, fields, given, words)
     if not report["reached"]:
-        warnings.warn(report["reason"], NotReachedWarning, stacklevel=2)
+        warn(report["reason"], NotReachedWarning)
     return reported(tensors, report)
 
 
+@told
 def implied_metric(mesh: Mesh) -> npt.NDArray[np.float64]:
     """The metric (n, 3) that the mesh was made in, as far as its edges tell."""
     return _asterism._implied_metric(_mesh_made(mesh))
 
 
+@told
 def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "project") -> Any:
     """Brings values at the points of `mesh` to those of `to`, a mesh of the same domain.
 
@@ -95,6 +108,7 @@ def _as_given(fields: Any, moved: Any, report: Dict[str, Any]) -> Any:
             for (name, before), after in zip(fields, moved)]
 
 
+@told_methods
 class Adapted:
     """The next mesh of a loop, with what was brought to it.
 
@@ -126,6 +140,7 @@ class Adapted:
         return f"<Adapted: {self.mesh!r}>"
 
 
+@told
 def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[float] = None,
           complexity: Optional[float] = None, error: Optional[float] = None, carry: Optional[Fields] = None,
           how: str = "interpolate", metric: Optional[npt.ArrayLike] = None, implied: bool = False,
@@ -181,7 +196,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
     brought = _as_given(wanted + carried, moved, report["transfer"])
     first, rest = brought[:len(wanted)], brought[len(wanted):]
     if not report["reached"]:
-        warnings.warn(report["reason"], NotReachedWarning, stacklevel=2)
+        warn(report["reason"], NotReachedWarning)
     form: Any = mesh.values if values is None else values
     return Adapted(Mesh._of(next_mesh, dict(first)), like(form, first) if first else None,
                    like(carry, rest) if carry is not None else None,

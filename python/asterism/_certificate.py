@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 from typing import Any, Dict, List, NamedTuple
 
+from ._calls import meant
+
 
 class Finding(NamedTuple):
     """Something that the auditor holds against a mesh: its kind, and a sentence with the place."""
@@ -26,7 +28,7 @@ class Certificate:
         for part in self._parts():
             if name in part:
                 return part[name]
-        raise AttributeError(f"a certificate has no {name!r}; dir() lists what it has")
+        raise AttributeError(f"a certificate has no {name!r}{meant(name, dir(self)) or '; dir() lists what it has'}")
 
     def _parts(self) -> List[Dict[str, Any]]:
         return [self.data, *[part for part in self.data.values() if isinstance(part, dict)]]

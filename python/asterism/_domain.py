@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import json
 import os
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError, _Domain
-from ._forms import is_mesh_file, path_of
+from ._calls import meant, told_methods
+from ._forms import is_mesh_file, is_table, path_of
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
@@ -27,6 +28,7 @@ class Repair(NamedTuple):
     y: float
 
 
+@told_methods
 class Domain:
     """A planar straight-line graph: what is to be meshed.
 
@@ -116,7 +118,7 @@ class Domain:
         or its edges bound where it has no triangles. What its reader passed over is a UserWarning."""
         name = path_of(path)
         if not os.path.exists(name):
-            raise InputError(f"{name}: cannot be opened for reading")
+            raise InputError(f"{name}: cannot be opened for reading: no such file{_near(name)}")
         if name.lower().endswith(".dxf"):
             from ._drawing import read_dxf
 
@@ -165,12 +167,13 @@ class Domain:
         name = type(shape).__name__
         geometry = _bare(shape)
         if not isinstance(geometry, dict):
-            raise InputError(f"polygons are wanted, not {name}")
+            raise InputError(f"polygons are wanted, not {name}: a shape of shapely, what has __geo_interface__, or "
+                             "a dict as GeoJSON has it")
         try:
             text = json.dumps(geometry, allow_nan=False, default=_plain)
         except (TypeError, ValueError) as odd:
             raise InputError(f"{name}: its coordinates must be finite numbers: {odd}") from odd
-        return cls._of(_Domain.parse_geojson(text, name, repair, convex_hull))
+        return cls._of(_Domain.parse_geojson(text, f"{name} as GeoJSON", repair, convex_hull))
 
     from_shapely = from_geo
 
@@ -195,15 +198,18 @@ def as_domain(what: Any, repair: "bool | float" = False, convex_hull: bool = Fal
     if hasattr(getattr(what, "_made", None), "domain"):
         _refuse_for_mesh("this", repair, convex_hull)
         return Domain._covering(what)
-    if isinstance(what, (str, os.PathLike)):
+    if isinstance(what, (str, bytes, os.PathLike)):
         name = path_of(what)
         if name in _BUILT_IN:
             return Domain._of(_Domain.load(name, repair, convex_hull))
         return Domain.read(name, repair=repair, convex_hull=convex_hull)
     if hasattr(what, "__geo_interface__") or isinstance(what, Mapping):
         return Domain.from_geo(what, repair=repair, convex_hull=convex_hull)
-    if what is None or callable(what) or isinstance(what, (int, float)):
-        raise InputError(f"a domain is wanted: a Domain, a file's name, polygons or points (n, 2), not {what!r}")
+    if isinstance(what, Iterator):
+        what = list(what)
+    if not is_table(what):
+        raise InputError("a domain is wanted: a Domain, a file's name, polygons or points (n, 2), not "
+                         + (repr(what) if isinstance(what, (int, float, type(None))) else type(what).__name__))
     return Domain(what, repair=repair, convex_hull=convex_hull)
 
 
@@ -215,7 +221,7 @@ def _ring(points: npt.ArrayLike) -> Tuple[Any, npt.NDArray[np.int64]]:
     """Points without the last one where it repeats the first, and the segments from each to the next."""
     corners: Any = points if isinstance(points, np.ndarray) else _array(points)
     if corners.ndim != 2 or corners.shape[1] != 2:
-        raise InputError("points: the shape (n, 2) is wanted")
+        raise InputError(f"points: the shape (n, 2) is wanted, not {corners.shape}{_instead(corners.shape)}")
     if len(corners) > 1 and (corners[0] == corners[-1]).all():
         corners = corners[:-1]
     if len(corners) < 3:
@@ -227,8 +233,28 @@ def _ring(points: npt.ArrayLike) -> Tuple[Any, npt.NDArray[np.int64]]:
 def _array(points: Any) -> Any:
     try:
         return np.asarray(points)
-    except ValueError as odd:
-        raise InputError(f"points: rows of two numbers are wanted: {odd}") from None
+    except ValueError:
+        for k, row in enumerate(points):
+            if not isinstance(row, (list, tuple, np.ndarray)) or len(row) != 2:
+                raise InputError(f"points: rows of two numbers are wanted, and row {k} is {row!r}") from None
+        raise InputError("points: rows of two numbers are wanted") from None
+
+
+def _instead(shape: Tuple[int, ...]) -> str:
+    """What has the shape (n, 2) in place of a table that has not."""
+    if len(shape) == 2 and shape[0] == 2 and shape[1] > 2:
+        return "; points.T has it"
+    return "; points[:, :2] leaves the third coordinate out" if len(shape) == 2 and shape[1] == 3 else ""
+
+
+def _near(name: str) -> str:
+    """A domain that the command knows, or a file beside, that a name without a file is near to."""
+    folder, last = os.path.split(name)
+    try:
+        there = [*(() if folder else _BUILT_IN), *os.listdir(folder or ".")]
+    except OSError:
+        return f"; there is no directory {folder}"
+    return meant(last, there)
 
 
 def _bare(shape: Any) -> Any:

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import os
 import tempfile
-import warnings
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple
 
 from ._asterism import InputError
+from ._calls import told, warn
 from ._domain import Domain
+from ._forms import path_of
 
 Point = Tuple[float, float]
 
@@ -224,6 +225,7 @@ def _text(d: _Drawing, join: Optional[float], holes: Sequence[Point], notes: Lis
     return "\n".join(lines) + "\n"
 
 
+@told
 def poly_of_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] = None,
                 holes: Sequence[Point] = (), join: Optional[float] = None) -> str:
     """The outlines in the model space of a DXF drawing, as the text of a .poly file, which the command takes.
@@ -240,7 +242,9 @@ def poly_of_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] 
     from ezdxf.filemanagement import readfile
     from ezdxf.lldxf.const import DXFError
 
-    name = os.fspath(path)
+    name = path_of(path)
+    if not os.path.isfile(name):
+        raise InputError(f"{name}: no such file")
     try:
         document = readfile(name)
     except (OSError, DXFError) as odd:
@@ -261,10 +265,11 @@ def poly_of_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] 
     if drawing.approximated:
         notes.append(f"{name}: rational splines and ellipses are cubics near them: {drawing.approximated}")
     for note in notes:
-        warnings.warn(note, UserWarning, stacklevel=2)
+        warn(note)
     return text
 
 
+@told
 def read_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] = None,
              holes: Sequence[Point] = (), join: Optional[float] = None, *,
              repair: "bool | float" = False, convex_hull: bool = False) -> Domain:
@@ -272,7 +277,7 @@ def read_dxf(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] = N
     without curves."""
     text = poly_of_dxf(path, layers, holes, join)
     with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, os.path.basename(os.fspath(path)) + ".poly")
+        file = os.path.join(folder, os.path.basename(path_of(path)) + ".poly")
         with open(file, "w", encoding="ascii", errors="replace") as out:
             out.write(text)
         return Domain.read(file, repair=repair, convex_hull=convex_hull)

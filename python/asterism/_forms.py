@@ -16,6 +16,9 @@ Fields = Union[npt.ArrayLike, Mapping[str, npt.ArrayLike]]
 NamedFields = List[Tuple[str, Any]]
 Doubles = npt.NDArray[np.float64]
 
+# Bytes of a path, of which Linux takes no more.
+_LONGEST_NAME = 4095
+
 # Meshes that are read through meshio.
 MESHIO_FILES = (".xdmf", ".xmf")
 
@@ -82,6 +85,9 @@ def like(given: Fields, moved: NamedFields) -> Any:
 
 def fields_and_tensors(values: Fields) -> Tuple[NamedFields, Optional[Doubles]]:
     """Scalars and vectors by name, or a metric that is given."""
+    if isinstance(values, (str, os.PathLike)):
+        raise InputError(f"values: arrays are wanted, not {str(values)!r}; asterism.read() of the mesh's file gives a "
+                         "Mesh, whose `values` are the fields in it")
     if not isinstance(values, Mapping):
         array = doubles("values", values)
         if (array.ndim == 2 and array.shape[1] == 3) or (array.ndim == 3 and array.shape[1:] == (2, 2)):
@@ -110,6 +116,17 @@ def gradation_of(gradation: Any, of_fields: bool) -> Any:
     return None if isinstance(gradation, str) else gradation
 
 
+def definite(name: str, rows: Doubles) -> Doubles:
+    """Tensors (n, 3) or (3,), all of them positive definite, by exact signs."""
+    if rows.size and np.isfinite(rows).all():
+        wrong = np.flatnonzero(np.atleast_1d(_asterism._is_positive_definite(rows)) == 0)
+        if len(wrong):
+            m11, m12, m22 = np.atleast_2d(rows)[wrong[0]].tolist()
+            raise InputError(f"{name}: row {wrong[0]}, {m11} {m12} {m22}, is not positive definite: m11 and "
+                             "m11 m22 - m12^2 above 0 are wanted")
+    return rows
+
+
 class CalledMetric:
     """A callable from points to sizes, tensors or matrices, as one to tensors (n, 3)."""
 
@@ -122,7 +139,8 @@ class CalledMetric:
             (2, 2): "matrix", (1, 2, 2): "matrix"}
         if answer.shape not in kinds:
             raise InputError(f"the metric's answer: a size, m11 m12 m22 or a matrix (2, 2) for each point is "
-                             f"wanted, not an array of the shape {answer.shape} for one")
+                             f"wanted, not an array of the shape {answer.shape} for one; it is called with an array "
+                             "of points (n, 2), whose x are p[:, 0]")
         self.kind = kinds[answer.shape]
 
     def __call__(self, points: Doubles) -> Any:
@@ -149,16 +167,44 @@ def is_mesh_file(name: str) -> bool:
     return _asterism._is_mesh_file(name) or name.lower().endswith(MESHIO_FILES)
 
 
-def path_of(path: "str | os.PathLike[str]") -> str:
+def path_of(path: "str | bytes | os.PathLike[str]") -> str:
+    """The name of a file, as text."""
     try:
-        return os.fspath(path)
+        name = os.fsdecode(path)
     except TypeError:
         raise InputError(f"a file's name is wanted, not {type(path).__name__}") from None
+    if not name or "\0" in name or len(os.fsencode(name)) > _LONGEST_NAME:
+        shown = repr(name) if len(name) <= 60 else repr(name[:60]) + "..."
+        raise InputError(f"a file's name is wanted, and {shown} is none")
+    return name
+
+
+def write_text(name: str, text: str) -> None:
+    """Writes a file; InputError where none can be written."""
+    try:
+        with open(name, "w", encoding="utf-8") as file:
+            file.write(text)
+    except OSError as odd:
+        raise InputError(f"{name}: cannot be written: {odd.strerror}") from odd
+
+
+def whole(name: str, value: Any, least: int, what: str = "a whole number") -> int:
+    """A whole number, Python's or numpy's."""
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not least <= value < 2**31:
+        raise InputError(f"{name}: {what} of at least {least} is wanted, not {value!r}")
+    return int(value)
+
+
+def is_table(what: Any) -> bool:
+    """True of what an array is made of, whatever is in it; sets have no order."""
+    return isinstance(what, (list, tuple)) or hasattr(what, "__array__") or hasattr(what, "__array_interface__")
 
 
 def marker_pairs(periodic: Sequence[Tuple[int, int]]) -> List[Tuple[int, int]]:
     """Pairs of markers of sides that are to have the same points."""
     pairs = []
+    if not isinstance(periodic, (list, tuple)):
+        raise InputError(f"periodic: pairs of markers are wanted, as [(4, 2)], and not {periodic!r}")
     for one in periodic:
         is_pair = isinstance(one, (tuple, list)) and len(one) == 2 and all(
             isinstance(m, (int, np.integer)) and not isinstance(m, bool) and -2**31 <= m < 2**31 for m in one)

@@ -9,10 +9,12 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError
+from ._calls import told
 from ._certificate import judged
 from ._mesh import Mesh, read
 
 
+@told
 def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] = None,
            angle_bound: Optional[float] = None) -> Dict[str, Any]:
     """Audits a mesh again, against the text of a certificate or its own: `verified`,
@@ -21,16 +23,21 @@ def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] 
     return judged(_asterism._verify(of._made, {"certificate": certificate, "angle_bound": angle_bound}))
 
 
+@told
 def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] = None,
-            metric: npt.ArrayLike = (1, 0, 1), angle_bound: float = 20, voronoi: bool = False,
+            metric: Optional[npt.ArrayLike] = None, angle_bound: float = 20, voronoi: bool = False,
             prove_voronoi: bool = False) -> Dict[str, Any]:
     """Is a triangulation from elsewhere the mesh of its points' stars, with no angle below the bound?
+    metric: in any form that tensors have, one for all or one a point; None: the plane's, or a Mesh's own.
     `certified`, `not_in_all_stars`, `low_triangles`, `findings` (each with `kind` and `witness`) and
     what was measured."""
     if isinstance(points, Mesh):
+        if triangles is not None or metric is not None:
+            raise InputError("triangles, metric: a Mesh has its own; certify(mesh.points, mesh.triangles, metric) "
+                             "asks in another metric")
         of = points
     elif triangles is None:
         raise InputError("triangles: (t, 3) are wanted beside the points")
     else:
-        of = Mesh(points, triangles, metric)
+        of = Mesh(points, triangles, (1, 0, 1) if metric is None else metric)
     return judged(_asterism._certify(of._made, {"angle_bound": angle_bound, "prove_voronoi": voronoi or prove_voronoi}))

@@ -11,15 +11,17 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError, _Mesh
+from ._calls import told, told_methods
 from ._certificate import Certificate
 from ._domain import Domain
-from ._forms import MESHIO_FILES, Fields, doubles, named_fields, path_of, tensor_rows
+from ._forms import MESHIO_FILES, Fields, definite, doubles, named_fields, path_of, tensor_rows, whole
 from ._page import Before, Page, page_of
 
 Doubles = npt.NDArray[np.float64]
 Wholes = npt.NDArray[np.int32]
 
 
+@told_methods
 class Mesh:
     """Triangles and the metric at their points.
 
@@ -40,7 +42,7 @@ class Mesh:
             raise InputError("markers, edge_markers: two names of one thing, and both are given")
         at = doubles("points", points)
         self._made = _Mesh.from_arrays(
-            at, triangles, tensor_rows("metric", metric, len(at)),
+            at, triangles, definite("metric", tensor_rows("metric", metric, len(at))),
             {"regions": regions, "edges": edges, "edge_markers": markers if edge_markers is None else edge_markers,
              "corners": corners, "required_points": required_points, "required_edges": required_edges})
         self._take_values(values)
@@ -170,6 +172,8 @@ class Mesh:
 
         outside: the value of points in no triangle; None: they are refused.
         """
+        if isinstance(values, Mapping):
+            raise InputError("values: an array is wanted, not a dict; each of its fields is interpolated by itself")
         of = doubles("values", values)
         if of.ndim not in (1, 2) or len(of) != len(self.points):
             raise InputError(f"values: {len(self.points)} rows are wanted, one a point of the mesh, not an array "
@@ -249,6 +253,8 @@ class Mesh:
 
         if ax is None:
             ax = plt.gca()
+        if not hasattr(ax, "triplot"):
+            raise InputError(f"ax: an Axes of matplotlib is wanted, not {type(ax).__name__}")
         ax.triplot(self.points[:, 0], self.points[:, 1], self.triangles,
                    **{"linewidth": 0.4, "color": "black", **line})
         ends = self.points[self.edges]
@@ -261,7 +267,7 @@ class Mesh:
 
     def svg(self, width: int = 600, ellipses: bool = False) -> str:
         """The picture as text; with `ellipses` the unit circles of the metric."""
-        return self._made.svg(width=width, ellipses=ellipses)
+        return self._made.svg(width=whole("width", width, 16), ellipses=bool(ellipses))
 
     def __repr__(self) -> str:
         state = "certified" if self.certified else "not certified"
@@ -281,6 +287,7 @@ def _weights(corners: Doubles, at: Doubles) -> Doubles:
     return np.divide(areas, sums, out=np.full_like(areas, 1 / 3), where=sums > 0)
 
 
+@told
 def read(path: "str | os.PathLike[str]") -> Mesh:
     """Reads a mesh: .mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl, or .xdmf through meshio;
     with the metric of its .sol or in it (without one: the plane's) and the certificate beside it. What its

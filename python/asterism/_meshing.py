@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import warnings
+from numbers import Number
 from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -11,8 +11,9 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError
+from ._calls import told, warn
 from ._domain import AnyDomain, Domain, as_domain
-from ._forms import CalledMetric, constant_text, doubles, gradation_of, marker_pairs, tensor_rows
+from ._forms import CalledMetric, constant_text, definite, doubles, gradation_of, is_table, marker_pairs, tensor_rows
 from ._mesh import Mesh
 from ._reported import ReportedArray
 from ._sizes import Places, Sizes, words_of
@@ -25,6 +26,7 @@ class NotReachedWarning(UserWarning):
     """The mesher ended before its goal; the mesh's `reason` says why."""
 
 
+@told
 def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] = None,
          angle_bound: float = 20, *, on: Optional[Mesh] = None, max_sites: Optional[int] = None,
          gradation: Union[float, str, None] = None, voronoi: bool = False, improve: int = 0,
@@ -87,6 +89,9 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     mesh is the same for any number. progress: called now and then with a dict of counts. Ctrl-C ends the
     run.
     """
+    if callable(size) or np.ndim(size) > 0:  # type: ignore[arg-type]
+        raise InputError(f"size: a number is wanted, not {type(size).__name__}; sizes that differ from place to place "
+                         "are a metric, mesh(domain, metric=...), or size_at and the like")
     covered = as_domain(domain, repair, convex_hull)
     if on is None and isinstance(domain, Mesh) and isinstance(metric, np.ndarray) and metric.ndim > 1 \
             and len(metric) == len(domain.points):
@@ -101,7 +106,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
                           {"hmin": hmin, "hmax": hmax, "aspect": aspect}),
         "guarantee": guarantee, "periodic": marker_pairs(periodic), "threads": threads, "progress": progress}))
     if not made.complete:
-        warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
+        warn(made.reason, NotReachedWarning)
     return made
 
 
@@ -114,7 +119,7 @@ def _metric_and_size(metric: Any, on: Optional[Mesh], domain: Domain, size: Opti
             (metric, metric.metric) if isinstance(metric, Mesh) else metric)
         if not isinstance(background, Mesh):
             raise InputError(f"on: a Mesh is wanted, not {type(background).__name__}")
-        tensors = tensor_rows("metric", given, len(background.points))
+        tensors = definite("metric", tensor_rows("metric", given, len(background.points)))
         is_sized = isinstance(given, ReportedArray) or np.ndim(given) < 2
         return (background._made, tensors), default if is_sized else size
     if isinstance(metric, (str, os.PathLike)):
@@ -122,8 +127,9 @@ def _metric_and_size(metric: Any, on: Optional[Mesh], domain: Domain, size: Opti
     if callable(metric):
         called = CalledMetric(metric, np.array(domain.points[:1]))
         return called, default if called.kind == "size" else size
-    if metric is None:
-        raise InputError("metric: a text, a size, a tensor, a callable or a pair (mesh, tensors) is wanted")
+    if not isinstance(metric, Number) and not is_table(metric):
+        raise InputError("metric: a text, a size, a tensor, a callable or a pair (mesh, tensors) is wanted, not "
+                         f"{type(metric).__name__}")
     tensor = tensor_rows("metric", metric)
     if tensor.shape != (3,):
         raise InputError("metric: tensors at the points of a mesh want the mesh: metric=(mesh, tensors)")

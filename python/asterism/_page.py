@@ -10,8 +10,9 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError
+from ._calls import told_methods
 from ._domain import Domain
-from ._forms import Fields, NamedFields, doubles, named_fields, path_of, tensor_rows
+from ._forms import Fields, NamedFields, doubles, named_fields, path_of, tensor_rows, whole, write_text
 
 if TYPE_CHECKING:
     from ._mesh import Mesh
@@ -21,6 +22,7 @@ Earlier = Union["Mesh", Tuple["Mesh", Fields], Domain]
 Before = Union[Earlier, Sequence[Earlier], Mapping[str, Earlier]]
 
 
+@told_methods
 class Page:
     """A page about a mesh: one file of HTML that needs no network, shown by notebooks in a frame."""
 
@@ -35,8 +37,7 @@ class Page:
     def save(self, path: "str | os.PathLike[str]") -> str:
         """Writes the page to a file, for a browser. Returns the file's name."""
         name = path_of(path)
-        with open(name, "w", encoding="utf-8") as file:
-            file.write(self.text)
+        write_text(name, self.text)
         return name
 
     def __repr__(self) -> str:
@@ -46,8 +47,7 @@ class Page:
 def page_of(mesh: Mesh, values: Optional[Fields], before: Optional[Before], wanted: Optional[npt.ArrayLike],
             title: str, label: Optional[str], height: int) -> Page:
     """The page that Mesh.show() returns, whose arguments these are."""
-    if isinstance(height, bool) or not isinstance(height, int) or height < 1:
-        raise InputError(f"height: a whole number of pixels above 0 is wanted, not {height!r}")
+    height = whole("height", height, 1, "a whole number of pixels")
     frames, own = _frames(before)
     words: Dict[str, Any] = {
         "title": title, "label": own if label is None else label, "before": frames,

@@ -10,13 +10,15 @@ from ._asterism import InputError
 from ._forms import doubles
 
 Places = Iterable[Sequence[float]]
+_FORMS = {"size_at": "x, y, radius, h", "size_box": "x0, y0, x1, y1, h"}
 Sizes = Mapping[int, Union[float, Sequence[float]]]
 
 
 def _numbers(name: str, values: Any, least: int = 1) -> str:
     numbers = doubles(name, values).reshape(-1)
     if len(numbers) < least:
-        raise InputError(f"{name}: {least} numbers or more are wanted, not {values!r}")
+        raise InputError(f"{name}: {least} numbers or more are wanted, not {values!r}"
+                         + (f"; a place is ({_FORMS[name]})" if name in _FORMS else ""))
     return ",".join(repr(float(x)) for x in numbers)
 
 
@@ -25,7 +27,7 @@ def _places(name: str, given: Places, width: int) -> Any:
     try:
         rows = [list(one) for one in given]
     except TypeError:
-        raise InputError(f"{name}: a list of places is wanted, not {given!r}") from None
+        raise InputError(f"{name}: a list of places is wanted, as [({_FORMS[name]})], not {given!r}") from None
     return [(_numbers(name, row[:width], width), _numbers(name, row[width:])) for row in rows]
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import warnings
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Sequence, Union
 
@@ -13,10 +12,13 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError
+from ._calls import told, told_methods, warn
 from ._certificate import Certificate
+from ._forms import doubles, path_of, write_text
 from ._meshing import NotReachedWarning
 
 
+@told_methods
 class Surface:
     """Patches in space: Bezier, B-spline or NURBS, untrimmed. What is wrong with one raises InputError.
 
@@ -28,6 +30,9 @@ class Surface:
 
     def __init__(self, text: str) -> None:
         """Of a JSON text as docs/manual/surfaces.md has it."""
+        if not isinstance(text, str):
+            raise InputError(f"text: a text of JSON is wanted, not {type(text).__name__}; Surface.bezier() and "
+                             "Surface.bspline() take control points")
         self._text = _asterism._surface_checked(text)
 
     @classmethod
@@ -46,7 +51,7 @@ class Surface:
         if trims:
             raise InputError("trims: patches are trimmed by the loops of a .json file, for Surface.read")
         points = _control(control)
-        u, v = (np.asarray(knots, dtype=float) for knots in (knots_u, knots_v))
+        u, v = doubles("knots_u", knots_u), doubles("knots_v", knots_v)
         if u.ndim != 1 or v.ndim != 1:
             raise InputError("knots_u, knots_v: rows of numbers are wanted")
         return cls(_text_of(points, (len(u) - points.shape[0] - 1, len(v) - points.shape[1] - 1),
@@ -55,12 +60,14 @@ class Surface:
     @classmethod
     def named(cls, name: str) -> "Surface":
         """A built-in one: torus, wing, teapot, saddle, octant."""
+        if not isinstance(name, str):
+            raise InputError(f"name: a text is wanted, not {name!r}")
         return cls(_asterism._surface_named(name))
 
     @classmethod
     def read(cls, path: "str | os.PathLike[str]") -> "Surface":
         """Of a .json file of patches."""
-        return cls(_asterism._surface_read(os.fspath(path)))
+        return cls(_asterism._surface_read(path_of(path)))
 
     @property
     def text(self) -> str:
@@ -80,6 +87,7 @@ class Surface:
         return f"<Surface: {len(self)} {'patch' if len(self) == 1 else 'patches'}>"
 
 
+@told_methods
 class SurfaceMesh:
     """Triangles in space, and what was proved of them. Arrays cannot be written."""
 
@@ -102,12 +110,12 @@ class SurfaceMesh:
     def save(self, path: "str | os.PathLike[str]") -> List[str]:
         """Writes .obj, .stl, .ply, .mesh, .msh or .vtu. With a .mesh file goes NAME.certificate.json, from
         which `asterism verify` proves it again. Returns the names written."""
-        to = Path(path)
-        to.write_text(_asterism._space_mesh_text(self.points, self.triangles, self.patches, str(to)))
+        to = Path(path_of(path))
+        write_text(str(to), _asterism._space_mesh_text(self.points, self.triangles, self.patches, str(to)))
         if to.suffix != ".mesh":
             return [str(to)]
         beside = to.with_suffix(".certificate.json")
-        beside.write_text(self.certificate.text)
+        write_text(str(beside), self.certificate.text)
         return [str(to), str(beside)]
 
     def __repr__(self) -> str:
@@ -115,6 +123,7 @@ class SurfaceMesh:
         return f"<SurfaceMesh: {len(self.points)} vertices, {len(self.triangles)} triangles, {said}>"
 
 
+@told
 def mesh_surface(surfaces: Union[Surface, Sequence[Surface]], chord: float, *, normal: Optional[float] = None,
                  hmax: Optional[float] = None, aspect: float = 100, vertices: Optional[int] = None,
                  angle_bound: float = 20, no_crossings: bool = False, max_seconds: Optional[float] = None,
@@ -129,10 +138,11 @@ def mesh_surface(surfaces: Union[Surface, Sequence[Surface]], chord: float, *, n
 
     A mesh that is not certified warns with NotReachedWarning, and says why by `reason`.
     """
-    all_of_them = [surfaces] if isinstance(surfaces, Surface) else list(surfaces)
-    for one in all_of_them:
+    all_of_them = list(surfaces) if isinstance(surfaces, (list, tuple)) else [surfaces]
+    for one in all_of_them or [None]:
         if not isinstance(one, Surface):
-            raise InputError(f"surfaces: a Surface is wanted, not {type(one).__name__}")
+            raise InputError(f"surfaces: a Surface is wanted, not {type(one).__name__}; Surface.named('torus') is one, "
+                             "Surface.read() makes one of a file, Surface.bezier() of control points")
     text = all_of_them[0].text if len(all_of_them) == 1 else json.dumps(
         {"patches": [patch for one in all_of_them for patch in one.patches]})
     made = SurfaceMesh(_asterism._mesh_surface(text, {
@@ -140,12 +150,12 @@ def mesh_surface(surfaces: Union[Surface, Sequence[Surface]], chord: float, *, n
         "angle_bound": angle_bound, "no_crossings": no_crossings, "max_seconds": max_seconds, "threads": threads,
         "progress": None}))
     if not made.certified:
-        warnings.warn(made.reason, NotReachedWarning, stacklevel=2)
+        warn(made.reason, NotReachedWarning)
     return made
 
 
 def _control(control: npt.ArrayLike) -> npt.NDArray[np.float64]:
-    points = np.asarray(control, dtype=float)
+    points = doubles("control", control)
     if points.ndim != 3 or points.shape[2] != 3:
         raise InputError(f"control: (n, m, 3) is wanted, not {points.shape}")
     return points
@@ -159,7 +169,7 @@ def _text_of(points: npt.NDArray[np.float64], degree: Sequence[int], knots_u: Op
     if knots_u is not None and knots_v is not None:
         patch["knots_u"], patch["knots_v"] = knots_u, knots_v
     if weights is not None:
-        given = np.asarray(weights, dtype=float)
+        given = doubles("weights", weights)
         if given.shape != points.shape[:2]:
             raise InputError(f"weights: {points.shape[:2]} are wanted, not {given.shape}")
         patch["weights"] = given.tolist()

@@ -48,8 +48,13 @@ py::array array_of(const py::object& from, const char* name, const char* of_what
 }  // namespace
 
 void warn(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes)
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw py::error_already_set();
+  if (notes.empty()) return;
+  const py::object say = py::module_::import("asterism._calls").attr("warn");
+  for (const std::string& note : notes) say(note);
+}
+
+std::string shape_text(const py::array& array) {
+  return py::str(array.attr("shape")).cast<std::string>();
 }
 
 py::array_t<double> doubles_of(const py::object& from, const char* name) {
@@ -64,7 +69,7 @@ py::array_t<double> doubles_of(const py::object& from, const char* name) {
   auto array = py::array_t<double>::ensure(given);
   if (array) return array;
   PyErr_Clear();
-  refuse(name, "an array of numbers is wanted");
+  refuse(name, "an array of numbers is wanted, not " + shown(from));
 }
 
 whole_array wholes_of(const py::object& from, const char* name) {
@@ -93,8 +98,8 @@ number_table::number_table(const py::object& from, py::ssize_t width, const char
   const bool fits =
       (array_.ndim() == 1 || array_.ndim() == 2) && array_.shape(array_.ndim() - 1) == width;
   if (!fits && array_.size() != 0)
-    throw input_error(std::string(name) + ": the shape (n, " + std::to_string(width) + ") or (" +
-                      std::to_string(width) + ",) is wanted");
+    refuse(name, "the shape (n, " + std::to_string(width) + ") or (" + std::to_string(width) +
+                     ",) is wanted, not " + shape_text(array_));
   single_ = array_.ndim() == 1 && array_.size() != 0;
   rows_ = array_.size() == 0 ? 0 : single_ ? 1 : static_cast<std::size_t>(array_.shape(0));
   if (rows_ != 0 && !has_plain_rows(array_))
@@ -146,6 +151,9 @@ std::optional<std::size_t> keywords::count(const char* name, std::size_t least) 
 bool keywords::flag(const char* name) const {
   const py::object value = object(name);
   if (value.is_none()) return false;
+  const bool is_flag = PyBool_Check(value.ptr()) || py::hasattr(value, "dtype");
+  const auto x = is_flag ? std::optional<double>() : real(name);
+  if (x && *x != 0 && *x != 1) refuse(name, "True or False is wanted, not " + shown(value));
   const int is_true = PyObject_IsTrue(value.ptr());
   if (is_true < 0) throw py::error_already_set();
   return is_true == 1;

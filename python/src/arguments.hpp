@@ -36,6 +36,9 @@ T value_or_raise(result<T> from) {
 // Warns, as Python does, of what was changed or passed over.
 void warn(const std::vector<std::string>& notes);
 
+// Returns the shape of an array, as Python writes it.
+std::string shape_text(const py::array& array);
+
 // Returns an array of doubles. `name` is the argument's, for messages.
 py::array_t<double> doubles_of(const py::object& from, const char* name);
 

@@ -26,7 +26,8 @@ std::vector<int> markers_of(const py::object& markers, py::ssize_t count, const 
                             const char* of_what) {
   const whole_array numbers = wholes_of(markers, name);
   if (numbers.size() != count)
-    throw input_error(std::string(name) + ": one for each " + of_what + " is wanted");
+    throw input_error(std::string(name) + ": one for each " + of_what + " is wanted, " +
+                      std::to_string(count) + ", not " + std::to_string(numbers.size()));
   std::vector<int> all;
   for (py::ssize_t k = 0; k < count; ++k) {
     const std::int64_t n = numbers.data()[k];
@@ -43,7 +44,7 @@ std::vector<segment> segments_of(const py::object& given, const py::object& mark
   const whole_array pairs = wholes_of(given, "segments");
   const py::ssize_t count = pairs.size() / 2;
   if (pairs.size() != 0 && (pairs.ndim() != 2 || pairs.shape(1) != 2))
-    throw input_error("segments: the shape (n, 2) is wanted");
+    throw input_error("segments: the shape (n, 2) is wanted, not " + shape_text(pairs));
   std::vector<int> marked;
   if (!markers.is_none()) marked = markers_of(markers, count, "markers", "segment");
   std::vector<segment> segments;
@@ -52,8 +53,9 @@ std::vector<segment> segments_of(const py::object& given, const py::object& mark
     for (const py::ssize_t end : {0, 1}) {
       const std::int64_t v = pairs.data()[2 * k + end];
       if (v < 0 || v >= static_cast<std::int64_t>(vertices))
-        throw input_error("segments: row " + std::to_string(k) + " names vertex " +
-                          std::to_string(v) + " of " + std::to_string(vertices));
+        throw input_error("segments: row " + std::to_string(k) + " names point " +
+                          std::to_string(v) + " of " + std::to_string(vertices) +
+                          ", which count from 0");
       (end == 0 ? s.a : s.b) = static_cast<vertex_index>(v);
     }
     if (!marked.empty()) s.marker = marked[static_cast<std::size_t>(k)];

@@ -117,7 +117,7 @@ vertex_index point_number(const whole_array& table, const char* name, py::ssize_
   const std::int64_t v = table.data()[table.shape(1) * row + column];
   if (v < 0 || v >= static_cast<std::int64_t>(points))
     throw input_error(std::string(name) + ": row " + std::to_string(row) + " names point " +
-                      std::to_string(v) + " of " + std::to_string(points));
+                      std::to_string(v) + " of " + std::to_string(points) + ", which count from 0");
   return static_cast<vertex_index>(v);
 }
 
@@ -126,16 +126,17 @@ whole_array point_numbers(const py::object& given, const char* name, py::ssize_t
   whole_array table = wholes_of(given, name);
   if (table.ndim() != 2 || table.shape(1) != width)
     throw input_error(std::string(name) + ": the shape (n, " + std::to_string(width) +
-                      ") is wanted");
+                      ") is wanted, not " + shape_text(table));
   return table;
 }
 
 // Returns whole numbers that an int holds, one for each of `count`.
-std::vector<int> numbers_of(const py::object& given, const char* name, std::size_t count) {
+std::vector<int> numbers_of(const py::object& given, const char* name, std::size_t count,
+                            const char* of_what) {
   const whole_array numbers = wholes_of(given, name);
   if (numbers.ndim() != 1 || static_cast<std::size_t>(numbers.size()) != count)
-    throw input_error(std::string(name) + ": " + std::to_string(count) +
-                      " numbers are wanted, one for each");
+    throw input_error(std::string(name) + ": the shape (" + std::to_string(count) +
+                      ",) is wanted, one for each " + of_what + ", not " + shape_text(numbers));
   std::vector<int> found;
   for (std::size_t k = 0; k < count; ++k) {
     const std::int64_t n = numbers.data()[k];
@@ -154,8 +155,9 @@ void add_edges(mesh& m, const py::object& edges, const py::object& markers) {
   }
   const whole_array ends = point_numbers(edges, "edges", 2);
   const auto count = static_cast<std::size_t>(ends.shape(0));
-  const std::vector<int> marked =
-      markers.is_none() ? std::vector<int>(count, 0) : numbers_of(markers, "edge_markers", count);
+  const std::vector<int> marked = markers.is_none()
+                                      ? std::vector<int>(count, 0)
+                                      : numbers_of(markers, "edge_markers", count, "edge");
   for (std::size_t k = 0; k < count; ++k) {
     const auto row = static_cast<py::ssize_t>(k);
     m.boundary.push_back({point_number(ends, "edges", row, 0, m.sites.size()),
@@ -202,10 +204,13 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
     triangle t;
     for (std::size_t c = 0; c < 3; ++c)
       t[c] = point_number(corners, "triangles", k, static_cast<py::ssize_t>(c), m.sites.size());
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+      throw input_error("triangles: row " + std::to_string(k) + " names point " +
+                        std::to_string(t[0] == t[1] ? t[0] : t[2]) + " twice");
     m.triangles.push_back(t);
   }
   if (given.has("regions"))
-    m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size());
+    m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size(), "triangle");
   add_edges(m, given.object("edges"), given.object("edge_markers"));
   internal::list_sides(m);
   py_mesh made;

@@ -23,6 +23,11 @@
 namespace asterism::python {
 namespace {
 
+std::string text_of(double x) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr};
+}
+
 struct mesh_arguments {
   std::optional<double> size, gradation, complexity, chord_tolerance;
   mesh_options options;
@@ -61,6 +66,9 @@ void check_ranges(const mesh_arguments& a) {
 mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domain) {
   mesh_arguments a;
   a.size = given.positive("size");
+  constexpr double least = 1e-150, most = 1e150;  // beyond, squares leave the range of doubles
+  if (a.size && !(*a.size >= least && *a.size <= most))
+    throw input_error("size: a number from 1e-150 to 1e150 is wanted, not " + text_of(*a.size));
   a.complexity = given.positive("complexity");
   a.gradation = given.positive("gradation");
   a.chord_tolerance = given.positive("chord_tolerance");
@@ -79,11 +87,6 @@ mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domai
   a.periodic = periodic_of(given);
   check_ranges(a);
   return a;
-}
-
-std::string text_of(double x) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr};
 }
 
 std::string places_text(const domain_repairs& mended) {

@@ -11,7 +11,7 @@ hessian_method method_of(const std::string& name) {
   if (name == "l2") return hessian_method::l2_projection;
   if (name == "green") return hessian_method::green;
   if (name == "least_squares" || name == "lsq") return hessian_method::least_squares;
-  throw input_error("hessian: 'l2', 'green' or 'least_squares' is wanted, not '" + name + "'");
+  throw input_error("hessian: 'l2', 'green' or 'lsq' is wanted, not '" + name + "'");
 }
 
 }  // namespace
@@ -113,14 +113,14 @@ solution_metric_options wishes_of(const keywords& given) {
   if (options.cutoff && *options.cutoff > 1)
     throw input_error("cutoff: above 0 and at most 1 is wanted");
   options.least_size = given.from_zero("hmin").value_or(options.least_size);
-  options.greatest_size = given.real("hmax").value_or(options.greatest_size);
-  options.aspect = given.real("aspect").value_or(options.aspect);
+  options.greatest_size = given.positive("hmax").value_or(options.greatest_size);
+  options.aspect = given.positive("aspect").value_or(options.aspect);
   options.gradation = given.real("gradation");
   options.gradation_keeps_shape = given.flag("gradation_keeps_shape");
   options.isotropic = given.flag("isotropic");
-  options.step = given.real("step");
+  options.step = given.positive("step");
   if (!(options.least_size < options.greatest_size))
-    throw input_error("hmin: it is not less than hmax");
+    throw input_error("hmin: less than hmax is wanted");
   return options;
 }
 
@@ -128,8 +128,7 @@ transfer_method way_of(const std::string& name) {
   if (name == "interpolate") return transfer_method::interpolate;
   if (name == "conservative" || name == "project") return transfer_method::project;
   if (name == "bounded") return transfer_method::bounded;
-  throw input_error("how: 'interpolate', 'conservative' or 'bounded' is wanted, not '" + name +
-                    "'");
+  throw input_error("how: 'interpolate', 'project' or 'bounded' is wanted, not '" + name + "'");
 }
 
 py::dict dict_of(const solution_metric_report& r) {

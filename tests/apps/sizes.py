@@ -147,7 +147,7 @@ class Sizes(command.CommandTest):
         self.write("halves.poly", HALVES)
         self.write("twice.poly", HALVES.replace("2 1.5 0.5 2 0.001", "2 1.5 0.5 1 0.001"))
         for arguments, words in [
-                (["square", "--size-near", "9:0.1"], "no segment has the marker 9; there are 1, 2, 3, 4"),
+                (["square", "--size-near", "9:0.1"], "no segment has the marker 9; the markers there are: 1, 2, 3, 4"),
                 (["square", "--size-in", "9:0.1"], "there is no region 9"),
                 (["square", "--size-in", "wall:0.1"], "square names no region 'wall'"),
                 (["square", "--size-at", "0,0:0.1"], "--size-at: '0,0:0.1': R is missing"),

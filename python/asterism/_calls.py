@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""Calls whose arguments have no such names, or are too few or too many: told by what there is."""
+from __future__ import annotations
+
+import difflib
+import functools
+import inspect
+import os
+import sys
+import warnings
+from typing import Any, Callable, Dict, Iterable, List, Tuple, Type, TypeVar, cast
+
+from ._asterism import InputError
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+Class = TypeVar("Class")
+
+_PACKAGE = os.path.dirname(os.path.abspath(__file__)) + os.sep
+
+# Names in other packages, and the names here of which the first that the function has is meant.
+_OTHER_NAMES: Dict[str, Tuple[str, ...]] = {
+    "h": ("size", "hmax"), "lc": ("size",), "hsiz": ("size",), "mesh_size": ("size",), "edge_length": ("size",),
+    "max_size": ("hmax", "size"), "min_size": ("hmin",), "max_volume": ("size",), "max_area": ("size",),
+    "max_length": ("hmax", "size"), "hgrad": ("gradation",), "growth": ("gradation",),
+    "min_angle": ("angle_bound",), "minimum_angle": ("angle_bound",), "angle": ("angle_bound",),
+    "timeout": ("max_seconds",), "time_limit": ("max_seconds",), "num_threads": ("threads",), "n_jobs": ("threads",),
+    "workers": ("threads",), "callback": ("progress",), "verbose": ("progress",), "verbosity": ("progress",),
+    "nv": ("vertices",), "n_vertices": ("vertices",), "target": ("vertices",), "max_vertices": ("max_sites",),
+    "nbvx": ("max_sites",), "err": ("error",), "tensors": ("metric",), "field": ("values",), "u": ("values",),
+    "solution": ("values",), "refinement_func": ("metric",), "holes_points": ("holes",),
+    "vertices": ("points",), "nodes": ("points",), "coords": ("points",), "coordinates": ("points",),
+    "cells": ("triangles",), "faces": ("triangles",), "elements": ("triangles",), "simplices": ("triangles",),
+    "facets": ("segments", "edges"), "edges": ("segments",), "lines": ("segments", "edges"),
+    "segments": ("edges",), "tags": ("markers",), "labels": ("markers", "regions"), "references": ("markers",),
+    "filename": ("path",), "file": ("path",), "method": ("how",), "tolerance": ("chord", "chord_tolerance"),
+}
+
+
+class CallError(InputError, TypeError):
+    """An InputError, and a TypeError as Python itself raises it of such calls."""
+
+
+def meant(word: str, names: Iterable[str]) -> str:
+    """'; did you mean size?', or nothing where no name is near."""
+    near = difflib.get_close_matches(word, list(names), 1, 0.7)
+    return f"; did you mean {near[0]}?" if near else ""
+
+
+def _hint(word: str, known: List[str]) -> str:
+    for ours in _OTHER_NAMES.get(word, ()):
+        if ours in known:
+            return f"; here it is {ours}"
+    return meant(word, known) or "; there are " + ", ".join(known)
+
+
+def _why(name: str, signature: inspect.Signature, arguments: Tuple[Any, ...], more: Dict[str, Any]) -> str:
+    """What is wrong with a call, or nothing."""
+    known = [of for of in signature.parameters if of not in ("self", "cls")]
+    kinds = [of.kind for of in signature.parameters.values()]
+    if inspect.Parameter.VAR_KEYWORD not in kinds:
+        for word in more:
+            if word not in known:
+                return f"{name}(): there is no argument {word!r}{_hint(word, known)}"
+    placed = [of for of, kind in zip(signature.parameters, kinds) if kind is inspect.Parameter.POSITIONAL_OR_KEYWORD]
+    if len(arguments) > len(placed) and inspect.Parameter.VAR_POSITIONAL not in kinds:
+        first = [of for of in placed if of in known]
+        return (f"{name}(): {len(arguments) - len(placed) + len(first)} arguments without a name, and there are "
+                f"{len(first)}: {', '.join(first)}; the others go by name")
+    for of in placed[:len(arguments)]:
+        if of in more:
+            return f"{name}(): {of} is given twice, by its place and by its name"
+    for of in placed[len(arguments):]:
+        if of not in more and of in known and signature.parameters[of].default is inspect.Parameter.empty:
+            return f"{name}(): {of} is missing; {name}({', '.join(p for p in placed if p in known)}) wants it"
+    for of, kind in zip(signature.parameters, kinds):
+        if kind is inspect.Parameter.KEYWORD_ONLY and of not in more and \
+                signature.parameters[of].default is inspect.Parameter.empty:
+            return f"{name}(): {of} is missing"
+    return ""
+
+
+def told(function: Function) -> Function:
+    """The function, whose calls with wrong names or numbers of arguments raise CallError."""
+    signature = inspect.signature(function)
+    name = function.__qualname__.replace(".__init__", "")
+
+    @functools.wraps(function)
+    def call(*arguments: Any, **more: Any) -> Any:
+        try:
+            return function(*arguments, **more)
+        except TypeError as odd:
+            # One of the call itself was raised in this frame, and not in the function's.
+            at = odd.__traceback__
+            why = _why(name, signature, arguments, more) if at is not None and at.tb_next is None else ""
+            if not why:
+                raise
+        raise CallError(why)
+
+    return cast(Function, call)
+
+
+def told_methods(of: Type[Class]) -> Type[Class]:
+    """The class, whose public methods are told(); of one that a class of ours inherits, its own."""
+    for name, value in list(vars(of).items()):
+        if name.startswith("_") and name != "__init__":
+            continue
+        if isinstance(value, (classmethod, staticmethod)):
+            setattr(of, name, type(value)(told(value.__func__)))
+        elif inspect.isfunction(value):
+            setattr(of, name, told(value))
+    return of
+
+
+def warn(message: str, category: Type[Warning] = UserWarning) -> None:
+    """Warns at the line outside of this package that led here: each such line is told once."""
+    level = 2
+    frame = sys._getframe(1)
+    while frame.f_back is not None and os.path.abspath(frame.f_code.co_filename).startswith(_PACKAGE):
+        frame = frame.f_back
+        level += 1
+    warnings.warn(message, category, stacklevel=level)
