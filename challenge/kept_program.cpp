@@ -14,7 +14,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 #include <span>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
@@ -162,6 +165,17 @@ void keep_until_told(pid_t program, int orders, int reports, const sigset_t& asl
   ::_exit(end_all(program, reports) ? 0 : 1);
 }
 
+// Returns what to do about a program that cannot be run; empty if that is not known.
+std::string way_to_run(const std::string& program) {
+  std::error_code ignored;
+  const std::filesystem::path here = program;
+  if (std::filesystem::is_directory(here, ignored)) return "; it is a directory";
+  if (!std::filesystem::exists(here, ignored)) return "";
+  if (!here.has_parent_path()) return "; a file of this folder is called ./" + program;
+  return "; `chmod +x " + program +
+         "` lets it be run, and so does naming what runs it, as python3 " + program;
+}
+
 }  // namespace
 
 std::optional<error> kept_program::start(const std::vector<std::string>& command) {
@@ -181,7 +195,7 @@ std::optional<error> kept_program::start(const std::vector<std::string>& command
   pipes.reports.write.close();
   int why = 0;
   if (::read(pipes.failure.read.number(), &why, sizeof why) == static_cast<ssize_t>(sizeof why))
-    return error{name + " cannot be run: " + std::strerror(why)};
+    return error{name + " cannot be run: " + std::strerror(why) + way_to_run(command.front())};
   in.reset(pipes.in.write.release());
   out.reset(pipes.out.read.release());
   error_out.reset(pipes.error.read.release());

@@ -17,6 +17,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/proof/check_proof.hpp"
 #include "asterism/mesh/proof/check_tolerance.hpp"
 #include "asterism/mesh/proof/proof_reader.hpp"
@@ -67,7 +68,9 @@ std::optional<error> check_kind(const check_options& options) {
                      "'asterism convert MESH ASKED.mesh --metric METRIC' writes ASKED.sol",
                  error_code::bad_option};
   if (!has_ending(options.mesh.string(), ".mesh"))
-    return error{options.mesh.string() + ": only .mesh files can be checked yet",
+    return error{options.mesh.string() +
+                     ": only .mesh files can be checked; 'asterism convert' writes one of a mesh" +
+                     what_it_is(options.mesh.string()),
                  error_code::bad_option};
   return std::nullopt;
 }
@@ -76,7 +79,8 @@ result<std::string> bytes_of_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (!file.good() && !file.eof())
-    return error{path.string() + ": cannot be read", error_code::unreadable_file};
+    return error{path.string() + ": cannot be read; --proof of 'asterism mesh' writes a proof",
+                 error_code::unreadable_file};
   return bytes;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +25,7 @@
 #include "asterism/apps/options/second_order.hpp"
 #include "asterism/apps/run/held_signals.hpp"
 #include "asterism/apps/run/places.hpp"
+#include "asterism/apps/text/summary.hpp"
 #include "asterism/mesh/io/fields_of_mesh.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
@@ -116,9 +118,10 @@ result<places> places_of(const convert_job& job, passing_folder& folder) {
   const std::size_t wanted =
       (made.from_standard_input ? 1U : 0U) + (made.to_standard_output ? 1U : 0U);
   if (job.formats.size() != wanted)
-    return error{wanted == 0 ? std::string("--format: neither IN nor OUT is '-'")
-                             : "--format: one is wanted for each '-', and there are " +
-                                   std::to_string(job.formats.size()),
+    return error{wanted == 0
+                     ? std::string("--format: neither IN nor OUT is '-'")
+                     : "--format: one is wanted for each '-', as --format msh, and there are " +
+                           std::to_string(job.formats.size()),
                  error_code::bad_option};
   if (wanted == 0) return made;
   if (auto failed = folder.make()) return *failed;
@@ -268,6 +271,7 @@ std::optional<error> convert(const convert_job& job, const places& where,
 }
 
 int run_convert(const convert_job& job) {
+  const auto start = std::chrono::steady_clock::now();
   passing_folder folder;
   const auto fail = [&folder](const error& what, exit_status status) {
     return complain({folder.without_it(what.message), what.code}, status);
@@ -294,7 +298,11 @@ int run_convert(const convert_job& job) {
     return failed ? fail(*failed, not_reached) : done;
   }
   const auto written = write_files(made.files);
-  return written ? done : fail(written.failure(), not_reached);
+  if (!written) return fail(written.failure(), not_reached);
+  std::vector<fs::path> names;
+  for (const output_file& file : made.files) names.push_back(file.path);
+  if (!job.quiet) write_files_written(std::cout, names, start);
+  return done;
 }
 
 }  // namespace
@@ -329,7 +337,7 @@ void add_convert_command(CLI::App& program, command& chosen) {
       ->type_name("D")
       ->needs(repair);
   app->add_flag("--strict", job->strict, "Refuse what would be changed or left out, with a note");
-  app->add_flag("--quiet", job->quiet, "No notes");
+  app->add_flag("--quiet", job->quiet, "No notes, and no names of files");
   app->footer(convert_values() + "\n" + convert_examples);
   app->callback([job, &chosen] { chosen = [job] { return run_convert(*job); }; });
 }

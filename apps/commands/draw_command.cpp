@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "asterism/apps/options/option_values.hpp"
 #include "asterism/apps/run/held_signals.hpp"
 #include "asterism/apps/text/page_facts.hpp"
+#include "asterism/apps/text/summary.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/io/render_mesh.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
@@ -29,6 +32,7 @@ struct draw_options {
   fs::path certificate;  // of a page; default: NAME.certificate.json, if it is there
   std::string colours;   // what they tell; empty: nothing
   picture_options style;
+  bool has_style = false;  // width, dots or ellipses are wanted
 };
 
 constexpr const char* draw_examples =
@@ -96,6 +100,10 @@ std::optional<error> check(const draw_options& options, mesh_format format) {
                  ": a picture shows one mesh; a page, -o NAME.html, shows several"};
   if (is_page && !options.colours.empty())
     return error{"--colour-by: a page has all colours, to choose from"};
+  if (is_page && options.has_style)
+    return error{
+        "--width, --ellipses and --no-sites are of pictures, -o NAME.png; a page fits its window "
+        "and shows ellipses by a button"};
   if (!options.solutions.empty() && options.solutions.size() != options.things.size())
     return error{"--solution: there are " + std::to_string(options.solutions.size()) +
                  " of them, and " + std::to_string(options.things.size()) +
@@ -168,6 +176,7 @@ result<report_facts> facts_of_things(const draw_options& options,
 }
 
 int run_draw(const draw_options& options) {
+  const auto start = std::chrono::steady_clock::now();
   const auto format = picture_format(options.picture);
   if (!format) return complain(format.failure(), refused);
   if (const auto failed = check(options, format.value())) return complain(*failed, refused);
@@ -188,7 +197,9 @@ int run_draw(const draw_options& options) {
   if (!rendered) return complain(rendered.failure(), not_reached);
   const held_signals held;
   const auto written = internal::write_files(rendered.value());
-  return written ? done : complain(written.failure(), not_reached);
+  if (!written) return complain(written.failure(), not_reached);
+  write_files_written(std::cout, {options.picture}, start);
+  return done;
 }
 
 }  // namespace
@@ -220,7 +231,11 @@ void add_draw_command(CLI::App& program, command& chosen) {
       "In pixels, or points (default 1000)")
       ->type_name("N");
   app->footer(draw_examples);
-  app->callback([options, &chosen] { chosen = [options] { return run_draw(*options); }; });
+  app->callback([app, options, &chosen] {
+    for (const char* const name : {"--width", "--ellipses", "--no-sites"})
+      options->has_style = options->has_style || app->count(name) > 0;
+    chosen = [options] { return run_draw(*options); };
+  });
 }
 
 }  // namespace asterism::apps

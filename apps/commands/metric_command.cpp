@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -15,10 +16,12 @@
 #include "asterism/apps/run/held_signals.hpp"
 #include "asterism/apps/run/places.hpp"
 #include "asterism/apps/text/adaptation_json.hpp"
+#include "asterism/apps/text/summary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/claims/metric_series.hpp"
 #include "asterism/mesh/claims/metric_words.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
+#include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
 
@@ -40,7 +43,8 @@ constexpr const char* metric_examples =
 The steps, in this order: second derivatives of each field; the metric that is optimal in the L^P
 norm; fields intersected, sorted by name; a factor; --intersect; --step; --hmin, --hmax, --aspect;
 --gradation. The factor is found such that the outcome has the complexity wanted.
-OUT is a mesh with its metric in .sol beside it: `asterism mesh DOMAIN --metric OUT --size 1`.
+OUT is a mesh with its metric in .sol beside it, or the .sol alone:
+`asterism mesh DOMAIN --metric OUT --size 1`.
 
 Exit status: 0 done; 1 the target cannot be met, the nearest metric is written, and the reason told;
 2 bad usage or input, nothing is written.
@@ -63,12 +67,15 @@ std::vector<fs::path> outputs_of(const metric_job& job) {
   return all;
 }
 
+// True of an output that holds the metric without a mesh.
+bool is_alone(const fs::path& output) { return has_ending(output.string(), ".sol"); }
+
 // Returns the outputs with the files beside them.
 std::vector<fs::path> written_files(const metric_job& job) {
   std::vector<fs::path> all;
   for (const fs::path& output : outputs_of(job)) {
     all.push_back(output);
-    all.push_back(solution_path(output));
+    if (!is_alone(output)) all.push_back(solution_path(output));
   }
   return all;
 }
@@ -90,8 +97,9 @@ std::optional<error> take_series(metric_job& job) {
 }
 
 std::optional<error> check_files(const metric_job& job) {
-  if (!has_ending(job.output.string(), ".mesh"))
-    return error{job.output.string() + ": a metric is written as .mesh, with its .sol"};
+  if (!has_ending(job.output.string(), ".mesh") && !is_alone(job.output))
+    return error{job.output.string() +
+                 ": a metric is written as .mesh, with its .sol beside it, or as .sol alone"};
   std::vector<fs::path> read = files_of(job.request);
   read.insert(read.end(), job.series.begin(), job.series.end());
   const std::vector<fs::path> written = written_files(job);
@@ -118,6 +126,20 @@ result<metric_series> metrics_for(const metric_job& job) {
   return one;
 }
 
+// Writes the metric with its mesh, or alone. `note` says what was not reached.
+result<bool> write_metric(const fs::path& output, const mesh& made, const std::string& note) {
+  write_options options;
+  options.note = note;
+  if (!is_alone(output)) {
+    const auto written = write_mesh(output, made, options);
+    return written ? result<bool>(true) : written.failure();
+  }
+  std::string text = medit_solution_text(made);
+  if (!note.empty()) text.insert(text.find('\n') + 1, "# " + note + "\n");
+  const auto written = internal::write_files({{output, text}});
+  return written ? result<bool>(true) : written.failure();
+}
+
 void summarize(const metric_job& job, const metric_series& made) {
   std::cout << "metric: " << internal::text_of(made.report) << '\n';
   for (std::size_t k = 0; k < made.complexities.size(); ++k)
@@ -126,6 +148,7 @@ void summarize(const metric_job& job, const metric_series& made) {
 }
 
 int run_metric(metric_job job) {
+  const auto start = std::chrono::steady_clock::now();
   const thread_limit threads(job.threads);
   if (const auto failed = take_series(job)) return complain(*failed, refused);
   set_defaults(job.request);
@@ -134,19 +157,20 @@ int run_metric(metric_job job) {
   const auto made = metrics_for(job);
   if (!made) return complain(made.failure(), refused);
   const solution_metric_report& report = made.value().report;
-  write_options options;
-  if (!report.reached) options.note = "The target was not met: " + report.reason;
+  const std::string note = report.reached ? "" : "The target was not met: " + report.reason;
   const held_signals held;
   const std::vector<fs::path> outputs = outputs_of(job);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const auto written = write_mesh(outputs[k], made.value().windows[k], options);
+    const auto written = write_metric(outputs[k], made.value().windows[k], note);
     if (!written) return complain(written.failure(), not_reached);
   }
   if (job.json)
     std::cout << metric_json(report, report.reached ? done : not_reached, written_files(job),
                              made.value().complexities);
-  else if (!job.quiet)
+  else if (!job.quiet) {
     summarize(job, made.value());
+    write_files_written(std::cout, written_files(job), start);
+  }
   if (report.reached) return done;
   return complain({"not reached: " + report.reason}, not_reached);
 }

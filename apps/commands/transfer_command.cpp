@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 
+#include <chrono>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "asterism/apps/run/held_signals.hpp"
 #include "asterism/apps/run/places.hpp"
 #include "asterism/apps/text/adaptation_json.hpp"
+#include "asterism/apps/text/summary.hpp"
 #include "asterism/apps/text/transfer_text.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
@@ -76,6 +78,7 @@ solution with_rows(const solution& s, const std::vector<vertex_index>& left_out)
 }
 
 int run_transfer(const transfer_job& job) {
+  const auto start = std::chrono::steady_clock::now();
   const thread_limit threads(job.threads);
   if (const auto failed = check_files(job)) return complain(*failed, refused);
   const auto from = read_plain_mesh_file(job.from);
@@ -96,8 +99,10 @@ int run_transfer(const transfer_job& job) {
   if (!written) return complain(written.failure(), not_reached);
   if (job.json)
     std::cout << transfer_json(done_so.value().report, done, {job.output});
-  else if (!job.quiet)
+  else if (!job.quiet) {
     std::cout << text_of(done_so.value().report);
+    write_files_written(std::cout, {job.output}, start);
+  }
   return done;
 }
 

@@ -76,7 +76,7 @@ struct foreign_option {
 };
 
 // Names of options in other meshers, and the options here that mean the same.
-constexpr std::array<foreign_option, 40> foreign_options = {{
+constexpr std::array<foreign_option, 72> foreign_options = {{
     {"hmax", "--size", "the length of an edge of metric length 1"},
     {"hsiz", "--size", "the length of an edge of metric length 1"},
     {"clmax", "--size", "the length of an edge of metric length 1"},
@@ -118,7 +118,87 @@ constexpr std::array<foreign_option, 40> foreign_options = {{
     {"error", "--chord", "the greatest distance, of the surface from the mesh and back"},
     {"max", "--at-most", "the distance that is to be proved"},
     {"chord", "--at-most", "the distance that is to be proved"},
+    {"size", "--width", "of the picture, in pixels"},
+    {"resolution", "--width", "of the picture, in pixels"},
+    {"dpi", "--width", "of the picture, in pixels"},
+    {"color", "--colour-by", "what the colours tell"},
+    {"colour", "--colour-by", "what the colours tell"},
+    {"scalars", "--colour-by", "what the colours tell"},
+    {"field", "--colour-by", "what the colours tell: the name of a field, too"},
+    {"i", "-o", "the file to write; what is read is named without an option"},
+    {"in", "-o", "the file to write; what is read is named without an option"},
+    {"input", "-o", "the file to write; what is read is named without an option"},
+    {"domain", "-o", "the file to write; what is meshed is named without an option"},
+    {"memory", "--max-memory", "the memory that a run may take"},
+    {"timeout", "--max-seconds", "the time that a run may take"},
+    {"time-limit", "--max-seconds", "the time that a run may take"},
+    {"seconds", "--max-seconds", "the time that a run may take"},
+    {"cores", "--threads", "how many threads work"},
+    {"jobs", "--threads", "how many threads work"},
+    {"nproc", "--threads", "how many threads work"},
+    {"second-order", "--order", "2 for triangles with a node on each side"},
+    {"quality", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"quality", "--json", "all that is measured"},
+    {"quiet", "--json", "all that is found; `> /dev/null` hides words, and the exit status stays"},
+    {"fix", "--repair", "a mesh is made that can be certified"},
+    {"fix", "--repair-domain", "crossings and gaps of the domain are mended"},
+    {"heal", "--repair-domain", "crossings and gaps of the domain are mended"},
+    {"repair", "--repair-domain", "crossings and gaps of the domain are mended"},
+    {"repair-mesh", "--repair", "a mesh is made that can be certified"},
+    {"anisomax", "--aspect", "how many times as long as wide a triangle may be"},
+    {"ratio", "--aspect", "how many times as long as wide a triangle may be"},
+    {"nbv", "--vertices", "how many vertices are wanted"},
+    {"elements", "--vertices", "how many vertices are wanted; triangles are twice as many"},
+    {"bl", "--layers", "layers along the segments with a marker"},
 }};
+
+// Returns the first word that names an option which help does not show: messages about it have an
+// empty name.
+std::string hidden_option(const CLI::App& app, const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    for (const CLI::Option* option : app.get_options()) {
+      const auto& names = option->get_lnames();
+      const std::string name = word.substr(0, word.find('='));
+      if (option->get_group().empty() && !names.empty() && name == "--" + names.front())
+        return name;
+    }
+  return "";
+}
+
+// "; did you mean green?" where a message ends in the list of what there is: "magic not in {a,b}".
+std::string meant_value(const std::string& message) {
+  const std::string between = " not in {";
+  const std::size_t at = message.find(between);
+  const std::size_t begin = message.rfind(": ", at);
+  if (at == std::string::npos || begin == std::string::npos || message.back() != '}') return "";
+  std::vector<std::string> values;
+  std::string_view rest(message);
+  rest = rest.substr(at + between.size(), rest.size() - at - between.size() - 1);
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    values.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return meant(message.substr(begin + 2, at - begin - 2), values);
+}
+
+// Returns what the parser has against a value, in the words of the other messages.
+std::string plain_text(const CLI::App& app, const std::vector<std::string>& words,
+                       const CLI::ParseError& failure) {
+  std::string text = failure.what();
+  if (text.compare(0, 2, ": ") == 0) text = hidden_option(app, words) + text;
+  const std::string most = ": At Most 1 required but received ";
+  if (const std::size_t at = text.find(most); at != std::string::npos)
+    return text.substr(0, at) + ": is given " + text.substr(at + most.size()) +
+           " times, and can be given once";
+  const std::string one = ": 1 required ", end = " missing";
+  if (const std::size_t at = text.find(one);
+      at != std::string::npos && text.size() > end.size() &&
+      text.compare(text.size() - end.size(), end.size(), end) == 0)
+    return text.substr(0, text.size() - end.size()).replace(at, one.size(), ": there is no ") +
+           " behind it";
+  return text + meant_value(text);
+}
 
 // Returns, as the end of a message, the option here that an unknown one corresponds to; empty if
 // there is none known. Triangle and others write a value right behind the letter: -q30.
@@ -169,6 +249,20 @@ std::string shortest_use(const CLI::App& app) {
   return "usage: asterism " + app.get_name() + arguments + options + " ...";
 }
 
+// "; --repair-domain stands alone" where a flag has a value behind it that was not expected.
+std::string flag_with_value(const CLI::App& app, const std::vector<std::string>& words,
+                            const CLI::ParseError& failure) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr) return "";
+  const std::string text = std::string(failure.what()) + " ";
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const CLI::Option* const option = app.get_option_no_throw(words[i]);
+    const bool is_flag = option != nullptr && words[i][0] == '-' && option->get_expected_max() == 0;
+    if (is_flag && text.find(" " + words[i + 1] + " ") != std::string::npos)
+      return "; " + words[i] + " stands alone";
+  }
+  return "";
+}
+
 std::string no_such_option(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> known = options_of(app);
   const std::string hint = hint_for(word, known);
@@ -196,13 +290,15 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   // Looks for a required argument that may have been given under a wrong name.
   const bool may_be_name = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
                            dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
-  if (!may_be_name) return failure.what() + help;
-  if (unknown.empty()) return std::string(failure.what()) + "\n" + shortest_use(*app) + help;
+  if (!may_be_name) return plain_text(*app, words, failure) + help;
+  if (unknown.empty())
+    return failure.what() + flag_with_value(*app, words, failure) + "\n" + shortest_use(*app) +
+           help;
   return no_such_option(*app, unknown);
 }
 
 // Names of commands in other programs, and the commands here that do the same.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> foreign_commands = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 40> foreign_commands = {
     {{"plot", "draw"},
      {"view", "draw"},
      {"show", "draw"},
@@ -216,7 +312,33 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> foreign_
      {"optimize", "adapt"},
      {"interpolate", "transfer"},
      {"check-mesh", "certify"},
-     {"quality", "certify"}}};
+     {"quality", "certify"},
+     {"audit", "certify"},
+     {"repair", "certify MESH --repair"},
+     {"validate", "verify"},
+     {"prove", "mesh --proof FILE, and check"},
+     {"proof", "mesh --proof FILE, and check"},
+     {"pieces", "mesh --pieces K"},
+     {"split", "mesh --pieces K"},
+     {"partition", "mesh --pieces K"},
+     {"periodic", "mesh --periodic A,B"},
+     {"improve", "mesh --improve N"},
+     {"smooth", "mesh --improve N"},
+     {"adaptmesh", "adapt"},
+     {"hessian", "metric"},
+     {"project", "transfer"},
+     {"distance", "deviation"},
+     {"hausdorff", "deviation"},
+     {"export", "convert"},
+     {"import", "convert"},
+     {"stats", "info"},
+     {"inspect", "info"},
+     {"predicates", "eval"},
+     {"orientation", "eval"},
+     {"test", "challenge"},
+     {"version", "--version"},
+     {"usage", "--help"},
+     {"list", "--help"}}};
 
 // Suggests a command line for a first word that is no command: a domain, a file, or a command of
 // another program.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/options/solution_options.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "asterism/apps/base/other_names.hpp"
@@ -10,6 +13,7 @@
 #include "asterism/apps/options/size_options.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
+#include "asterism/mesh/metric/make_metric_field.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -187,8 +191,29 @@ std::optional<error> check_fields(const metric_request& request) {
 
 }  // namespace
 
+namespace {
+
+// Refuses the name or formula of a metric where a file of one is wanted.
+std::optional<error> check_metric(const metric_request& request) {
+  const std::string name = request.metric.substr(0, request.metric.find(':'));
+  const auto names = metric_names();
+  std::error_code ignored;
+  if (std::none_of(names.begin(), names.end(),
+                   [&name](const metric_name& known) { return known.name == name; }) ||
+      std::filesystem::exists(request.metric, ignored))
+    return std::nullopt;
+  return refuse(
+      "--metric: " + request.metric +
+      " is the name of a metric, which `asterism mesh` takes; here a file with one at the "
+      "vertices is wanted, and `asterism convert " +
+      request.mesh + " ASKED.mesh --metric '" + request.metric + "'` writes ASKED.sol");
+}
+
+}  // namespace
+
 std::optional<error> check_request(const metric_request& request) {
   if (auto failed = internal::check_sources(request)) return failed;
+  if (auto failed = check_metric(request)) return failed;
   if (auto failed = check_fields(request)) return failed;
   const solution_metric_options& w = request.wishes;
   if (!(w.least_size < w.greatest_size))

@@ -302,6 +302,8 @@ error with_way_out(const error& refusal, const fs::path& mesh) {
   if (!is_mesh_file(name)) return {refusal.message + what_it_is(name), refusal.code};
   const bool is_medit = has_ending(name, ".mesh") || has_ending(name, ".meshb");
   if (!is_medit || fs::exists(solution_path(mesh), ignored)) return refusal;
+  const auto plain = read_mesh_file(mesh, {.identity_without_solution = true});
+  if (!plain || plain.value().content.triangles.empty()) return refusal;
   return {refusal.message + "; `asterism certify " + name + "` judges a mesh without a metric",
           refusal.code};
 }

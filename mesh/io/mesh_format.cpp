@@ -2,6 +2,7 @@
 #include "asterism/mesh/io/mesh_format.hpp"
 
 #include <string>
+#include <system_error>
 
 #include "asterism/mesh/draw/picture.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
@@ -49,6 +50,11 @@ std::vector<fs::path> files_of_output(const fs::path& path) {
 
 result<mesh_format> check_output(const std::filesystem::path& path) {
   auto format = mesh_format_of(path);
+  std::error_code ignored;
+  if (!format.ok() && fs::is_directory(path, ignored))
+    return error{path.string() + ": is a directory; a file in it is wanted, as " +
+                     (path / "NAME.mesh").string(),
+                 error_code::bad_option};
   if (!format.ok()) return format;
   if (is_picture(format.value()))
     if (const auto missing = missing_for_pictures()) return missing->at(path.string());

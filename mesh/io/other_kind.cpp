@@ -2,6 +2,8 @@
 #include "asterism/mesh/io/other_kind.hpp"
 
 #include <array>
+#include <filesystem>
+#include <system_error>
 
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
@@ -36,6 +38,9 @@ constexpr std::array<known_kind, 8> other_kinds = {{{".obj", space_text},
 }  // namespace
 
 std::string what_it_is(std::string_view name) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(name, ignored))
+    return "; it is a directory, and a file is wanted";
   for (const known_kind& kind : other_kinds)
     if (has_ending(name, kind.ending)) return "; it " + std::string(kind.what);
   return internal::is_domain_name(name) ? "; it " + std::string(domain_text) : "";

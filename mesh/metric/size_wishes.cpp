@@ -139,7 +139,7 @@ std::optional<error> add_bound(double& bound, const range& allowed, std::string_
   return values.finish();
 }
 
-std::optional<error> add(size_wishes& all, std::string_view kind, std::string_view values) {
+std::optional<error> add_kind(size_wishes& all, std::string_view kind, std::string_view values) {
   if (kind == "hmin") return add_bound(all.least, lengths, values);
   if (kind == "hmax") return add_bound(all.greatest, lengths, values);
   if (kind == "aspect") return add_bound(all.aspect, aspects, values);
@@ -153,6 +153,22 @@ std::optional<error> add(size_wishes& all, std::string_view kind, std::string_vi
   if (kind == "near") return add_near(all, place, size);
   if (kind == "layers") return add_layers(all, place, size);
   return error{quoted_token(kind) + " is no kind of size", error_code::bad_option};
+}
+
+// Returns how a wish of a kind is written; empty where it is one number.
+std::string_view form_of(std::string_view kind) {
+  if (kind == "at") return "X,Y,R:H[,GROWTH]";
+  if (kind == "box") return "X0,Y0,X1,Y1:H[,GROWTH]";
+  if (kind == "in") return "REGION:H[,GROWTH]";
+  if (kind == "near") return "MARKER:H0[,GROWTH]";
+  return kind == "layers" ? "MARKER:H0,GROWTH[,N]" : "";
+}
+
+std::optional<error> add(size_wishes& all, std::string_view kind, std::string_view values) {
+  auto failed = add_kind(all, kind, values);
+  const std::string_view form = form_of(kind);
+  if (failed && !form.empty()) failed->message += "; " + std::string(form) + " is wanted";
+  return failed;
 }
 
 // Returns the numbers, separated by commas, with the digits that read back to the same doubles.

@@ -166,6 +166,22 @@ class MetricTest(AdaptationTest):
         self.refused("metric", "g.mesh", "--solution", "u.sol", "-o", "m.vtu",
                      sentence="is written as .mesh")
 
+    def test_a_metric_is_written_alone(self):
+        done = self.run_command("metric", "g.mesh", "--solution", "u.sol", "--vertices", "60", "-o", "n.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"written in [0-9.]+ seconds: n\.mesh, n\.sol")
+        done = self.run_command("metric", "g.mesh", "--solution", "u.sol", "--vertices", "60", "-o", "alone.sol")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"written in [0-9.]+ seconds: alone\.sol")
+        self.assertEqual((self.folder / "alone.sol").read_bytes(), (self.folder / "n.sol").read_bytes())
+        self.assertFalse((self.folder / "alone.mesh").exists())
+        done = self.run_command("metric", "g.mesh", "--implied", "--vertices", "100000", "--hmin", "0.5", "-o", "far.sol")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("\n# The target was not met: ", (self.folder / "far.sol").read_text())
+        (self.folder / "far.mesh").write_bytes((self.folder / "g.mesh").read_bytes())
+        done = self.run_command("info", "far.sol")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_numbers_that_are_none(self):
         self.write("nan.sol", (self.folder / "u.sol").read_text().replace("\nEnd", "\nEnd")
                    .replace(repr(front(*self.points[3])), "nan", 1))

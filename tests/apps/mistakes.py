@@ -10,6 +10,7 @@ import shlex
 import unittest
 
 import command
+import more_mistakes
 
 PART = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n"
 FILES = {
@@ -261,6 +262,7 @@ MISTAKES = [
     ("adapt a.mesh --solution u.sol --vertices 100 --error 0.1 -o x.mesh", "--error|--vertices"),
     ("adapt a.mesh --solution u.sol --vertices 100 --complexity 50 -o x.mesh", "--complexity|--vertices"),
 ]
+MISTAKES += more_mistakes.MISTAKES
 MOST_UNANSWERED = 0
 
 
@@ -277,10 +279,13 @@ class Mistakes(command.CommandTest):
         self.write("plain.mesh", text)
         count = command.section(text.split("\n"), "Vertices")[1]
         self.write("u.sol", f"{NO_MESH}SolAtVertices {count}\n1 1\n" + "0.5\n1.5\n" * (count // 2) + "1\n" * (count % 2) + "End\n")
+        self.write("nan.sol", f"{NO_MESH}SolAtVertices {count}\n1 1\n" + "nan\n" * count + "End\n")
+        self.write("key.mesh", text.replace("Triangles", "Trianglez"))
+        self.write("cut.mesh", text[:300])
         self.write("short.sol", f"{NO_MESH}SolAtVertices 3\n1 1\n1\n2\n3\nEnd\n")
 
     def test_each_is_told_what_to_do(self):
-        self.assertGreaterEqual(len(MISTAKES), 200)
+        self.assertGreaterEqual(len(MISTAKES), 295)
         self.assertEqual(len({line for line, _ in MISTAKES}), len(MISTAKES))
         self.prepare()
         before, wrong = self.files(), []
