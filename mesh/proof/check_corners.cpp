@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Point 3: no angle is below the bound, in the metric of any vertex of its triangle, but the
-// domain's own at corners that are sharper.
+// Point 3 of docs/math/proof-format.md: no angle is below the bound, in the metric of any vertex of
+// its triangle, except at corners of the domain that are sharper than the bound themselves.
 #include "asterism/mesh/proof/check_corners.hpp"
 
 #include <mpfr.h>
@@ -17,7 +17,8 @@
 namespace asterism::internal::proof_detail {
 namespace {
 
-// Bounds of the square of a cotangent, and a double with its error that holds both.
+// Bounds of the square of a cotangent, and a double with an error bound whose interval contains
+// both.
 struct cotangent_bounds {
   rational low, high;
   bounded between;
@@ -39,7 +40,7 @@ rational squared_cotangent(double degrees, mpfr_rnd_t away, mpfr_rnd_t towards) 
   return value;
 }
 
-// Both bounds are the number itself where that is rational.
+// Returns the bounds for an angle in degrees; they are equal where the square is rational.
 cotangent_bounds bounds_of(double degrees) {
   cotangent_bounds bounds;
   bounds.low = squared_cotangent(degrees, MPFR_RNDU, MPFR_RNDD);
@@ -85,7 +86,8 @@ class corner_check {
   }
 
  private:
-  // True if the angles of the triangle are at least the bound or exempt.
+  // True if each angle of the triangle is at least the bound, in each of the three metrics, or
+  // exempt.
   bool is_wide(std::uint32_t t) {
     for (const vertex_index p : all_.triangles[t])
       for (std::uint32_t i = 0; i < 3; ++i) {
@@ -126,8 +128,8 @@ class corner_check {
     });
   }
 
-  // True if the angle is at a vertex of the domain, between two segments in a row that are an angle
-  // below the bound, in the metric of that vertex and in the one that measures.
+  // True if the angle is at a vertex of the domain, between two successive segments whose angle is
+  // below the bound, both in the metric of that vertex and in the metric of p.
   bool is_exempt(std::uint32_t e, vertex_index p) {
     const vertex_index v = all_.corner(e);
     if (v >= given_) return false;
@@ -142,7 +144,7 @@ class corner_check {
     return true;
   }
 
-  // True if any angle is exempt and every inner edge is a segment.
+  // True if any angle is exempt and every inner edge is a segment: no vertex could be free.
   bool is_nothing_free() const {
     if (std::find(exempt_.begin(), exempt_.end(), 1) == exempt_.end()) return false;
     const std::size_t inner = 3 * all_.inner_count();
@@ -151,7 +153,8 @@ class corner_check {
     return true;
   }
 
-  // Returns how many exempt triangles have segments for all sides, one inside the domain.
+  // Returns the number of exempt triangles all of whose sides are segments, at least one of them
+  // inside the domain.
   std::size_t enclosed() const {
     std::size_t count = 0;
     const std::size_t inner = 3 * all_.inner_count();

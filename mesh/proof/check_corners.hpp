@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that a proof shows the angles to be large enough. Part of check_proof().
+// Checks that a proof shows every angle to be at least the bound. Part of check_proof().
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@
 
 namespace asterism::internal::proof_detail {
 
-// Point 3. Returns what is not shown.
+// Checks point 3 of docs/math/proof-format.md. Returns the first triangle that fails, as an error;
+// nothing if the point is shown.
 std::optional<error> check_corners(const plane& all, const proof_question& asked);
 
 }  // namespace asterism::internal::proof_detail

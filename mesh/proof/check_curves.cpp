@@ -15,7 +15,8 @@ namespace {
 
 using vertex_pair = std::pair<vertex_index, vertex_index>;
 
-// Follows the boundary from vertices of the domain to the next ones, and takes chains away.
+// Finds the chains of boundary edges between vertices of the domain, and removes those that are
+// assigned to a curve.
 class boundary_chains {
  public:
   boundary_chains(const plane& all, std::size_t given)
@@ -27,7 +28,7 @@ class boundary_chains {
     }
   }
 
-  // Returns the chains that begin at a vertex and are of no curve yet.
+  // Returns the chains that begin at a vertex and are not yet assigned to a curve.
   std::vector<std::vector<vertex_index>> from(vertex_index v) const {
     std::vector<std::vector<vertex_index>> found;
     for (const vertex_index beside : around_[v]) {
@@ -76,7 +77,8 @@ class boundary_chains {
   std::map<vertex_pair, int> marker_;  // of the edges that are of no curve yet
 };
 
-// Returns a chain along the curve, or nothing.
+// Returns a chain between the curve's ends, with its marker, that is within the distance `most` of
+// the curve; nothing if there is none.
 std::optional<std::vector<vertex_index>> chain_along(const boundary_chains& chains,
                                                      const domain_curve& curve,
                                                      const vertex_pair& ends, int marker,
@@ -89,8 +91,8 @@ std::optional<std::vector<vertex_index>> chain_along(const boundary_chains& chai
   return std::nullopt;
 }
 
-// Checks that theorem 7's condition on required vertices holds: they are vertices of the domain,
-// and all of these but for some on curves.
+// Checks the condition of theorem 7 on required vertices: all of them are vertices of the domain,
+// and every vertex of the domain that is on no curve is required.
 std::optional<error> check_required(const proof_question& asked, const std::vector<char>& on_curve,
                                     std::size_t given) {
   std::vector<char> required(given, 0);

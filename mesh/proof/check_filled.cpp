@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Points 0 to 2: the triangles of mesh and surroundings fill a rectangle (theorem 1), and those of
-// the mesh are the domain's.
+// Points 0 to 2 of docs/math/proof-format.md: the triangles of the mesh and of its surroundings
+// fill a rectangle (theorem 1), and those of the mesh fill the domain.
 #include "asterism/mesh/proof/check_filled.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ sign turn_at(const plane& all, vertex_index a, vertex_index b, vertex_index c) {
   return filtered_kernel().orientation(all.position(a), all.position(b), all.position(c));
 }
 
-// Returns the first triangle that is not counter-clockwise, or the number of all.
+// Returns the first triangle that is not counter-clockwise, or the number of all triangles.
 std::size_t first_turned(const plane& all) {
   const std::size_t count = all.triangles.size();
   std::vector<std::size_t> first(chunk_count(count, chunk), count);
@@ -58,8 +58,8 @@ bool has_all_vertices(const plane& all) {
   return std::find(used.begin(), used.end(), 0) == used.end();
 }
 
-// True if each edge listed is one of the mesh's, listed once, and all that the mesh has in common
-// with what is outside are among them.
+// True if each edge listed is an edge of the mesh, listed once, and all edges between the mesh and
+// its surroundings are listed.
 bool are_edges_listed(const plane& all) {
   std::vector<std::pair<vertex_index, vertex_index>> listed;
   for (const boundary_edge& e : all.subject.boundary) listed.push_back(std::minmax(e.a, e.b));
@@ -89,7 +89,7 @@ std::optional<error> check_filled(const plane& all) {
 
 namespace {
 
-// Numbers the parts that the segments cut the rectangle into, and returns the part of each
+// Numbers the parts into which the segments divide the rectangle, and returns the part of each
 // triangle.
 std::vector<std::size_t> parts_of(const plane& all) {
   const std::size_t count = all.triangles.size();
@@ -165,7 +165,7 @@ std::optional<error> check_faces(const plane& all, const domain* shape, const me
   return std::nullopt;
 }
 
-// Holds a part of the boundary from one vertex of the domain to the next.
+// A part of the boundary from one vertex of the domain to the next.
 struct boundary_chain {
   std::vector<vertex_index> vertices;
   std::optional<int> marker;
@@ -173,7 +173,8 @@ struct boundary_chain {
 
 using chain_map = std::map<std::pair<vertex_index, vertex_index>, boundary_chain>;
 
-// Follows the boundary from each vertex of the domain. Empty where it does not come to another.
+// Returns the chains of boundary edges from each vertex of the domain to the next one; nothing if a
+// chain does not end at a vertex of the domain.
 std::optional<chain_map> chains_of(const std::vector<boundary_edge>& edges, std::size_t sites,
                                    std::size_t given) {
   std::vector<std::vector<vertex_index>> around(sites);
@@ -201,8 +202,8 @@ std::optional<chain_map> chains_of(const std::vector<boundary_edge>& edges, std:
 
 bool is_between(double u, double a, double b) { return std::min(a, b) <= u && u <= std::max(a, b); }
 
-// Gives the chains that lie on a segment of the domain its marker. False where they do not lead
-// from its start to its end.
+// Assigns the marker of a segment of the domain to the chains that lie on it. False if these do not
+// lead from its start to its end.
 bool mark_chains(const plane& all, chain_map& chains, vertex_index a, vertex_index b, int marker) {
   vertex_index v = a;
   while (v != b) {
@@ -226,7 +227,8 @@ bool mark_chains(const plane& all, chain_map& chains, vertex_index a, vertex_ind
   return true;
 }
 
-// True if the chain advances along its segment, no farther from it than rounding explains.
+// True if every edge of the chain advances along its segment, and no vertex is farther from it than
+// rounding explains.
 bool is_straight(const plane& all, const std::vector<vertex_index>& along) {
   if (along.size() == 2) return true;
   const point &a = all.position(along.front()), &b = all.position(along.back());
@@ -246,7 +248,7 @@ bool is_straight(const plane& all, const std::vector<vertex_index>& along) {
   return true;
 }
 
-// Returns the vertices of the domain, each once, and of each vertex its number among these.
+// Returns the distinct vertices of the domain, and for each vertex its number among these.
 std::pair<std::vector<point>, std::vector<vertex_index>> distinct_vertices(const domain& shape) {
   std::map<std::pair<double, double>, vertex_index> known;
   std::pair<std::vector<point>, std::vector<vertex_index>> distinct;
@@ -259,7 +261,7 @@ std::pair<std::vector<point>, std::vector<vertex_index>> distinct_vertices(const
   return distinct;
 }
 
-// Returns the part of the boundary that has to be segments.
+// Returns the part of the boundary that must consist of segments.
 result<straight_part> straight_part_of(const plane& all, const proof_question& asked,
                                        const std::vector<vertex_index>& index, std::size_t given) {
   const mesh& subject = all.subject;

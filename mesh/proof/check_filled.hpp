@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that a proof shows the triangles to fill the domain. Part of check_proof().
+// Checks that a proof shows the triangles to fill the domain. Part of check_proof(). Both functions
+// return the first condition that fails, as an error; nothing if all are shown.
 #pragma once
 
 #include <optional>
@@ -12,11 +13,11 @@
 
 namespace asterism::internal::proof_detail {
 
-// Both return what is not shown.
-// Theorem 1: the triangles fill the rectangle, and the edges listed are the mesh's.
+// Checks theorem 1: the triangles fill the rectangle, and the edges listed are the
+// mesh's.
 std::optional<error> check_filled(const plane& all);
-// Point 2 against the domain: its vertices, its segments, its holes and regions; without one, that
-// triangles with no segment between them have one region.
+// Checks point 2 against the domain: its vertices, segments, holes and regions; without a domain,
+// that triangles with no segment between them have one region.
 std::optional<error> check_shape(const plane& all, const proof_question& asked,
                                  const mesh_proof& proof);
 

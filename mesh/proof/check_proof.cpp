@@ -46,8 +46,9 @@ std::optional<error> check_numbers(const mesh& subject, const mesh_proof& proof)
   return std::nullopt;
 }
 
-// Gives each question of a sequence the next witness of a list, and decides them in parallel.
-// Returns the first number whose witness does not do, or the number of all.
+// Assigns the witnesses of a list to the questions of a sequence in order, and decides them in
+// parallel. Returns the number of the first question whose witness fails, or the number of all
+// questions.
 template <class Witness, class Asked, class Holds>
 std::size_t first_failure(std::size_t count, const std::vector<Witness>& witnesses,
                           const Asked& is_asked, const Holds& holds) {
@@ -99,7 +100,7 @@ std::optional<error> check_kept(const plane& all, const mesh_proof& proof) {
   return failure(failed);
 }
 
-// Answers with the exceptions of a proof, which must be sorted.
+// Looks up the exceptions of a proof, which must be sorted, and checks them.
 class exception_list {
  public:
   exception_list(const plane& all, const std::vector<proof_exception>& exceptions)

@@ -13,8 +13,8 @@
 
 namespace asterism::internal {
 
-// Returns why the proof does not show that the mesh is what is asked (docs/math/proof-format.md);
-// nothing if it does.
+// Returns the first reason why the proof does not show that the mesh is as asked
+// (docs/math/proof-format.md); nothing if it does.
 std::optional<error> check_proof(const proof_question& asked, const mesh_proof& proof);
 
 }  // namespace asterism::internal

@@ -14,8 +14,8 @@ using namespace proof_detail;
 using integer =
     boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-// Returns a fraction that is at most exp(x), by less than 2^-100 of itself for x up to 2000: the
-// series of positive terms, each rounded down to 2^-192.
+// Returns a fraction that is at most exp(x), and less by at most 2^-100 of exp(x) for x up to 2000:
+// the sum of the series of positive terms, each rounded down to a multiple of 2^-192.
 rational exponential_below(const rational& x) {
   const integer top = numerator(x), bottom = denominator(x), one = integer(1) << 192;
   integer total = one, term = one;
@@ -26,8 +26,8 @@ rational exponential_below(const rational& x) {
   return rational(total, one);
 }
 
-// True if no length is more than the root of `factor` times as great for `b` as for `a`: the
-// tensor factor a - b is nowhere negative.
+// True if no length in `b` exceeds the root of `factor` times the length in `a`: the tensor factor
+// a - b is positive semidefinite.
 bool is_within(const tensor<rational>& a, const tensor<rational>& b, const rational& factor) {
   const rational m11 = factor * a.m11 - b.m11, m12 = factor * a.m12 - b.m12,
                  m22 = factor * a.m22 - b.m22;
@@ -39,7 +39,7 @@ bool is_within(const tensor<rational>& a, const tensor<rational>& b, const ratio
 std::optional<error> check_tolerance(const mesh& delivered, const mesh& wanted, double tolerance) {
   if (delivered.sites.size() != wanted.sites.size())
     return not_shown("the metric asked for is of another number of vertices");
-  // Beyond exp(2000) no two tensors of doubles are apart.
+  // No two tensors of doubles differ by more than a factor of exp(2000).
   const rational factor = exponential_below(rational(2 * std::min(tolerance, 1000.0)));
   for (std::size_t v = 0; v < delivered.sites.size(); ++v) {
     const metric_tensor &own = delivered.sites[v].metric, &asked = wanted.sites[v].metric;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides whether the tensors in which a mesh is proved are near enough to those asked for.
+// Decides whether the tensors in which a mesh is proved differ from those asked for by a tolerance
+// or less.
 #pragma once
 
 #include <optional>
@@ -10,10 +11,10 @@
 
 namespace asterism::internal {
 
-// Returns which vertex has a tensor in `delivered` that finds some length more than exp(tolerance)
-// times as long, or as short, as its tensor in `wanted` does; nothing if none has. Decided in
-// rationals, of which one stands for exp(tolerance)^2 from below. Tensors must be definite and
-// `tolerance` not negative.
+// Returns, as an error, the first vertex whose tensor in `delivered` measures some length more than
+// exp(tolerance) times as long, or as short, as its tensor in `wanted`; nothing if there is none.
+// Decided in rationals, with a rational lower bound in place of exp(tolerance)^2. Tensors must be
+// definite and `tolerance` not negative.
 std::optional<error> check_tolerance(const mesh& delivered, const mesh& wanted, double tolerance);
 
 }  // namespace asterism::internal

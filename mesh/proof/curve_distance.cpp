@@ -11,15 +11,15 @@ using integer =
     boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using rational_point = vector2<rational>;
 
-// Rounds roots to multiples of 2^-200, outward.
+// Square roots are rounded to multiples of 2^-200, outward.
 constexpr unsigned root_bits = 200;
-// Count the places of a cubic that are looked at for each vertex, and how often the step is halved
-// then. Both steer: a poor place makes the distance larger.
+// Number of places of a cubic that are tried for each vertex, and number of times that the step is
+// halved from there. Neither affects validity: a poor place only makes the bound larger.
 constexpr int samples = 1024, most_steps = 60;
 
 rational_point exact(const point& p) { return {rational(p.x), rational(p.y)}; }
 
-// Returns a fraction at most the root of x, by less than 2^-200.
+// Returns a fraction that is at most the root of x, and less by at most 2^-200.
 rational root_below(const rational& x) {
   const integer fine = integer(1) << root_bits;
   const integer whole = numerator(x) * fine * fine / denominator(x);
@@ -40,9 +40,9 @@ rational squared_distance(const rational_point& p, const rational_point& from,
   return off * off / length;
 }
 
-// Bounds the distance by theorem 7: each chord turns around the centre by less than half a turn,
-// none but the first leaves the direction of the start or comes to it again, but the last of a
-// circle.
+// Bounds the distance by theorem 7. Returns nothing unless each chord turns around the centre by
+// less than half a turn and the chords together by no more than one turn, which only those of a
+// whole circle complete.
 std::optional<rational> distance_of_arc(const domain_curve& curve,
                                         const std::vector<point>& chords) {
   const rational_point centre = exact(curve.centre);
@@ -70,7 +70,7 @@ class cubic {
       : plain_{from, curve.control[0], curve.control[1], to},
         exact_{exact(from), exact(curve.control[0]), exact(curve.control[1]), exact(to)} {}
 
-  // Returns the parameter above `after` of about the point nearest to another.
+  // Returns the parameter above `after` of a point of the curve about nearest to `to`.
   double look_for(const point& to, double after) const {
     double best = 1, least = -1;
     for (int k = 1; k < samples; ++k) {
@@ -88,7 +88,8 @@ class cubic {
     return best;
   }
 
-  // Bounds the distances of the piece between two parameters and a chord from each other.
+  // Bounds the distance between a chord and the piece of the curve between two parameters, in both
+  // directions.
   std::optional<rational> distance_of_piece(const rational& s, const rational& t,
                                             const rational_point& from,
                                             const rational_point& to) const {
@@ -129,7 +130,7 @@ class cubic {
     best = t;
     least = square;
   }
-  // Returns the polar form, affine in each of the parameters.
+  // Returns the value of the curve's polar form (blossom), which is affine in each parameter.
   rational_point blossom(const rational& u, const rational& v, const rational& w) const {
     std::array<rational_point, 4> p = exact_;
     std::size_t count = 4;
@@ -144,7 +145,8 @@ class cubic {
   std::array<rational_point, 4> exact_;
 };
 
-// Bounds the distance by theorem 7: the parameters of the vertices increase from 0 to 1.
+// Bounds the distance by theorem 7. Returns nothing unless the parameters of the vertices increase
+// from 0 to 1.
 std::optional<rational> distance_of_cubic(const domain_curve& curve,
                                           const std::vector<point>& chords) {
   const cubic whole(curve, chords.front(), chords.back());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds how far a curve is from chords along it, in rationals. The same theorem as the auditor's
-// (docs/math/curves.md), by code of its own.
+// Bounds the distance of a curve from the chords along it, in rationals: by the theorem that the
+// auditor uses (docs/math/curves.md), in independent code.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,10 @@
 
 namespace asterism::internal::proof_detail {
 
-// Returns a bound of the distances of the curve and of the polygon through the points from each
-// other; nothing where the polygon does not lead along the curve. The first and the last point are
-// the curve's ends. Places on cubics are looked for in doubles, which decide nothing.
+// Returns a bound of the distance between the curve and the polygon through the points, in both
+// directions; nothing if the polygon does not lead along the curve. The first and the last point
+// are the curve's ends. Places on cubics are searched in doubles, which affect the size of the
+// bound, not its validity.
 std::optional<rational> distance_from_chords(const domain_curve& curve,
                                              const std::vector<point>& chords);
 

@@ -18,8 +18,9 @@ struct sweep_edge {
   bool has_domain_above = false;
 };
 
-// The vertices, from the lower edge to the latest and from the upper edge to the latest, between
-// which and the sweep line there is no triangle yet.
+// A chain of vertices between two edges that the sweep line crosses, to the right of which there
+// are no triangles yet. Both parts end with the latest vertex; `lower` begins at the lower edge,
+// `upper` at the upper one.
 struct open_chain {
   std::vector<vertex_index> lower, upper;  // both end with the latest; both empty at the beginning
 };
@@ -49,7 +50,7 @@ class sweep {
     // True if e is below f; both cross the sweep line.
     bool operator()(const sweep_edge& e, const sweep_edge& f) const { return in->is_below(e, f); }
   };
-  // By edge what is above it: a chain outside, none in the domain.
+  // Maps each edge to the chain above it, which is empty if the domain is above.
   using status = std::map<sweep_edge, std::optional<open_chain>, above>;
 
   std::size_t size() const { return mesh_.sites.size() + corners_.size(); }
@@ -104,13 +105,13 @@ class sweep {
     return order;
   }
 
-  // Takes back the vertices at the end of a chain that v sees beyond, with a triangle for each edge
-  // between two, and ends the chain with v.
+  // Makes a triangle of v and each edge at the end of the chain that v sees, removes the vertices
+  // between these edges, and appends v.
   void advance(std::vector<vertex_index>& chain, vertex_index v, bool is_lower) {
     while (chain.size() > 1) {
       const vertex_index last = chain.back(), next = chain[chain.size() - 2];
-      // The lower part has the free side on the right of next -> last -> ..., the upper on the
-      // left.
+      // The triangles lie right of next -> last -> ... for the lower part, left of it for the
+      // upper.
       if (turn(next, last, v) != (is_lower ? sign::negative : sign::positive)) break;
       triangles_.push_back(is_lower ? triangle{last, next, v} : triangle{next, last, v});
       chain.pop_back();
@@ -124,11 +125,11 @@ class sweep {
     advance(chain.upper, v, false);
   }
 
-  // Moves the sweep line over v. False where it does not fit.
+  // Moves the sweep line over v. False if the edges at v do not fit the status.
   bool pass(vertex_index v) {
     std::optional<open_chain>* below = find_below(v);
     if (below == nullptr) return false;
-    // What stays of the chain below v, and of the one above.
+    // The part of the chain below v that remains, and of the chain above v.
     std::optional<std::vector<vertex_index>> lower, upper;
     if (*below) {
       advance(**below, v);
@@ -148,7 +149,8 @@ class sweep {
     return begin(v, *below, std::move(lower), std::move(upper));
   }
 
-  // Puts into the status what begins at v: what is below its edges, between and above them.
+  // Inserts the edges that begin at v, with the chains between them, and ends the chains below and
+  // above them at v. False if the sides of the domain contradict.
   bool begin(vertex_index v, std::optional<open_chain>& below,
              std::optional<std::vector<vertex_index>> lower,
              std::optional<std::vector<vertex_index>> upper) {
@@ -170,14 +172,15 @@ class sweep {
     return true;
   }
 
-  // Returns what is above the highest edge below v that does not end there; null if v is on one.
+  // Returns the chain above the highest edge that is below v and does not end there; null if an
+  // edge that ends at v is not in the status.
   std::optional<open_chain>* find_below(vertex_index v) {
     if (!arriving_[v].empty()) {
       const auto first = status_.find(arriving_[v].front());
       if (first == status_.end()) return nullptr;
       return first == status_.begin() ? &bottom_ : &std::prev(first)->second;
     }
-    // Compares as an edge of no length does.
+    // An edge of length zero compares as its point does.
     const auto next = status_.lower_bound(sweep_edge{v, v, false});
     return next == status_.begin() ? &bottom_ : &std::prev(next)->second;
   }

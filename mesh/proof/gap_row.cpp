@@ -7,8 +7,8 @@
 namespace asterism::internal::proof_detail {
 namespace {
 
-// True if the points are where a row's are, and in order: whole numbers tell that, since the rays
-// to x and y turn counter-clockwise.
+// True if the points are on the rays and between them, counter-clockwise: decided in integers,
+// since y is to the left of x.
 bool is_in_order(const gap_row& row) {
   const auto& p = row.points;
   if (p.size() < 2 || p.size() > most_points || row.turn >= p.size()) return false;
@@ -22,7 +22,7 @@ bool is_in_order(const gap_row& row) {
 
 bool are_on_one_ray(const grid_point& p, const grid_point& q) { return p.a * q.b == p.b * q.a; }
 
-// Calls condition(region) for as few points as there are.
+// Decides condition(region), in memory for three points if the row has no more.
 template <class Condition>
 bool decide_of(const gap_sites& g, const gap_row& row, const Condition& condition) {
   return decide([&](auto zero) -> uncertain_bool {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Decides what rows of points around a gap of a star show: a row spans a region that holds every
-// point for which the gap could accept a site (docs/math/proof-format.md, lemma 2 and theorem 3).
+// Decides the conditions on rows of points around a gap of a star: a row spans a region that
+// contains every point for which the gap could accept a site (docs/math/proof-format.md, lemma 2
+// and theorem 3).
 #pragma once
 
 #include <optional>
@@ -23,23 +24,23 @@ struct gap_sites {
 
 inline grid_point as_grid_point(const proof_point& p) { return {p[0], p[1]}; }
 
-// Points from the ray to x to the ray to y; the segments between them are behind x up to the point
-// at `turn`, and behind y from there on.
+// Points in order from the ray to x to the ray to y. The segments between them are no nearer to v
+// than to x up to the point at `turn`, and no nearer to v than to y from there on.
 struct gap_row {
   std::span<const grid_point> points;
   std::size_t turn = 0;
 };
 
-// True if the row starts on the ray to x and ends on that to y, no point is at v or to the right of
-// the one before, and the segments are behind what they are to be.
+// True if the row starts on the ray to x and ends on the ray to y, no point is at v or to the right
+// of the one before, and its segments are no nearer to v than to x before `turn`, or to y after it.
 bool is_sound(const gap_sites& g, const gap_row& row);
-// True if all of its points are within the radius of v, as v measures, and the first and the last
-// within it of x and y, as these measure.
+// True if all points are within the radius of v in v's metric, and the first and the last point
+// within it of x and y in the metrics of these.
 bool is_within(const gap_sites& g, const gap_row& row, double squared_radius);
-// Returns an upper bound of the square of the least such radius.
+// Returns an upper bound of the square of the least radius for which is_within() holds.
 double squared_reach(const gap_sites& g, const gap_row& row);
-// True if the region of a sound row is farther from w than from v, and so is what else there is of
-// the edges from x and y: the gap refuses w.
+// True if w is farther than v from the region of a sound row, and farther than x and y from the
+// rest of the edges to them: then the gap refuses w.
 bool refuses(const gap_sites& g, const gap_row& row, const site& w);
 
 // The rows of the gaps of a mesh, by number.
@@ -48,12 +49,12 @@ class gap_rows {
   explicit gap_rows(std::size_t gaps) : plain_(gaps) {}
 
   void set(std::uint32_t gap, const proof_gap& row) { plain_[gap] = row; }
-  // Takes a row of more points: then the gap's three are zeros.
+  // Sets a row of any number of points; plain(gap) is then zero.
   void set(std::uint32_t gap, const proof_exception& row);
   std::size_t size() const { return plain_.size(); }
   const proof_gap& plain(std::uint32_t gap) const { return plain_[gap]; }
 
-  // Returns visit(row).
+  // Returns visit(row) for the row of the gap.
   template <class Visit>
   auto with(std::uint32_t gap, const Visit& visit) const {
     const proof_gap& p = plain_[gap];

@@ -26,8 +26,8 @@ error no_proof(const std::string& of) {
 
 std::string number_of(std::size_t index) { return std::to_string(index + 1); }
 
-// Sets corners so far out that the balls of sites near the boundary do not meet the rim: a box of
-// thrice the size.
+// Sets the corners to those of a box three times the mesh's size, so that the balls of sites near
+// the boundary do not meet its border.
 void choose_rectangle(const mesh& subject, mesh_proof& proof) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   point low{infinity, infinity}, high{-infinity, -infinity};
@@ -40,7 +40,8 @@ void choose_rectangle(const mesh& subject, mesh_proof& proof) {
   proof.high = {high.x + margin, high.y + margin};
 }
 
-// Finds of each of the questions `is_asked` a point, in parallel; tells which has none.
+// Finds a point for each question for which `is_asked`, in parallel. Returns the first question for
+// which none is found.
 template <class Asked, class Find, class Points>
 std::optional<std::uint32_t> find_points(std::size_t count, const Asked& is_asked, const Find& find,
                                          Points& points) {
@@ -85,7 +86,8 @@ std::optional<error> add_edges(const plane& all, mesh_proof& proof) {
   return std::nullopt;
 }
 
-// Finds the rows of all gaps. Those of more than three points are among the exceptions.
+// Finds the rows of all gaps, and adds those of more than three points to the exceptions. Returns
+// the first gap for which none is found.
 std::optional<std::uint32_t> find_rows(const plane& all, gap_rows& rows, mesh_proof& proof) {
   std::vector<proof_gap> plain(rows.size());
   std::mutex adding;
@@ -108,7 +110,7 @@ std::optional<std::uint32_t> find_rows(const plane& all, gap_rows& rows, mesh_pr
   return missing;
 }
 
-// Returns the square of the radius that all gaps do with, rounded up.
+// Returns the square of the least radius within which all rows are, rounded up.
 double squared_radius_of(const plane& all, const gap_rows& rows) {
   double greatest = 0;
   for (std::uint32_t gap = 0; gap < rows.size(); ++gap)
@@ -119,7 +121,7 @@ double squared_radius_of(const plane& all, const gap_rows& rows) {
   return greatest * (1 + 0x1p-40);
 }
 
-// Puts exceptions in order, each once: those of one gap and site are the same.
+// Sorts exceptions and removes repeated ones: those of the same gap and site are equal.
 void put_in_order(std::vector<proof_exception>& exceptions) {
   const auto key = [](const proof_exception& e) { return std::pair(e.site, e.gap); };
   std::sort(exceptions.begin(), exceptions.end(),
@@ -151,7 +153,8 @@ std::optional<error> add_gaps(const plane& all, mesh_proof& proof) {
   return std::nullopt;
 }
 
-// Returns the first triangle from `begin` on that the point is in or on; or their number.
+// Returns the first triangle from `begin` to before `end` that contains the point, also on an edge;
+// the number of all triangles if none does.
 std::uint32_t triangle_around(const plane& all, const point& p, std::size_t begin,
                               std::size_t end) {
   const filtered_kernel kernel;

@@ -11,9 +11,9 @@
 
 namespace asterism::internal {
 
-// Returns the witnesses of a mesh that the auditor certified, for the points at which the domain
-// has holes and regions, if it is known. Fails where no witness of a kind that a proof can have is
-// found: the message says of what; the mesh is none the worse for it.
+// Returns the witnesses of a mesh that the auditor certified, and, if the domain is given, of its
+// hole and region points. Fails if no witness of a kind that the format has is found; the message
+// names the edge or gap. The mesh remains certified in that case.
 result<mesh_proof> make_proof(const mesh& subject, const domain* shape = nullptr);
 
 }  // namespace asterism::internal

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds a proof that a mesh is what it claims to be: the witnesses that a checker needs to see it
-// without any search. docs/math/proof-format.md states what follows from a proof that is accepted.
+// Data of a proof that a mesh satisfies its claims: the witnesses with which a checker decides it
+// without any search. docs/math/proof-format.md states what an accepted proof implies.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace asterism::internal {
 // A point beside an edge or in a gap of a star, in steps of 2^-26 of two edges from a vertex.
 using proof_point = std::array<std::int32_t, 2>;
 
-// The reason why a gap refuses a site that its own row does not show to be refused.
+// The reason why a gap refuses a site, where the gap's own row does not show it.
 struct proof_exception {
   enum class reason : std::uint8_t {
     by_gap = 0,   // a fan of points from the centre of the gap's star
@@ -30,11 +30,12 @@ struct proof_exception {
   vertex_index site = 0;
   reason why = reason::by_gap;
   std::uint8_t turn = 0;  // the point up to which all are behind the first neighbour
-  // From the ray to the first neighbour to that of the last; of a hidden site, the segment's ends.
+  // Points from the ray to the first neighbour to the ray to the last; for a hidden site, one pair
+  // of numbers: the segment's ends.
   std::vector<proof_point> points;
 };
 
-// What the region of a gap from x to y is spanned by, in such steps of the two edges: a point on
+// Points that span the region of a gap from x to y, in steps of 2^-26 of the two edges: a point on
 // the ray to x, one between, and one on the ray to y.
 struct proof_gap {
   std::int32_t on_x = 0;
@@ -45,11 +46,11 @@ struct proof_gap {
 struct mesh_proof {
   // Corners of a rectangle around the mesh: the lower left and the upper right one.
   point low{0, 0}, high{0, 0};
-  // Triangles between the mesh and the rectangle. The corners follow the vertices,
+  // Triangles between the mesh and the rectangle. Its corners are numbered after the vertices,
   // counter-clockwise from the lower left one.
   std::vector<triangle> outside;
-  // For each hole point, then each region point of the domain, a triangle that it is in: those of
-  // the mesh come first.
+  // For each hole point, then each region point of the domain, a triangle that contains it. The
+  // triangles of the mesh are numbered first, those outside after them.
   std::vector<std::uint32_t> places;
   std::vector<proof_point> edges;  // of the inner edges that are asked about, in their order
   std::vector<proof_gap> gaps;     // of the gaps that are asked about, in their order

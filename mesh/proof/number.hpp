@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Names the two arithmetics in which the conditions of a proof are decided: doubles that carry a
-// bound of their error, and rationals where these do not know.
+// The two arithmetics in which the conditions of a proof are decided: doubles with a bound of their
+// error, and rationals where that bound leaves the sign open.
 #pragma once
 
 #include <boost/multiprecision/gmp.hpp>
@@ -21,11 +21,12 @@ inline uncertain_bool exceeds_zero(const bounded& a) {
   return {};
 }
 inline uncertain_bool exceeds_zero(const rational& a) { return a > 0; }
-// Differs from `exceeds_zero` for what is exactly zero alone.
+// Differs from `exceeds_zero` only for a value that is exactly zero.
 inline uncertain_bool reaches_zero(const bounded& a) { return exceeds_zero(a); }
 inline uncertain_bool reaches_zero(const rational& a) { return a >= 0; }
 
-// Returns the answer of `condition`, which is called with a zero of the arithmetic to use.
+// Returns the answer of `condition`, which is called with a zero of the arithmetic to use: doubles
+// first, rationals if these leave it open.
 template <class Condition>
 bool decide(const Condition& condition) {
   const uncertain_bool quick = condition(bounded(0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds a mesh and the triangles around it as one triangulation of a rectangle, in which the stars
-// of the mesh are walked over.
+// A mesh and the triangles around it as one triangulation of a rectangle, through which the stars
+// of the mesh are traversed.
 #pragma once
 
 #include <array>
@@ -37,8 +37,8 @@ struct plane {
   static std::uint32_t previous(std::uint32_t edge) { return edge % 3 == 0 ? edge + 2 : edge - 1; }
 };
 
-// Joins the triangles. Indices must be in range. An edge that two triangles have in one direction
-// is joined with none.
+// Joins the triangles. Indices must be in range. An edge that two triangles have in the same
+// direction is joined to none.
 plane make_plane(const mesh& subject, const std::array<point, 4>& corners,
                  const std::vector<triangle>& outside);
 

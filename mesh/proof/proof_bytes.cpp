@@ -8,7 +8,7 @@
 namespace asterism::internal {
 namespace {
 
-// Gathers numbers, least byte first, and hands them on in pieces.
+// Collects numbers as bytes, least byte first, and passes them on in blocks.
 class byte_stream {
  public:
   explicit byte_stream(const std::function<void(std::string_view)>& put) : put_(put) {}

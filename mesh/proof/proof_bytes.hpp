@@ -10,7 +10,7 @@
 
 namespace asterism::internal {
 
-// Gives the bytes of a proof of the mesh to `put`, piece by piece.
+// Passes the bytes of a proof of the mesh to `put`, block by block.
 void write_proof(const mesh& subject, const mesh_proof& proof,
                  const std::function<void(std::string_view)>& put);
 

@@ -9,7 +9,7 @@
 namespace asterism::internal {
 namespace {
 
-// Takes numbers from bytes, least byte first. What is beyond the end is 0, and noted.
+// Reads numbers from bytes, least byte first. Beyond the end it returns 0, and is_short() is true.
 class byte_reader {
  public:
   explicit byte_reader(std::string_view bytes) : bytes_(bytes) {}
@@ -36,7 +36,7 @@ class byte_reader {
     const std::int32_t a = signed_number();
     return {a, signed_number()};
   }
-  // True if so many rows of this size are not beyond the end.
+  // True if so many rows of so many bytes each are left.
   bool holds(std::size_t rows, std::size_t size) const {
     return rows <= (bytes_.size() - at_) / size;
   }

@@ -10,8 +10,8 @@
 
 namespace asterism::internal {
 
-// Returns the proof that these bytes hold, its exceptions in order. Fails where they hold none, or
-// one of a mesh with other numbers of vertices and triangles.
+// Returns the proof in these bytes, with its exceptions sorted. Fails if they are no proof, or one
+// of a mesh with other numbers of vertices or triangles.
 result<mesh_proof> read_proof(std::string_view bytes, const mesh& subject);
 
 }  // namespace asterism::internal

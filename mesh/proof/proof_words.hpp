@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Words what a proof does not show.
+// Makes the error messages of the checks of a proof.
 #pragma once
 
 #include <cstddef>

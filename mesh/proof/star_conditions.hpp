@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// States the conditions under which a witness shows that a star keeps a neighbour, or refuses
-// another site. docs/math/proof-format.md states and proves what each of them implies.
+// The conditions under which a witness shows that a star keeps a neighbour, or refuses another
+// site. docs/math/proof-format.md states and proves what each of them implies.
 //
-// Notation: f_s(p) is the square of the distance from the site s to p, as s measures; a gap of the
-// star of v runs from its neighbour x counter-clockwise to y. A witness is given in steps of 2^-26
-// of two edges, so that every condition is a polynomial in the doubles of the mesh.
+// Notation: f_s(p) is the square of the distance from the site s to p in the metric of s; a gap of
+// the star of v runs from its neighbour x counter-clockwise to y. A witness is given in steps of
+// 2^-26 of two edges, so that every condition is a polynomial in the doubles of the mesh.
 #pragma once
 
 #include <array>
@@ -32,13 +32,14 @@ vector2<Number> place(const grid_point& q, const vector2<Number>& x, const vecto
          Number(static_cast<double>(q.b) * grid_step) * y;
 }
 
-// Holds the points that a gap's region is spanned by, from one on the ray to x counter-clockwise to
-// one on the ray to y, as offsets from v; and what v, x and y measure there.
+// The points that span a gap's region, from one on the ray to x counter-clockwise to one on the ray
+// to y, as offsets from v; and their squared distances in the metrics of v, x and y.
 template <class Number, std::size_t Capacity>
 struct gap_region {
   std::size_t count = 0;
   std::array<vector2<Number>, Capacity> at;
-  // The square of the distance of a point from v, and v's product of it and the one before.
+  // For each point p: its squared distance from v, and the scalar product of p and the point
+  // before, both in v's metric.
   std::array<Number, Capacity> own, before;
   Number on_x, on_y;  // squares of the distances from x and y to the first point and the last
   vector2<Number> x, y;
@@ -63,9 +64,9 @@ gap_region<Number, Capacity> make_region(const site& v, const site& x, const sit
   return r;
 }
 
-// True if all of the segment from the point i of a region to the next is at least as near to z, at
-// this offset, as to v, and within a right angle of z: then each ray from v meets their bisector up
-// to there (lemma 2).
+// True if every point of the segment from the point i of a region to the next is no nearer to v
+// than to z, which is at this offset, and within a right angle of z: then each ray from v meets the
+// bisector of v and z no later than the segment (lemma 2).
 template <class Number, std::size_t Capacity>
 uncertain_bool is_behind(const gap_region<Number, Capacity>& r, std::size_t i,
                          const vector2<Number>& to_z, const site& v, const site& z) {
@@ -79,8 +80,9 @@ uncertain_bool is_behind(const gap_region<Number, Capacity>& r, std::size_t i,
          (reaches_zero(between) | reaches_zero(at_p * at_q - between * between));
 }
 
-// True if w is farther than v from all of the region, and from what is left of both edges farther
-// than x or y: all coefficients of the differences in Bernstein's basis are positive (theorem 3).
+// True if w is farther than v from every point of the region, and farther than x or y from the rest
+// of the edges to these: all coefficients of the differences in the Bernstein basis are positive
+// (theorem 3).
 template <class Number, std::size_t Capacity>
 uncertain_bool is_refused(const gap_region<Number, Capacity>& r, const site& v, const site& w) {
   const tensor<Number> metric(w.metric);
@@ -102,12 +104,12 @@ uncertain_bool is_refused(const gap_region<Number, Capacity>& r, const site& v, 
   return refused & beyond(0, r.x, r.on_x) & beyond(r.count - 1, r.y, r.on_y);
 }
 
-// Holds the four sites of an inner edge: from v to w, x on the right and y on the left of it.
+// The four sites of an inner edge: v and w, its ends, with x on its right and y on its left.
 struct edge_sites {
   const site &v, &w, &x, &y;
 };
 
-// True if f_z - f_s is positive on the triangle of s and two points (Bernstein's basis).
+// True if f_z - f_s is positive on the triangle of s and two points (in the Bernstein basis).
 template <class Number>
 uncertain_bool is_nearest(const site& s, const site& z, const point& origin,
                           const std::array<vector2<Number>, 2>& p) {
@@ -124,8 +126,9 @@ uncertain_bool is_nearest(const site& s, const site& z, const point& origin,
          exceeds_zero(dot(seen[0], from_z[1]) - dot(from_s[0], own * from_s[1]));
 }
 
-// True if a point between the two of the witness, v + (a X + b Y) 2^-26 with X from v to w and Y
-// from v to y, and the same with a + 64 for a, shows that both v and w keep the other (theorem 2).
+// True if a point between the two of the witness shows that v keeps w and w keeps v (theorem 2).
+// The two points are v + (a X + b Y) 2^-26, with X from v to w and Y from v to y, and the same with
+// a + 64 for a.
 template <class Number>
 uncertain_bool is_kept(const edge_sites& e, const grid_point& first) {
   const point& origin = e.v.position;
@@ -171,9 +174,9 @@ uncertain_bool is_out_of_reach(const tensor<Number>& metric, const vector2<Numbe
                               squared_radius * (of_a + of_b - Number(2) * product)));
 }
 
-// True if four sites of one metric, x on the right and y on the left of the way from v to w, keep
-// the edge: y is outside the circle of v, w and x, or on it and the greatest of the four is no end
-// of the edge.
+// True if four sites of one metric, x on the right and y on the left of the segment from v to w,
+// keep the edge: y is outside the circle of v, w and x, or on it and the greatest of the four is no
+// end of the edge.
 bool is_kept_in_one_metric(const site& v, const site& w, const site& x, const site& y);
 
 inline bool have_one_metric(const site& a, const site& b, const site& c, const site& d) {

@@ -19,12 +19,12 @@ sign turn_of(const plane& all, vertex_index a, vertex_index b, vertex_index c) {
   return filtered_kernel().orientation(all.position(a), all.position(b), all.position(c));
 }
 
-// Walks from sites over the triangles that their balls meet.
+// Finds the triangles that the ball of a site meets, from the site outward.
 class ball_walk {
  public:
   ball_walk(const plane& all, double squared_radius) : all_(all), squared_(squared_radius) {}
 
-  // Fails where the ball meets the border of the rectangle, or too many triangles.
+  // Fails if the ball meets the border of the rectangle, or more than `most_met` triangles.
   std::optional<error> run(vertex_index w) {
     met_.assign(all_.at.begin() + all_.at_start[w], all_.at.begin() + all_.at_start[w + 1]);
     for (std::size_t i = 0; i < met_.size(); ++i) {
@@ -66,7 +66,7 @@ class ball_walk {
   std::vector<std::uint32_t> met_;
 };
 
-// A gap whose region is not in its own triangle, beside another triangle that it may be in.
+// A gap whose region is not within its own triangle, and another triangle that the region may meet.
 struct listing {
   std::uint32_t triangle = 0, gap = 0;
 
@@ -75,7 +75,8 @@ struct listing {
   }
 };
 
-// True if the point, beyond x-y, is in the triangle across from that.
+// True if the point, which is beyond the edge from x to y, is in the triangle on that edge's other
+// side.
 bool is_in_triangle_behind(const plane& all, std::uint32_t gap, const grid_point& q) {
   const std::uint32_t behind = all.across[plane::next(gap)];
   const gap_sites g = sites_of_gap(all, gap);
@@ -89,7 +90,8 @@ bool is_in_triangle_behind(const plane& all, std::uint32_t gap, const grid_point
   });
 }
 
-// Where the region of a gap's row may be, other than in its own triangle.
+// Triangles that contain the region of a gap's row: its own one; it and the one on the other side
+// of the edge from x to y; or any.
 enum class extent { own, behind, far };
 
 extent extent_of(const plane& all, const gap_rows& gaps, std::uint32_t gap) {
@@ -122,8 +124,9 @@ class pair_check {
   }
 
  private:
-  // Lists gaps with what may hold their regions: their own triangle alone where the point is in it,
-  // the one behind, too, where that holds the rest, else all that the centre's ball meets.
+  // Lists gaps by the triangles, other than their own, that their regions may meet: none if the own
+  // triangle contains the region, the one behind if both contain it, else all triangles that the
+  // centre's ball meets.
   std::optional<error> list_gaps() {
     ball_walk walk(all_, squared_);
     for (std::uint32_t gap = 0; gap < gaps_.size(); ++gap) {

@@ -25,8 +25,9 @@ vector in_basis(const vector& p, const vector& x, const vector& y) {
   return {cross(p, y) / area, cross(x, p) / area};
 }
 
-// Returns the centre, from v, of the circle that the sum of three metrics sees through the sites,
-// brought nearer to where all three are equally far.
+// Returns the point, as offset from v, that is equally far from the three sites in their own
+// metrics, to rounding: by Newton's method from the centre of their circle in the sum of the
+// metrics.
 vector voronoi_vertex(const site& v, const site& x, const site& y) {
   const vector to_x = from(v, x), to_y = from(v, y);
   const metric own(v.metric), by_x(x.metric), by_y(y.metric);
@@ -53,15 +54,16 @@ vector voronoi_vertex(const site& v, const site& x, const site& y) {
   return u;
 }
 
-// Returns an integer of the grid from `least` on; none for what does not fit into the format.
+// Returns the number of grid steps, rounded up; nothing if it is below `least` or above the range
+// of the format.
 std::optional<std::int32_t> on_grid(double part, double least) {
   const double steps = std::ceil(part / grid_step);
   if (!(steps >= least && steps <= 0x1p31 - 256)) return std::nullopt;
   return static_cast<std::int32_t>(steps);
 }
 
-// Where on the line at `aside` of y, in the direction of d from v, v and w are equally far; and w
-// is nearer beyond.
+// Returns the t at which the point aside y + t d is equally far from v and w; w is nearer for
+// greater t.
 double balance(const edge_sites& e, const vector& d, const vector& y, double aside) {
   const metric own(e.v.metric), other(e.w.metric);
   const vector shift = aside * y, back = shift - d;
@@ -77,7 +79,8 @@ double balance(const edge_sites& e, const vector& d, const vector& y, double asi
 std::optional<proof_point> find_edge_point(const plane& all, std::uint32_t edge) {
   const edge_sites e = sites_of_edge(all, edge);
   const vector d = from(e.v, e.w), y = from(e.v, e.y), x = from(e.v, e.x);
-  // Between these two, on both sides of the edge, both neighbours are farther.
+  // Points equally far from v and w whose coefficient of y is between these two are farther from x
+  // and y.
   const double left = in_basis(voronoi_vertex(e.v, e.w, e.y), d, y).y,
                right = in_basis(voronoi_vertex(e.v, e.x, e.w), d, y).y;
   const double by_x = in_basis(x, d, y).y;
@@ -103,8 +106,8 @@ std::optional<proof_point> find_edge_point(const plane& all, std::uint32_t edge)
 
 namespace {
 
-// Returns 1 over the part of the ray along u up to the first point as near to z as to v; negative
-// where there is none.
+// Returns 1 / t for the least t at which t u is as near to z as to v; negative if there is
+// none.
 double meeting(const site& v, const vector& z, const site& at, const vector& u) {
   const metric own(v.metric), other(at.metric);
   const double c = other.square(z), along = dot(u, other * z),
@@ -124,15 +127,15 @@ struct gap_ends {
   double meets_y(const vector& part) const { return meeting(v, to_y, y, at(part)); }
 };
 
-// Returns the direction of the gap's Voronoi vertex, or the ray that it is beyond, as parts of x
-// and y.
+// Returns the coefficients in x and y of the direction to the gap's Voronoi vertex, or of the
+// nearer ray if the vertex is not between the rays.
 vector towards_vertex(const gap_ends& g) {
   vector part = in_basis(voronoi_vertex(g.v, g.x, g.y), g.to_x, g.to_y);
   part = {std::max(0.0, part.x), std::max(0.0, part.y)};
   return part.x + part.y > 0 && part.x + part.y < infinity ? part : vector{1, 1};
 }
 
-// Returns the point of the grid that is so far along this direction, and a little farther.
+// Returns the grid point at (1 + slack) / bound times `part`, its coefficients rounded up.
 std::optional<proof_point> point_along(const vector& part, double bound, double slack) {
   if (!(bound > 0)) return std::nullopt;
   const double far = (1 + slack) / bound;
@@ -141,12 +144,12 @@ std::optional<proof_point> point_along(const vector& part, double bound, double 
   return proof_point{*a, *b};
 }
 
-// Returns from where on the ray to z the segment to q is nowhere nearer to v than to z: from where
-// the ray meets the bisector, and the tangent at q.
+// Returns the least t for which the segment from t z to q is nowhere nearer to v than to z: the
+// greater of the parameters at which the ray meets the bisector and the bisector's tangent at q.
 double part_of_edge(const site& v, const vector& z, const site& at, const vector& q) {
   const metric own(v.metric), other(at.metric);
   const double first = 1 / meeting(v, z, at, z);
-  // The product of both differences is slope t + constant at t z.
+  // The polar form of f_v - f_z at q and t z is slope t + constant.
   const double constant = dot(other * z, q - z), slope = dot(own * z, q) - constant;
   const double tangent = -constant / slope;
   return slope > 0 && tangent > first ? tangent : first;
@@ -164,8 +167,8 @@ std::optional<proof_gap> witness_along(const gap_ends& g, const vector& part, do
   return proof_gap{*on_x, *q, *on_y};
 }
 
-// Directions that a wide row may turn in are this many between the rays, so that two points of the
-// grid can be on one of them.
+// Number of steps between the rays for the direction at `turn` of a row of more than three points:
+// few enough that two points of the grid can be on one such direction.
 constexpr int turns = 256;
 
 vector direction_of_turn(int turn) {
@@ -173,7 +176,8 @@ vector direction_of_turn(int turn) {
   return {1 - t, t};
 }
 
-// Returns a direction in which both bisectors are met, as late as possible by the later one.
+// Returns the direction in which both bisectors are met and the distance to the farther one is
+// greatest.
 std::optional<int> common_direction(const gap_ends& g) {
   const metric own(g.v.metric);
   std::optional<int> best;
@@ -189,7 +193,8 @@ std::optional<int> common_direction(const gap_ends& g) {
   return best;
 }
 
-// Returns the first point of the grid on the ray of a turn that is at least so far along it.
+// Returns the first grid point in the direction of a turn at (1 + slack) / bound times that
+// direction or farther.
 std::optional<proof_point> point_on_turn(int turn, double bound, double slack) {
   if (!(bound > 0)) return std::nullopt;
   const auto steps = on_grid((1 + slack) / bound / turns, 1);
@@ -197,8 +202,8 @@ std::optional<proof_point> point_on_turn(int turn, double bound, double slack) {
   return proof_point{*steps * (turns - turn), *steps * turn};
 }
 
-// Returns a row of 2 (each + 1) points: a little beyond the bisector of x from its ray to the
-// common direction, and of y from there to the other ray.
+// Returns a row of 2 (each + 1) points: a factor 1 + slack beyond the bisector of x from its ray to
+// the common direction, and beyond that of y from there to the other ray.
 std::optional<proof_exception> make_row(const gap_ends& g, int turn, std::size_t each,
                                         double slack) {
   const vector middle = direction_of_turn(turn);
@@ -220,7 +225,7 @@ std::optional<proof_exception> make_row(const gap_ends& g, int turn, std::size_t
   return row;
 }
 
-// Calls accept(row) for rows of more and more points, and returns the first that it takes.
+// Returns the first row for which accept(row), of rows with more and more points.
 template <class Accept>
 std::optional<proof_exception> first_row(const gap_ends& g, const Accept& accept) {
   const auto turn = common_direction(g);
@@ -236,7 +241,7 @@ std::optional<proof_exception> first_row(const gap_ends& g, const Accept& accept
   return std::nullopt;
 }
 
-// Returns a segment that the way from the gap's centre to w crosses.
+// Returns a boundary segment that the segment from the gap's centre to w crosses.
 std::optional<proof_exception> find_hiding(const plane& all, std::uint32_t gap, vertex_index w) {
   const filtered_kernel kernel;
   const vertex_index v = all.corner(gap);
@@ -258,7 +263,7 @@ std::optional<proof_exception> find_hiding(const plane& all, std::uint32_t gap, 
     const vertex_index apex = all.corner(plane::previous(reverse));
     const sign of_apex = apex == w ? sign::zero : side(apex);
     if (of_apex == sign::zero) return std::nullopt;
-    // The way goes between the end of the edge on its right, which reverse arrives at, and y.
+    // The segment to w crosses the edge right of the apex if the apex is on its left.
     edge = of_apex == sign::positive ? plane::next(reverse) : plane::previous(reverse);
   }
   return std::nullopt;
