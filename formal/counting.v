@@ -240,7 +240,7 @@ Qed.
 Theorem point_of_the_edge a b :
   f_v px py = f_w px py -> 0 < inner V px py wx wy -> v_dominates -> w_dominates ->
   0 < a -> 0 < b -> xx = a * wx + b * px -> xy = a * wy + b * py -> 1 < a + b ->
-  exists s, 0 < s < 1 /\ let zx := s * xx in let zy := s * xy in
+  exists s, 0 < s < 1 /\ s * (a + b) = 1 /\ let zx := s * xx in let zy := s * xy in
     f_w zx zy < f_v zx zy /\ f_w zx zy < f_x zx zy.
 Proof.
   intros on seen dv dw ha hb ex ey outside.
@@ -260,6 +260,7 @@ Proof.
   exists (1 / (a + b)). split.
   { split; [apply Rdiv_lt_0_compat; lra | ].
     apply Rmult_lt_reg_r with (a + b); [lra | ]. unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
+  split; [field; lra | ].
   cbv zeta.
   assert (zx : 1 / (a + b) * xx = wx + t * (px - wx)) by (rewrite ex, <- place; ring).
   assert (zy : 1 / (a + b) * xy = wy + t * (py - wy)) by (rewrite ey, <- place; ring).
