@@ -48,33 +48,44 @@ constexpr quarters quarters_of_curve() {
   return all;
 }
 
-// Sixteenth of a cell that holds a point, with its number and way, for each way of entering the
-// cell and each 4 x + y, x and y of two bits.
-using sixteenths = std::array<std::array<quarter, 16>, 4>;
+// Part of a cell cut into 16 by 16, with its number and way: four levels at a time.
+struct curve_part {
+  std::uint8_t number, way;
+};
+constexpr int levels_of_part = 4;
+constexpr std::size_t parts_across = 1U << levels_of_part;
+// By the way of entering the cell, and by 16 x + y.
+using curve_parts = std::array<std::array<curve_part, parts_across * parts_across>, 4>;
 
-constexpr sixteenths sixteenths_of_curve() {
+constexpr curve_parts parts_of_curve() {
   constexpr quarters all = quarters_of_curve();
-  sixteenths twice{};
+  curve_parts made{};
   for (std::uint32_t way = 0; way < 4; ++way)
-    for (std::uint32_t at = 0; at < 16; ++at) {
-      const std::uint32_t x = at >> 2, y = at & 3U;
-      const quarter first = all[way][(x >> 1) << 1 | y >> 1],
-                    second = all[first.way][(x & 1U) << 1 | (y & 1U)];
-      twice[way][at] = {first.number << 2 | second.number, second.way};
-    }
-  return twice;
+    for (std::uint32_t x = 0; x < parts_across; ++x)
+      for (std::uint32_t y = 0; y < parts_across; ++y) {
+        quarter at{0, way};
+        for (int level = levels_of_part - 1; level >= 0; --level) {
+          const quarter& next = all[at.way][(x >> level & 1U) << 1 | (y >> level & 1U)];
+          at = {at.number << 2 | next.number, next.way};
+        }
+        made[way][x * parts_across + y] = {static_cast<std::uint8_t>(at.number),
+                                           static_cast<std::uint8_t>(at.way)};
+      }
+  return made;
 }
 
 // Each level picks one of four quarters; the curve enters and leaves it turned or mirrored. A table
-// gives two levels at a time: branches would be mispredicted.
+// gives four levels at a time: branches would be mispredicted, and each look into it waits for the
+// one before.
 std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
-  static_assert(levels % 2 == 0);
-  static constexpr sixteenths all = sixteenths_of_curve();
+  static_assert(levels % levels_of_part == 0);
+  static constexpr curve_parts all = parts_of_curve();
+  constexpr std::uint32_t last = parts_across - 1;
   std::uint64_t place = 0;
   std::uint32_t way = 0;
-  for (int level = levels - 2; level >= 0; level -= 2) {
-    const quarter& next = all[way][(x >> level & 3U) << 2 | (y >> level & 3U)];
-    place = place << 4 | next.number;
+  for (int level = levels - levels_of_part; level >= 0; level -= levels_of_part) {
+    const curve_part& next = all[way][(x >> level & last) * parts_across + (y >> level & last)];
+    place = place << (2 * levels_of_part) | next.number;
     way = next.way;
   }
   return place;

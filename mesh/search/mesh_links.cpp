@@ -25,14 +25,14 @@ void gather_neighbours(const std::vector<triangle>& triangles, std::span<const i
 
 }  // namespace
 
-mesh_links::mesh_links(std::size_t vertices, const std::vector<triangle>& triangles)
+mesh_links::mesh_links(std::size_t vertices, const std::vector<triangle>& triangles, lists wanted)
     : first_corner_(vertices + 1, 0),
       first_neighbour_(vertices + 1, 0),
       across_(triangles.size()),
       on_boundary_(vertices, 0) {
   list_corners(triangles);
   find_across(triangles);
-  list_neighbours(triangles);
+  if (wanted == lists::all) list_neighbours(triangles);
 }
 
 void mesh_links::list_corners(const std::vector<triangle>& triangles) {

@@ -26,7 +26,12 @@ struct incidence {
 // memory are linear; made by all threads, with the same result for any number of them.
 class mesh_links {
  public:
-  mesh_links(std::size_t vertices, const std::vector<triangle>& triangles);
+  // Lists of neighbouring vertices take more than half of the time; a walk needs none.
+  enum class lists { all, no_neighbours };
+
+  mesh_links(std::size_t vertices, const std::vector<triangle>& triangles, lists wanted);
+  mesh_links(std::size_t vertices, const std::vector<triangle>& triangles)
+      : mesh_links(vertices, triangles, lists::all) {}
   explicit mesh_links(const mesh& m) : mesh_links(m.sites.size(), m.triangles) {}
 
   // Returns the triangle across from corner i of t, or no_triangle at the boundary.
@@ -35,7 +40,7 @@ class mesh_links {
   std::span<const incidence> around(vertex_index v) const {
     return {corners_.data() + first_corner_[v], first_corner_[v + 1] - first_corner_[v]};
   }
-  // Returns the vertices joined to v by an edge, ascending.
+  // Returns the vertices joined to v by an edge, ascending. Requires their lists.
   std::span<const vertex_index> neighbours(vertex_index v) const {
     return {neighbours_.data() + first_neighbour_[v],
             first_neighbour_[v + 1] - first_neighbour_[v]};

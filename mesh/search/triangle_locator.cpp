@@ -55,7 +55,7 @@ triangle_locator::triangle_locator(const mesh& m) : triangle_locator(m, box_of_s
 triangle_locator::triangle_locator(const mesh& m, const bounding_box& box)
     : places_(positions_of(m.sites)),
       triangles_(counter_clockwise(m)),
-      links_(places_.size(), triangles_),
+      links_(places_.size(), triangles_, mesh_links::lists::no_neighbours),
       box_(box),
       boxes_(box_) {
   for (vertex_index t = 0; t < triangles_.size(); ++t) {
