@@ -6,7 +6,20 @@
 #include <atomic>
 #include <cstddef>
 
+#if __has_include(<sys/single_threaded.h>)
+#include <sys/single_threaded.h>
+#endif
+
 namespace asterism::internal {
+
+// True if the process certainly has one thread, as where one was asked for.
+inline bool is_single_threaded() {
+#if __has_include(<sys/single_threaded.h>)
+  return __libc_single_threaded != 0;
+#else
+  return false;
+#endif
+}
 
 // A count that several threads add to. A copy starts from the present count, and counts separately.
 class shared_count {
@@ -20,7 +33,11 @@ class shared_count {
   ~shared_count() = default;
 
   void add(std::size_t more) {
-    if (more > 0) count_.fetch_add(more, std::memory_order_relaxed);
+    // One thread needs no locked addition, which takes as long as looking at a face.
+    if (is_single_threaded())
+      count_.store(count_.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
+    else if (more > 0)
+      count_.fetch_add(more, std::memory_order_relaxed);
   }
   // Returns the count and resets it to 0.
   std::size_t take() { return count_.exchange(0, std::memory_order_relaxed); }
