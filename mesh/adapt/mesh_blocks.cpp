@@ -35,8 +35,9 @@ bounding_box box_of_cut(const bounding_box& box, unsigned cut) {
 // Numbers of nodes in a block, by their numbers in the whole: a hash table with open addressing.
 class local_numbers {
  public:
-  explicit local_numbers(std::size_t faces)
-      : slots_(std::bit_ceil(std::max<std::size_t>(16, 4 * faces)), {none, none}) {}
+  // `most` is the greatest number of nodes.
+  explicit local_numbers(std::size_t most)
+      : slots_(std::bit_ceil(std::max<std::size_t>(16, 2 * most)), {none, none}) {}
 
   // Returns the slot of a node's number in the block; it holds `none` if the node has no number
   // there yet.
@@ -144,6 +145,23 @@ void mesh_blocks::mark_frame() {
   for (std::size_t i = 0; i < frame_.size(); ++i)
     for (const frame_edge::side* side : {&frame_[i].left, &frame_[i].right})
       faces[side->face].segment[side->edge] = first_of_frame + static_cast<vertex_index>(i);
+  // The faces around any other node than these follow each other across edges of one block.
+  is_shared_.assign(given_.nodes.size(), 0);
+  const std::size_t given = whole_.shape().vertices.size();
+  std::fill_n(is_shared_.begin(), std::min(given, is_shared_.size()), char{1});
+  for (const frame_edge& edge : frame_) {
+    const face& f = faces[edge.left.face];
+    is_shared_[f.v[after(edge.left.edge)]] = is_shared_[f.v[before(edge.left.edge)]] = 1;
+  }
+  number_.assign(given_.nodes.size(), none);
+}
+
+// Returns in how many corners of a block's faces there is a node that other blocks may have.
+std::size_t mesh_blocks::shared_corners(const std::vector<vertex_index>& faces) const {
+  std::size_t corners = 0;
+  for (const vertex_index t : faces)
+    for (const vertex_index v : given_.faces[t].v) corners += is_shared_[v] != 0 ? 1 : 0;
+  return corners;
 }
 
 mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
@@ -152,11 +170,12 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
                     listed_.begin() + static_cast<std::ptrdiff_t>(first_[b + 1]));
   working_mesh::parts parts;
   parts.faces.reserve(made.faces.size());
-  local_numbers numbers(made.faces.size());
+  parts.nodes.reserve(made.faces.size());
+  local_numbers numbers(shared_corners(made.faces));
   for (const vertex_index t : made.faces) {
     face f = given_.faces[t];
     for (vertex_index& v : f.v) {
-      vertex_index& number = numbers.at(v);
+      vertex_index& number = is_shared_[v] != 0 ? numbers.at(v) : number_[v];
       if (number == none) {
         number = static_cast<vertex_index>(made.nodes.size());
         made.nodes.push_back(v);

@@ -76,6 +76,7 @@ class mesh_blocks {
   std::size_t block_at(std::uint64_t place) const;
   void list_blocks();
   void mark_frame();
+  std::size_t shared_corners(const std::vector<vertex_index>& faces) const;
   struct range {
     vertex_index nodes = 0, faces = 0;
   };
@@ -92,6 +93,9 @@ class mesh_blocks {
   std::vector<std::size_t> first_;       // of each block in listed_
   std::vector<vertex_index> listed_;     // the faces, block after block
   std::vector<vertex_index> local_;      // number of each face in its block
+  // Nodes that several blocks may have: ends of frame edges, and vertices of the domain.
+  std::vector<char> is_shared_;
+  std::vector<vertex_index> number_;  // of each other node, in its block; none before
   std::vector<frame_edge> frame_;
   std::vector<std::optional<block>> blocks_;
   std::vector<std::vector<vertex_index>> node_now_, face_now_;
