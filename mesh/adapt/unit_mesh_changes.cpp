@@ -28,18 +28,34 @@ bool longer(const long_edge& p, const long_edge& q) {
   return p.length != q.length ? p.length > q.length : p.a != q.a ? p.a < q.a : p.b < q.b;
 }
 
-// Returns the edges for which `wanted(length)`, longest first.
-template <class Wanted>
-std::vector<long_edge> edges_where(const working_mesh& m, Wanted&& wanted) {
+enum class than { longer, shorter };
+
+// Returns the edges that are longer, or shorter, than this, longest first.
+template <than Sought>
+std::vector<long_edge> edges_where(const working_mesh& m, double limit) {
   m.note_looked_at(m.faces().size());
+  // The length is between what the two ends measure: most edges are beyond the limit, and surely
+  // so, by the squares of these alone. Roundings of the squares and of the length are some 1e-16.
+  constexpr double roundings = 1e-12;
+  const double square = limit * limit;
+  const auto may_be_sought = [square](double at_a, double at_b) {
+    if constexpr (Sought == than::longer)
+      return std::max(at_a, at_b) > square * (1 - roundings);
+    else
+      return std::min(at_a, at_b) < square * (1 + roundings);
+  };
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<long_edge>& found) {
     for (std::size_t t = begin; t < end; ++t) {
       const face& f = m.faces()[t];
       for (std::size_t i = 0; f.exists() && i < 3; ++i) {
         const vertex_index a = f.v[after(i)], b = f.v[before(i)];
         if (f.next[i] != none && a > b) continue;
-        const double length = m.length(a, b);
-        if (wanted(length)) found.push_back({length, std::min(a, b), std::max(a, b)});
+        const node &p = m.at(a), &q = m.at(b);
+        const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
+        if (!may_be_sought(squared(p.metric, x, y), squared(q.metric, x, y))) continue;
+        const double length = length_between(p, q);
+        if (Sought == than::longer ? length > limit : length < limit)
+          found.push_back({length, std::min(a, b), std::max(a, b)});
       }
     }
   };
@@ -111,7 +127,7 @@ std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const leng
   std::vector<vertex_index> made_nodes;
   field_ = std::move(wanted);
   forget_shapes();
-  std::vector<long_edge> found = edges_where(m_, [&](double l) { return l > limits.own; });
+  std::vector<long_edge> found = edges_where<than::longer>(m_, limits.own);
   if (mesh_blocks::are_worth_it(m_)) found = those_longer(m_, field_, found, limits.wanted);
   for (const long_edge& e : found) {
     if (m_.count() >= most_nodes) break;
@@ -207,7 +223,7 @@ void unit_mesher::settle_around(vertex_index v) {
 std::size_t unit_mesher::split_long(double longest, std::size_t most) {
   std::size_t done = 0;
   const double shortest = 0.55 * unit_;
-  for (const long_edge& e : edges_where(m_, [&](double l) { return l > longest; })) {
+  for (const long_edge& e : edges_where<than::longer>(m_, longest)) {
     if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
@@ -276,7 +292,7 @@ bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) 
 std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
   std::size_t done = 0;
   if (shortest <= 0) return done;  // no edge is: looks at none
-  std::vector<long_edge> found = edges_where(m_, [&](double l) { return l < shortest; });
+  std::vector<long_edge> found = edges_where<than::shorter>(m_, shortest);
   std::reverse(found.begin(), found.end());
   for (const long_edge& e : found) {
     if (done >= most) return done;
