@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/adapt/present_centres.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
@@ -16,45 +17,45 @@ namespace asterism::internal::adapting {
 
 class edges_around {
  public:
-  // Refers to the mesh and the tests, which must outlive it.
-  edges_around(const working_mesh& m, const local_tests& tests) : m_(m), tests_(tests) {}
+  // Refers to the mesh, the tests and the centres, which must outlive it.
+  edges_around(const working_mesh& m, const local_tests& tests, present_centres& present)
+      : m_(m), tests_(tests), present_(present) {}
 
   // Selects the node to be tried. Until the next call no other node may change.
   void turn_to(vertex_index v) {
     v_ = v;
     m_.around(v, at_);
-    beyond_.assign(at_.size(), {});
   }
+  // Takes the node as it is tried into the mesh for good.
+  void accept() { present_.forget(at_); }
   // Returns the faces around the node.
   const face_list& faces() const { return at_; }
 
-  // Calls answer(clearance) for each edge that has the node as an end or across from it, until it
-  // returns false; clearances are infinite at segments; returns the last answer. Of the edges at
-  // the node each face passes one, which it shares with the next face.
-  template <class Tell>
-  bool tell_clearances(const Tell& tell);
   // Computes the centre of each face across from the node, except across segments.
   template <class Tell>
   void tell_centres_across(const Tell& tell) {
     for (std::size_t k = 0; k < at_.size(); ++k) {
       const face& f = m_.faces()[at_[k]];
       const std::size_t i = f.corner_of(v_);
-      if (f.next[i] != none && f.segment[i] == none) tell(centre_at(beyond_, k, f.next[i]));
+      if (f.next[i] != none && f.segment[i] == none) tell(present_.of(f.next[i]));
     }
   }
-  // Stores the present clearances, to be compared with later ones.
+  // Stores the present clearances, of the node as the mesh has it, to be compared with later ones.
   void remember() {
     clearances_.clear();
-    tell_clearances([this](double clear) {
-      clearances_.push_back(clear);
-      return true;
-    });
+    tell_clearances([this](std::size_t k) { return present_.of(at_[k]); },
+                    [this](double clear) {
+                      clearances_.push_back(clear);
+                      return true;
+                    });
   }
   // True if is_enough(now, then) for each edge: its present clearance, and the stored one.
   template <class Enough>
   bool all_of(const Enough& is_enough) {
     std::size_t edge = 0;
-    return tell_clearances([&](double now) { return is_enough(now, clearances_[edge++]); });
+    own_.assign(at_.size(), {});
+    return tell_clearances([this](std::size_t k) { return own_centre(k); },
+                           [&](double now) { return is_enough(now, clearances_[edge++]); });
   }
 
  private:
@@ -63,29 +64,35 @@ class edges_around {
     bool is_known = false;
   };
 
-  // Returns the centre of a face, computed once.
-  const face_centre& centre_at(std::vector<known_centre>& known, std::size_t nth, vertex_index t) {
-    known_centre& c = known[nth];
+  // Calls tell(clearance) for each edge that has the node as an end or across from it, until it
+  // returns false; clearances are infinite at segments; returns the last answer. Of the edges at
+  // the node each face passes one, which it shares with the next face. `own(k)` returns the centre
+  // of the k-th face at the node.
+  template <class Own, class Tell>
+  bool tell_clearances(const Own& own, const Tell& tell);
+
+  // Returns the centre of a face at the node as it is tried, computed once.
+  const face_centre& own_centre(std::size_t k) {
+    known_centre& c = own_[k];
     if (!c.is_known) {
       m_.note_looked_at(work_weights::faces_for_centre);
-      c = {tests_.centre_of(t), true};
+      c = {tests_.centre_of(at_[k]), true};
     }
     return c.centre;
   }
 
   const working_mesh& m_;
   const local_tests& tests_;
+  present_centres& present_;
   vertex_index v_ = none;
   face_list at_;
-  // Centres of the faces around the node, and of those across from it, once computed.
-  std::vector<known_centre> own_, beyond_;
+  std::vector<known_centre> own_;  // of the faces around the node
   std::vector<double> clearances_;
 };
 
-template <class Tell>
-bool edges_around::tell_clearances(const Tell& tell) {
+template <class Own, class Tell>
+bool edges_around::tell_clearances(const Own& own, const Tell& tell) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  own_.assign(at_.size(), {});
   const auto is_end = [](std::size_t i, const face& f) {
     return f.next[i] == none || f.segment[i] != none;
   };
@@ -95,15 +102,13 @@ bool edges_around::tell_clearances(const Tell& tell) {
     double clear = infinity;
     if (!is_end(i, f)) {
       const node& d = m_.at(tests_.quad_at(at_[k], i).d);
-      clear = std::min(clearance(centre_at(own_, k, at_[k]), d),
-                       clearance(centre_at(beyond_, k, f.next[i]), m_.at(v_)));
+      clear = std::min(clearance(own(k), d), clearance(present_.of(f.next[i]), m_.at(v_)));
     }
     if (!tell(clear)) return false;
     clear = infinity;
     if (!is_end(after(i), f)) {
       const edge_quad q = tests_.quad_at(at_[k], after(i));
-      clear = std::min(clearance(centre_at(own_, k, at_[k]), m_.at(q.d)),
-                       clearance(centre_at(own_, next, at_[next]), m_.at(q.c)));
+      clear = std::min(clearance(own(k), m_.at(q.d)), clearance(own(next), m_.at(q.c)));
     }
     if (!tell(clear)) return false;
   }

@@ -37,7 +37,8 @@ tensor_restoration::tensor_restoration(working_mesh& m, double angle_bound,
                                        std::vector<metric_tensor> wanted)
     : m_(m),
       tests_(m, angle_bound),
-      edges_(m, tests_),
+      present_(m, tests_),
+      edges_(m, tests_, present_),
       has_angles_(angle_bound > 0),
       wanted_(std::move(wanted)),
       awake_(m.nodes().size(), 1),
@@ -51,6 +52,7 @@ void tensor_restoration::run(const cancellation& stop) {
   // turns nearly everywhere, and most steps towards the wanted tensors would be undone, audit after
   // audit.
   constexpr std::size_t few = 10;
+  present_.forget_all();
   bool any = true;
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
     const bool is_first = sweep == 0;
@@ -113,7 +115,9 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
       m_.set_metric(v, tried);
       is_measured = true;
     }
-    if (edges_.all_of(has_room)) return true;
+    if (!edges_.all_of(has_room)) continue;
+    edges_.accept();
+    return true;
   }
   m_.set_metric(v, now);
   return false;

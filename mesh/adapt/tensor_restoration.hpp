@@ -46,6 +46,7 @@ class tensor_restoration {
 
   working_mesh& m_;
   local_tests tests_;
+  present_centres present_;
   edges_around edges_;
   bool has_angles_;
   std::vector<metric_tensor> wanted_, before_;  // before_: or what was kept since

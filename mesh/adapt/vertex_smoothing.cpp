@@ -45,7 +45,8 @@ vertex_smoothing::vertex_smoothing(working_mesh& m, double angle_bound, double u
                                    wanted_at wanted)
     : m_(m),
       tests_(m, angle_bound),
-      edges_(m, tests_),
+      present_(m, tests_),
+      edges_(m, tests_, present_),
       angle_bound_(angle_bound),
       cotangent_(cotangent_of(angle_bound + settled_degrees_above)),
       unit_(unit),
@@ -106,8 +107,10 @@ void vertex_smoothing::find_calm() {
   constexpr std::size_t nodes_at_once = 1024;
   const std::size_t count = m_.nodes().size();
   calm_.assign(count, 0);
+  present_.forget_all();
+  present_.find_all();
   parallel_chunks(count, nodes_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
-    edges_around at(m_, tests_);
+    edges_around at(m_, tests_, present_);
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<vertex_index>(i);
       const node_kind kind = m_.at(v).kind;
@@ -134,9 +137,8 @@ void vertex_smoothing::disturb_around(vertex_index v) {
   }
 }
 
-// Returns the excess of the greatest cotangent of the face's angles over the one without defect, in
-// the wanted tensor of a node.
-double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
+template <class Answer>
+double vertex_smoothing::excess_as(vertex_index t, vertex_index by, const Answer& answer) const {
   const face& f = m_.faces()[t];
   const point &a = m_.at(f.v[0]).position, &b = m_.at(f.v[1]).position, &c = m_.at(f.v[2]).position;
   const metric_tensor& m = wanted_[by].metric;
@@ -144,11 +146,24 @@ double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
   const double uu = squared(m, ux, uy), ww = squared(m, wx, wy),
                uw = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
   const double area = wanted_[by].root * (ux * wy - uy * wx);
-  return std::max({uw, uu - uw, ww - uw}) / area - cotangent_;
+  return answer(std::max({uw, uu - uw, ww - uw}), area);
 }
 
+// Returns the excess of the greatest cotangent of the face's angles over the one without defect, in
+// the wanted tensor of a node.
+double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
+  return excess_as(t, by,
+                   [this](double greatest, double area) { return greatest / area - cotangent_; });
+}
+
+// Most angles are no defect, and surely so: that needs no division. Roundings of the products and
+// of the quotient take some 1e-16 of them.
 double vertex_smoothing::defect_of(vertex_index t, vertex_index by) const {
-  return defect(excess_of(t, by));
+  constexpr double roundings = 1e-12;
+  return excess_as(t, by, [this](double greatest, double area) {
+    const bool is_surely_wide = greatest < (1 - roundings) * cotangent_ * area;
+    return is_surely_wide ? 0 : defect(greatest / area - cotangent_);
+  });
 }
 
 // Returns the defect of the faces around the node in the wanted tensors of their other nodes.
@@ -269,6 +284,7 @@ bool vertex_smoothing::settle(vertex_index v) {
     if (stretches_edge(v, here, there) || !may_be_at(v, there)) continue;
     wanted_[v] = there.wanted;
     m_.at(v).hint = there.hint;
+    edges_.accept();
     face_list ring;
     m_.neighbours(v, ring);
     disturb_around(v);

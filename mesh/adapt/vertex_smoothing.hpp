@@ -53,6 +53,10 @@ class vertex_smoothing {
   void find_calm();
   void disturb_around(vertex_index v);
   wanted_tensor look_up(const point& q, vertex_index& hint) const;
+  // Calls answer(greatest, area): their quotient is the greatest cotangent of the face's angles, in
+  // the tensor wanted of a node.
+  template <class Answer>
+  double excess_as(vertex_index t, vertex_index by, const Answer& answer) const;
   double excess_of(vertex_index t, vertex_index by) const;
   double defect_of(vertex_index t, vertex_index by) const;
   double defect_of_others(const edges_around& at, vertex_index v, double most) const;
@@ -65,6 +69,7 @@ class vertex_smoothing {
 
   working_mesh& m_;
   local_tests tests_;
+  present_centres present_;
   edges_around edges_;
   double angle_bound_, cotangent_, unit_;
   wanted_at field_;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// Voronoi vertices that are remembered while nodes are tried elsewhere.
+#include "asterism/mesh/adapt/present_centres.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "asterism/mesh/adapt/edges_around.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "fixtures/mesh_disorder.hpp"
+#include "fixtures/mesh_to_change.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::internal::adapting;
+
+namespace {
+
+bool are_same(const face_centre& p, const face_centre& q) {
+  return p.at == q.at && p.squared_radius == q.squared_radius;
+}
+
+working_mesh even_mesh(const domain& d) {
+  const auto field = make_metric_field("identity", d.box(), 0.25);
+  mesh_options options;
+  options.limit_size = true;
+  return mesh_to_change(d, *field.value(), options);
+}
+
+vertex_index free_node(const working_mesh& m) {
+  for (vertex_index v = 0; v < m.nodes().size(); ++v)
+    if (m.at(v).kind == node_kind::free) return v;
+  return none;
+}
+
+}  // namespace
+
+TEST_CASE("a centre is that of the face as it was until its node is accepted") {
+  const domain d = square();
+  working_mesh m = even_mesh(d);
+  const local_tests tests(m, 20);
+  present_centres present(m, tests);
+  present.find_all();
+  edges_around edges(m, tests, present);
+  const vertex_index v = free_node(m);
+  REQUIRE(v != none);
+  edges.turn_to(v);
+  const vertex_index t = edges.faces().front();
+  const face_centre before = present.of(t);
+  CHECK(are_same(before, tests.centre_of(t)));
+  m.set_metric(v, {20, 1, 30});
+  CHECK(are_same(present.of(t), before));
+  CHECK_FALSE(are_same(tests.centre_of(t), before));
+  edges.accept();
+  for (vertex_index s = 0; s < m.faces().size(); ++s)
+    if (m.faces()[s].exists()) CHECK(are_same(present.of(s), tests.centre_of(s)));
+}
+
+TEST_CASE("clearances do not change where a node is tried as it is") {
+  const domain d = square();
+  working_mesh m = even_mesh(d);
+  const local_tests tests(m, 20);
+  present_centres present(m, tests);
+  edges_around edges(m, tests, present);
+  for (vertex_index v = 0; v < m.nodes().size(); ++v) {
+    if (m.at(v).kind == node_kind::gone) continue;
+    edges.turn_to(v);
+    edges.remember();
+    CHECK(edges.all_of([](double now, double before) { return now == before; }));
+  }
+}
