@@ -64,35 +64,57 @@ bool consistency_repair::is_active(vertex_index t) const {
 bool consistency_repair::round() {
   next_.assign(m_.nodes().size(), 0);
   report_.disagreeing = report_.low = 0;
+  find_due_faces();
   find_clear_edges();
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
-    for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) {
+    for (std::size_t i = 0; i < 3 && is_due_[t] != 0 && m_.faces()[t].exists(); ++i) {
       const vertex_index s = m_.faces()[t].next[i];
       if (s == none || s < t || m_.faces()[t].segment[i] != none) continue;
       if (is_active(t) || is_active(s)) check_edge(t, i);
     }
   find_fine_faces();
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
-    if (m_.faces()[t].exists() && is_active(t)) check_angles(t);
+    if (is_due_[t] != 0 && m_.faces()[t].exists() && is_active(t)) check_angles(t);
   active_ = next_;
   return report_.disagreeing + report_.low > 0;
+}
+
+void consistency_repair::add_due_face(vertex_index t) {
+  is_due_[t] = 1;
+  for (const vertex_index s : m_.faces()[t].next)
+    if (s != none) is_due_[s] = 1;
+}
+
+void consistency_repair::find_due_faces() {
+  is_due_.assign(m_.faces().size(), 0);
+  for (vertex_index t = 0; t < m_.faces().size(); ++t)
+    if (m_.faces()[t].exists() && is_active(t)) add_due_face(t);
 }
 
 // Marks the edges that agree: nearly all of them, and most of a round's time. Several threads do
 // it, as nothing changes meanwhile.
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
+  centres_.resize(m_.faces().size());
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t)
+                      if (is_due_[t] != 0 && m_.faces()[t].exists())
+                        centres_[t] = tests_.centre_of(static_cast<vertex_index>(t));
+                  });
   const auto is_clear = [this](vertex_index t, std::size_t i) {
     const face& f = m_.faces()[t];
     const vertex_index s = f.next[i];
     if (s == none || s < t || f.segment[i] != none) return false;
     if (!is_active(t) && !is_active(s)) return false;
-    return tests_.worst_clearance(tests_.quad_at(t, i)) > least_clearance;
+    const edge_quad q = tests_.quad_at(t, i);
+    return clearance(centres_[t], m_.at(q.d)) > least_clearance &&
+           clearance(centres_[s], m_.at(q.c)) > least_clearance;
   };
   parallel_chunks(m_.faces().size(), faces_checked_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
                     for (std::size_t t = begin; t < end; ++t)
-                      for (unsigned i = 0; i < 3 && m_.faces()[t].exists(); ++i)
+                      for (unsigned i = 0; i < 3 && is_due_[t] != 0 && m_.faces()[t].exists(); ++i)
                         if (is_clear(static_cast<vertex_index>(t), i))
                           clear_edges_[t] |= static_cast<unsigned char>(1U << i);
                   });
@@ -102,14 +124,15 @@ void consistency_repair::find_clear_edges() {
 void consistency_repair::find_fine_faces() {
   is_fine_.assign(m_.faces().size(), 0);
   if (options_.angle_bound <= 0) return;
-  parallel_chunks(m_.faces().size(), faces_checked_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    for (std::size_t i = begin; i < end; ++i) {
-                      const auto t = static_cast<vertex_index>(i);
-                      if (m_.faces()[t].exists() && is_active(t) && !tests_.is_low(t))
-                        is_fine_[t] = 1;
-                    }
-                  });
+  parallel_chunks(
+      m_.faces().size(), faces_checked_at_once,
+      [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const auto t = static_cast<vertex_index>(i);
+          if (is_due_[t] != 0 && m_.faces()[t].exists() && is_active(t) && !tests_.is_low(t))
+            is_fine_[t] = 1;
+        }
+      });
 }
 
 void consistency_repair::disagreed_at(const std::vector<vertex_index>& nodes) {
@@ -137,7 +160,10 @@ void consistency_repair::check_edge(vertex_index t, std::size_t i) {
   if (m_.can_flip(t, i)) {
     const double then = tests_.worst_clearance({q.d, q.c, q.a, q.b});
     if (then > now) {
+      const vertex_index s = m_.faces()[t].next[i];
       m_.flip(t, i);
+      add_due_face(t);
+      add_due_face(s);
       ++report_.flips;
       if (then > least_clearance) return;
     }
@@ -210,6 +236,7 @@ bool consistency_repair::merge_away(vertex_index t) {
   if (from == none) return false;
   m_.neighbours(from, ring);
   m_.merge(from, into);
+  is_due_.assign(m_.faces().size(), 1);
   ++report_.merges;
   for (const vertex_index u : ring) next_[u] = 1;
   return true;

@@ -58,6 +58,8 @@ class consistency_repair {
   bool is_active(vertex_index t) const;
   // True if the node, or a neighbour of it, was changed in this round.
   bool is_touched(vertex_index v) const { return next_[v] != 0; }
+  void find_due_faces();
+  void add_due_face(vertex_index t);
   void find_clear_edges();
   void find_fine_faces();
   void check_edge(vertex_index t, std::size_t i);
@@ -75,6 +77,10 @@ class consistency_repair {
   local_tests tests_;
   double aim_;  // cotangent of the angle aimed at
   std::vector<char> active_, next_;
+  // Faces with an active node, and those beside one, as they are and as changes of the round have
+  // made them. Nothing in the others is to be checked.
+  std::vector<char> is_due_;
+  std::vector<face_centre> centres_;  // of these, as they are when the round begins
   // Test results of each face before the round changes it: one bit for each edge that agrees, and a
   // flag for angles that all meet the bound.
   std::vector<unsigned char> clear_edges_, is_fine_;
