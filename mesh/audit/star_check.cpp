@@ -34,8 +34,11 @@ void star_check::hold_all(std::span<const prepared_fan> fans) {
   for (const prepared_fan& p : fans)
     if (p.has_concerned && is_finite(p.reach_concerned))
       reaching_.push_back({at(p.v), p.reach_concerned});
-  const bool gathered = reaching_.size() > 1 && around_.sites->gather(reaching_, nearby_);
-  if (!gathered && reaching_.size() > 1) {
+  // Least number of stars for which one search pays: it visits three times the nodes of a star's.
+  constexpr std::size_t few = 4;
+  const bool are_many = reaching_.size() >= few;
+  const bool gathered = are_many && around_.sites->gather(reaching_, nearby_);
+  if (!gathered && are_many) {
     hold_all(fans.first(fans.size() / 2));
     hold_all(fans.last(fans.size() - fans.size() / 2));
     return;
