@@ -163,6 +163,17 @@ class local_adaptation {
     return there ? std::optional(there.value()) : std::nullopt;
   }
 
+  // Returns the metric wanted at a node, remembered from the last time unless the node has moved.
+  // Threads may ask about different nodes.
+  std::optional<metric_tensor> wanted_of(const working_mesh& m, vertex_index v) {
+    const point& q = m.at(v).position;
+    std::optional<site>& last = looked_up_[v];
+    if (last && last->position == q) return last->metric;
+    const auto there = wanted_at(q);
+    if (there) last = site{q, *there};
+    return there;
+  }
+
   // Sets the nodes' tensors to those interpolated on the background: the wanted metric except for
   // rounding, and computed faster.
   void take_interpolated(working_mesh& m) const {
@@ -180,10 +191,11 @@ class local_adaptation {
 
   // Sets the nodes' tensors to the wanted metric there, or to that of the fitted metric. Returns
   // false where the field fails.
-  bool take_wanted(working_mesh& m) const {
+  bool take_wanted(working_mesh& m) {
     std::atomic<bool> is_known = true;
+    looked_up_.resize(m.nodes().size());
     m.each_node([&](vertex_index v) {
-      const auto there = wanted_at(m.at(v).position);
+      const auto there = wanted_of(m, v);
       if (!there) return is_known.store(false);
       m.set_metric(v, *there);
       if (goal_.is_other()) take_other(m, v);
@@ -255,7 +267,7 @@ class local_adaptation {
   // Fits the mesh to the wanted metric as graded on its own graph, and splits the edges that are
   // still long. Returns false where the wanted metric fails, or the work limit is reached.
   bool fit_to_own(working_mesh& m, unit_mesher& maker, const strictness& how,
-                  std::size_t most_nodes) const {
+                  std::size_t most_nodes) {
     if (is_field_itself_)
       take_interpolated(m);
     else if (!take_wanted(m))
@@ -365,8 +377,9 @@ class local_adaptation {
   bool give_back(working_mesh& m) {
     std::vector<metric_tensor> tensors(m.nodes().size());
     std::atomic<bool> is_known = true;
+    looked_up_.resize(m.nodes().size());
     m.each_node([&](vertex_index v) {
-      const auto there = wanted_at(m.at(v).position);
+      const auto there = wanted_of(m, v);
       if (!there) return is_known.store(false);
       tensors[v] = *there;
     });
@@ -438,6 +451,7 @@ class local_adaptation {
   fitting_goal goal_;  // metric and count that the mesh is made for
   bool is_field_itself_;
   std::vector<point> seeds_;
+  std::vector<std::optional<site>> looked_up_;  // metric wanted of each node, where it was
   double length_factor_ = 1;
   bool wants_room_ = false;   // angles beside short segments were low
   bool is_hopeless_ = false;  // mending of the last mesh was given up
