@@ -8,6 +8,7 @@
 
 #include "asterism/kernels/star_gap.hpp"
 #include "asterism/mesh/adapt/tensor_restoration.hpp"
+#include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
@@ -21,12 +22,14 @@ constexpr int most_audits = 40;
 constexpr int most_mended = 8;
 
 // True if the reach of the gap at corner i of the face is unknown: an audit would test the star
-// against all sites.
+// against all sites. As in an audit, the bound of few operations comes first; most gaps need no
+// other.
 bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::size_t i) {
   if (f.segment[i] != adapting::none) return false;
   const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
-  const star_gap gap(at(f.v[i]), at(f.v[adapting::after(i)]), at(f.v[adapting::before(i)]));
-  return !std::isfinite(gap.reach());
+  const site v = at(f.v[i]), x = at(f.v[adapting::after(i)]), y = at(f.v[adapting::before(i)]);
+  if (std::isfinite(audit_detail::quick_reach(v, x, y))) return false;
+  return !std::isfinite(star_gap(v, x, y).reach());
 }
 
 // Undoes the changes of the nodes of a gap of unknown reach, one after the other, the star's centre

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// Gaps of stars whose reach is bounded before tensors are restored.
+#include "asterism/mesh/delivery/restore_tensors.hpp"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "asterism/core/random.hpp"
+#include "asterism/kernels/star_gap.hpp"
+#include "asterism/mesh/adapt/consistency_repair.hpp"
+#include "asterism/mesh/audit/gap_reach.hpp"
+#include "asterism/mesh/mesher.hpp"
+#include "fixtures/mesh_disorder.hpp"
+#include "fixtures/mesh_to_change.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using namespace asterism::internal::adapting;
+
+namespace {
+
+working_mesh even_mesh(const domain& d) {
+  const auto field = make_metric_field("identity", d.box(), 0.15);
+  mesh_options options;
+  options.limit_size = true;
+  return mesh_to_change(d, *field.value(), options);
+}
+
+metric_tensor random_tensor(splitmix64& random) {
+  const double angle = random.real(0, 3.2), p = std::exp(random.real(3, 6)),
+               q = std::exp(random.real(3, 6)), c = std::cos(angle), s = std::sin(angle);
+  return {p * c * c + q * s * s, (p - q) * c * s, p * s * s + q * c * c};
+}
+
+// Numbers of gaps whose reach the kernel's prepared gap does not know, and of those that the
+// auditor's bound of few operations does not know either.
+struct unknown_gaps {
+  std::size_t to_kernel = 0, to_both = 0;
+};
+
+unknown_gaps count_unknown(const working_mesh& m) {
+  unknown_gaps found;
+  const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
+  for (const face& f : m.faces())
+    for (std::size_t i = 0; f.exists() && i < 3; ++i) {
+      if (f.segment[i] != none) continue;
+      const site v = at(f.v[i]), x = at(f.v[after(i)]), y = at(f.v[before(i)]);
+      if (std::isfinite(star_gap(v, x, y).reach())) continue;
+      ++found.to_kernel;
+      if (!std::isfinite(audit_detail::quick_reach(v, x, y))) ++found.to_both;
+    }
+  return found;
+}
+
+// Changes the tensors of one face inside until the kernel knows no reach of one of its gaps and the
+// auditor does. Returns whether there are such.
+bool spoil_for_kernel(working_mesh& m, splitmix64& random) {
+  constexpr int most_tries = 4000;
+  const std::vector<node> before = m.nodes();
+  for (int i = 0; i < most_tries; ++i) {
+    const face f = m.faces()[random.bits() % m.faces().size()];
+    if (!f.exists()) continue;
+    for (const vertex_index v : f.v) m.set_metric(v, random_tensor(random));
+    const unknown_gaps found = count_unknown(m);
+    if (found.to_kernel > 0 && found.to_both == 0) return true;
+    for (const vertex_index v : f.v) m.set_metric(v, before[v].metric);
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a gap whose reach the auditor knows by few operations keeps its tensors") {
+  const std::uint64_t seed = 4141;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  const domain d = square();
+  working_mesh m = even_mesh(d);
+  REQUIRE(count_unknown(m).to_kernel == 0);
+  REQUIRE(spoil_for_kernel(m, random));
+  const std::vector<node> before = m.nodes();
+  repair_options options;
+  options.angle_bound = 0;
+  options.most_rounds = 0;
+  consistency_repair repair(m, options);
+  bound_gaps(m, repair, {});
+  for (vertex_index v = 0; v < before.size(); ++v)
+    CHECK(identical(m.at(v).metric, before[v].metric));
+}
