@@ -27,6 +27,10 @@ void canvas::use(const colour& c) {
 
 void canvas::set_line_width(double width) { cairo_->set_line_width(context_, width); }
 
+void canvas::set_hard_edges(bool hard) {
+  cairo_->set_antialias(context_, hard ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
+}
+
 void canvas::begin_path() { cairo_->new_sub_path(context_); }
 
 void canvas::move_to(const point& p) { cairo_->move_to(context_, p.x, p.y); }

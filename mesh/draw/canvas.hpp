@@ -38,6 +38,9 @@ class canvas {
 
   void use(const colour& c);
   void set_line_width(double width);
+  // Makes a pixel at an edge have the colour of one side alone (true), or mix both (false, as it is
+  // at first). Triangles smaller than pixels then fill them without paper between.
+  void set_hard_edges(bool hard);
 
   void begin_path();  // apart from what the path has
   void move_to(const point& p);

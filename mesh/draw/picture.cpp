@@ -14,6 +14,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/draw/cairo_functions.hpp"
 #include "asterism/mesh/draw/canvas.hpp"
+#include "asterism/mesh/draw/fine_triangles.hpp"
 #include "asterism/mesh/draw/picture_colours.hpp"
 #include "asterism/mesh/draw/picture_legend.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
@@ -43,9 +44,11 @@ struct page {
   }
   // Returns the unit of lengths on the page: a thousandth of its width.
   double unit() const { return width / 1000.0; }
+  double line_width() const { return 0.9 * unit(); }
 };
 
-result<page> lay_out(const mesh& m, const picture_options& options, const picture_legend& legend) {
+// Returns the page without its foot and height.
+result<page> lay_out(const mesh& m, const picture_options& options) {
   if (auto wrong = fault_of_width(options.width)) return *wrong;
   if (m.sites.empty()) return error{"there is nothing to draw: the mesh has no sites"};
   page p;
@@ -58,13 +61,19 @@ result<page> lay_out(const mesh& m, const picture_options& options, const pictur
   p.width = options.width;
   p.margin = 0.03 * options.width;
   p.scale = (options.width - 2 * p.margin) / (p.box.high.x - p.box.low.x);
-  p.foot = legend_height(legend, options.width);
-  const double height = (p.box.high.y - p.box.low.y) * p.scale + 2 * p.margin + p.foot;
-  if (!(p.scale > 0) || !std::isfinite(p.scale) || !std::isfinite(height))
+  if (!(p.scale > 0) || !std::isfinite(p.scale) ||
+      !std::isfinite((p.box.high.y - p.box.low.y) * p.scale))
     return error{"the mesh has no width to draw, or too large a one"};
+  return p;
+}
+
+// Gives the page its height, with room for the legend.
+std::optional<error> add_foot(page& p, const picture_legend& legend) {
+  p.foot = legend_height(legend, p.width);
+  const double height = (p.box.high.y - p.box.low.y) * p.scale + 2 * p.margin + p.foot;
   if (height > largest_extent) return error{"the picture would be more than 20000 high"};
   p.height = std::max(1, static_cast<int>(std::ceil(height)));
-  return p;
+  return std::nullopt;
 }
 
 void trace(canvas& on, const page& p, const mesh& m, const triangle& t) {
@@ -74,17 +83,19 @@ void trace(canvas& on, const page& p, const mesh& m, const triangle& t) {
 }
 
 void fill_triangles(canvas& on, const page& p, const mesh& m, double angle_bound,
-                    const std::vector<colour>& colours) {
+                    const std::vector<colour>& colours, bool hard_edges) {
   on.use(low_angle_fill);
   if (colours.empty())
     for (const triangle& t : m.triangles)
       if (smallest_angle(m, t) < angle_bound) trace(on, p, m, t);
   on.fill();
+  on.set_hard_edges(hard_edges);
   for (std::size_t t = 0; t < colours.size(); ++t) {
     trace(on, p, m, m.triangles[t]);
     on.use(colours[t]);
     on.fill();
   }
+  on.set_hard_edges(false);
   on.use(disagreeing_fill);
   // Draws the triangles one by one: they may overlap, and shades add up.
   for (const triangle& t : m.disagreeing) {
@@ -93,14 +104,18 @@ void fill_triangles(canvas& on, const page& p, const mesh& m, double angle_bound
   }
 }
 
-// Draws each edge once, so that lines shared by two triangles are no darker than others.
-void stroke_edges(canvas& on, const page& p, const mesh& m) {
+// Draws each edge once, so that lines shared by two triangles are no darker than others; edges of
+// hidden triangles alone are left out.
+void stroke_edges(canvas& on, const page& p, const mesh& m, const std::vector<bool>& hidden) {
   std::set<std::pair<vertex_index, vertex_index>> edges;
-  for (const auto* triangles : {&m.triangles, &m.disagreeing})
-    for (const triangle& t : *triangles)
-      for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
+  const auto add = [&](const triangle& t) {
+    for (std::size_t i = 0; i < 3; ++i) edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
+  };
+  for (std::size_t t = 0; t < m.triangles.size(); ++t)
+    if (hidden.empty() || !hidden[t]) add(m.triangles[t]);
+  for (const triangle& t : m.disagreeing) add(t);
   on.use(thin_ink);
-  on.set_line_width(0.9 * p.unit());
+  on.set_line_width(p.line_width());
   for (const auto& [a, b] : edges) {
     on.move_to(p.at(m.sites[a].position));
     on.line_to(p.at(m.sites[b].position));
@@ -261,17 +276,24 @@ std::optional<error> missing_for_pictures() {
 
 result<std::string> draw_picture(const mesh& m, picture_format format,
                                  const picture_options& options) {
-  const auto coloured = colours_of(m, options);
+  auto layout = lay_out(m, options);
+  if (!layout.ok()) return layout.failure();
+  page& p = layout.value();
+  std::vector<bool> hidden = hidden_by_lines(m, p.line_width() / p.scale);
+  const bool is_fine = are_most(m, hidden);
+  if (!is_fine) hidden.clear();
+  picture_options shown = options;
+  // Lines alone would be a grey area.
+  if (is_fine && shown.colours == picture_by::nothing) shown.colours = most_telling(m);
+  const auto coloured = colours_of(m, shown);
   if (!coloured) return coloured.failure();
   const auto& colours = coloured.value();
-  const auto layout = lay_out(m, options, colours.legend);
-  if (!layout.ok()) return layout.failure();
-  const page& p = layout.value();
+  if (auto wrong = add_foot(p, colours.legend)) return *wrong;
   return paint_file(format, p.width, p.height, [&](canvas& on) {
     on.use(paper);
     on.paint();
-    fill_triangles(on, p, m, options.angle_bound, colours.triangles);
-    stroke_edges(on, p, m);
+    fill_triangles(on, p, m, options.angle_bound, colours.triangles, is_fine);
+    stroke_edges(on, p, m, hidden);
     stroke_boundary(on, p, m, colours.boundary);
     if (options.ellipses) draw_ellipses(on, p, m);
     if (has_dots(m, options)) draw_sites(on, p, m);

@@ -104,6 +104,25 @@ std::pair<double, double> extent(const mesh& m, const triangle& t) {
   return {std::fabs(twice), longest};
 }
 
+std::vector<double> aspects(const mesh& m) {
+  return of_triangles(m, [&](const triangle& t) {
+    const auto [twice, longest] = extent(m, t);
+    return longest * longest / twice;
+  });
+}
+
+std::vector<double> sizes(const mesh& m) {
+  return of_triangles(m, [&](const triangle& t) { return std::sqrt(extent(m, t).first / 2); });
+}
+
+// Returns the value that `part` of all are below.
+double quantile(std::vector<double> values, double part) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 // Scales logarithms from the least value to the one that a thousandth of the values exceed.
 picture_colouring by_logarithm(std::vector<double> values, const char* title) {
   std::vector<double> sorted = values;
@@ -175,6 +194,12 @@ result<picture_colouring> by_field(const mesh& m, const solution_field& field) {
 
 }  // namespace
 
+picture_by most_telling(const mesh& m) {
+  if (quantile(aspects(m), 0.9) > 4) return picture_by::aspect;
+  const std::vector<double> all = sizes(m);
+  return quantile(all, 0.95) > 3 * quantile(all, 0.05) ? picture_by::size : picture_by::angle;
+}
+
 result<picture_colouring> colours_of(const mesh& m, const picture_options& options) {
   const picture_by by = options.colours;
   if (by == picture_by::nothing) return picture_colouring{};
@@ -186,16 +211,9 @@ result<picture_colouring> colours_of(const mesh& m, const picture_options& optio
     case picture_by::angle:
       return by_angle(m, options.angle_bound);
     case picture_by::aspect:
-      return by_logarithm(of_triangles(m,
-                                       [&](const triangle& t) {
-                                         const auto [twice, longest] = extent(m, t);
-                                         return longest * longest / twice;
-                                       }),
-                          "length over width");
+      return by_logarithm(aspects(m), "length over width");
     case picture_by::size:
-      return by_logarithm(
-          of_triangles(m, [&](const triangle& t) { return std::sqrt(extent(m, t).first / 2); }),
-          "root of the area");
+      return by_logarithm(sizes(m), "root of the area");
     case picture_by::region:
       return by_region(m);
     case picture_by::marker:

@@ -20,6 +20,10 @@ struct picture_colouring {
   picture_legend legend;
 };
 
+// Returns what tells most of a mesh with triangles, as pages begin: aspects, or if nine of ten are
+// below 4 sizes, or if these are much alike angles.
+picture_by most_telling(const mesh& m);
+
 // Fails for a field that has not one number for each site, and if the values are missing: colours
 // of triangles in a mesh without any, of markers without boundary.
 result<picture_colouring> colours_of(const mesh& m, const picture_options& options);

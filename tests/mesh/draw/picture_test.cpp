@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
 
+#include "asterism/mesh/draw/fine_triangles.hpp"
 #include "asterism/mesh/draw/outline.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
@@ -156,6 +158,43 @@ TEST_CASE("colours fill every triangle, and a legend stands below") {
        at = regions.find("rgb(", at + 1))
     ++fills[regions.substr(at, regions.find(')', at) - at)];
   CHECK(std::count_if(fills.begin(), fills.end(), [](const auto& f) { return f.second > 3; }) >= 2);
+}
+
+TEST_CASE("lines hide triangles whose inscribed circle is less than two lines across") {
+  mesh m;
+  // Sides of 3, 4 and 5: the inscribed circle has radius 1.
+  for (const point p : {point{0, 0}, point{4, 0}, point{0, 3}, point{-400, 0}})
+    m.sites.push_back({p, {1, 0, 1}});
+  m.triangles = {{0, 1, 2}, {0, 2, 3}};
+  CHECK(internal::hidden_by_lines(m, 0.99) == std::vector<bool>{false, false});
+  CHECK(internal::hidden_by_lines(m, 1.01) == std::vector<bool>{true, false});
+  CHECK(internal::hidden_by_lines(m, 1.6) == std::vector<bool>{true, true});
+  // A hundredth of the area, and the rest.
+  CHECK_FALSE(internal::are_most(m, {true, false}));
+  CHECK(internal::are_most(m, {false, true}));
+  CHECK_FALSE(internal::are_most(m, {}));
+}
+
+TEST_CASE("a mesh finer than lines is coloured by what tells most, and has no lines") {
+  const auto shown = [](const mesh& m, picture_by colours) {
+    picture_options options{200};
+    options.colours = colours;
+    return drawn(m, picture_format::png, options);
+  };
+  // Cells of .94 and of 9.4 lines.
+  mesh m = sample_mesh(350);
+  CHECK((shown(m, picture_by::nothing) == shown(m, picture_by::angle)));
+  CHECK(
+      (shown(sample_mesh(100), picture_by::nothing) != shown(sample_mesh(100), picture_by::angle)));
+  mesh flat = m;
+  for (site& s : flat.sites) s.position.y /= 5;
+  CHECK((shown(flat, picture_by::nothing) == shown(flat, picture_by::aspect)));
+  mesh graded = sample_mesh(420);  // by a map that keeps angles
+  for (site& s : graded.sites) {
+    const auto [x, y] = s.position;
+    s.position = {std::exp(0.7 * x) * std::cos(0.7 * y), std::exp(0.7 * x) * std::sin(0.7 * y)};
+  }
+  CHECK((shown(graded, picture_by::nothing) == shown(graded, picture_by::size)));
 }
 
 TEST_CASE("colours of what is not there are refused") {

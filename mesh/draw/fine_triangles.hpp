@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds the triangles of a mesh that are too small for a picture's lines.
+#pragma once
+
+#include <vector>
+
+#include "asterism/mesh/data/mesh.hpp"
+
+namespace asterism::internal {
+
+// Returns for each of mesh::triangles whether lines along its edges would hide it: whether its
+// inscribed circle is less than two lines across. Lines that are just as wide as that leave a
+// quarter of the triangle in sight. `line_width` is in the mesh's own lengths.
+std::vector<bool> hidden_by_lines(const mesh& m, double line_width);
+
+// True if those triangles are more than half of the area.
+bool are_most(const mesh& m, const std::vector<bool>& of_triangles);
+
+}  // namespace asterism::internal
