@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <ostream>
+#include <string>
 #include <utility>
 
 #include "asterism/apps/base/terminal.hpp"
@@ -37,6 +39,17 @@ std::string verdict_of(const certified_mesh& made) {
   if (made.outcome.delivered && made.report.certified)
     return in_colour("certified", ink::yellow, 1) + " in the metric delivered, NOT complete";
   return in_colour("NOT certified", ink::red, 1) + ", incomplete";
+}
+
+// Returns how many edges have a metric length near 1, and where most have not, their mean length: a
+// domain whose sides are shorter than the size has none, and yet the mesh is as coarse as it can
+// be.
+std::string unit_edges_text(double part, const std::map<std::string, double>& measured) {
+  std::string text = fmt::format("{:.2f}% unit edges", part * 100);
+  const auto mean = measured.find("mean_length");
+  if (part < 0.5 && mean != measured.end())
+    text += fmt::format(" (mean length in the metric {:.3g}, not 1)", mean->second);
+  return text;
 }
 
 }  // namespace
@@ -118,7 +131,7 @@ void write_summary(std::ostream& out, const certified_mesh& made,
   if (outcome.too_large > 0) out << ", " << outcome.too_large << " too large";
   if (outcome.ended.stars_missing > 0)
     out << ", " << outcome.ended.stars_missing << " stars never made";
-  if (unit_edges) out << fmt::format(", {:.2f}% unit edges", *unit_edges * 100);
+  if (unit_edges) out << ", " << unit_edges_text(*unit_edges, made.claim.measured);
   if (report.voronoi != voronoi_verdict::not_asked)
     out << ", dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.voronoi)];

@@ -432,6 +432,16 @@ class Mesh(command.CommandTest):
                 share = float(re.search(r"([\d.]+)% unit edges", done.stdout)[1])
                 self.assertGreater(share, 95)
 
+    def test_edges_far_from_the_length_asked_for_are_told_with_their_own(self):
+        """A size beyond the domain gave "0.00% unit edges" of a mesh that cannot be coarser, and no more."""
+        done = self.run_command("mesh", "square", "--size", "1e9", "-o", "m.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # Four sides of 2 and a diagonal.
+        mean = (4 * 2 + math.sqrt(8)) / 5 / 1e9
+        self.assertIn(f", 0.00% unit edges (mean length in the metric {mean:.3g}, not 1)\n", done.stdout)
+        done = self.run_command("mesh", "square", "--size", "0.5", "-o", "m.mesh")
+        self.assertRegex(done.stdout, SIZED)
+
     def test_a_metric_was_carried_on_beyond_its_mesh_without_a_word(self):
         self.background()
         self.write("wide.poly", "4 2 0 0\n1 -1 -1\n2 1.5 -1\n3 1.5 1\n4 -1 1\n"
