@@ -11,8 +11,10 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "asterism/mesh/draw/packed_arrays.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 #include "asterism/mesh/numerics/metric_angle.hpp"
 #include "asterism/mesh/support/markup.hpp"
@@ -29,34 +31,55 @@ constexpr std::string_view type_name() {
   if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
 }
 
-// Collects the tags, and the functions that make their bytes, which come after all tags.
+// Gives bytes that come in parts to a sink, as one text in base64.
+class base64_encoder {
+ public:
+  explicit base64_encoder(const byte_sink& put) : put_(put) {}
+  void add(std::string_view bytes) {
+    held_ += bytes;
+    const std::size_t whole = held_.size() / 3 * 3;
+    put_(base64(std::string_view(held_).substr(0, whole)));
+    held_.erase(0, whole);
+  }
+  void end() { put_(base64(held_)); }
+
+ private:
+  const byte_sink& put_;
+  std::string held_;  // fewer than three bytes between calls
+};
+
+// Collects the tags, and the functions that make the bytes between them.
 class vtu_writer {
  public:
   void add(std::string_view text) { tags_ += text; }
 
-  // Adds an array of `count` numbers, number(i) each: its tag has the offset of the count that
-  // precedes its numbers. Data that `number` refers to must live until the file is written.
+  // Adds an array of `count` numbers, number(i) each, behind the count of their bytes. Data that
+  // `number` refers to must live until the file is written.
   template <class Number, class Make>
   void add_array(std::string_view name, int components, std::size_t count, const Make& number,
                  std::string_view more = {}) {
     tags_ += fmt::format(R"(<DataArray type="{}" Name="{}")", type_name<Number>(), name);
     if (components > 1) tags_ += fmt::format(R"( NumberOfComponents="{}")", components);
-    tags_ += fmt::format("{} format=\"appended\" offset=\"{}\"/>\n", more, bytes_);
-    const std::uint64_t size = count * sizeof(Number);
-    bytes_ += sizeof size + size;
-    arrays_.push_back([count, size, number](const byte_sink& put) {
-      std::string before;
-      append(before, size, sizeof size);
-      put(before);
-      make_lines(
-          count, [&](std::size_t i, std::string& bytes) { append(bytes, Number{number(i)}); }, put);
-    });
+    tags_ += fmt::format("{} format=\"binary\">\n", more);
+    arrays_.push_back(
+        {std::exchange(tags_, "\n</DataArray>\n"), [count, number](const byte_sink& put) {
+           std::string before;
+           append(before, count * sizeof(Number), sizeof(std::uint64_t));
+           put(before);
+           make_lines(
+               count, [&](std::size_t i, std::string& bytes) { append(bytes, Number{number(i)}); },
+               put);
+         }});
   }
 
   void write(const byte_sink& put) {
-    put(tags_ += "<AppendedData encoding=\"raw\">\n_");
-    for (const auto& array : arrays_) array(put);
-    put("\n</AppendedData>\n</VTKFile>\n");
+    for (const array& a : arrays_) {
+      put(a.tags_before);
+      base64_encoder encoder(put);
+      a.numbers([&encoder](std::string_view bytes) { encoder.add(bytes); });
+      encoder.end();
+    }
+    put(tags_ += "</VTKFile>\n");
   }
 
  private:
@@ -71,9 +94,13 @@ class vtu_writer {
       append(bytes, static_cast<std::uint64_t>(number), sizeof number);
   }
 
-  std::string tags_;
-  std::uint64_t bytes_ = 0;
-  std::vector<std::function<void(const byte_sink&)>> arrays_;
+  struct array {
+    std::string tags_before;
+    std::function<void(const byte_sink&)> numbers;
+  };
+
+  std::string tags_;  // after the last array
+  std::vector<array> arrays_;
 };
 
 std::vector<std::int32_t> star_sizes(const mesh& m) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/write_mesh.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/vtu.hpp"
+#include "asterism/mesh/io/vtu_mesh.hpp"
 #include "asterism/mesh/io/vtu_numbers.hpp"
 #include "asterism/tests/mesh/fixtures/temporary_directory.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
@@ -128,14 +130,13 @@ std::string vtu_bytes(const mesh& m) {
   return internal::bytes_of([&m](const byte_sink& put) { write_vtu(m, {}, put); });
 }
 
-// The numbers of an array of integers, found by the offset in its tag.
+// The numbers of an array of integers, fewer than 64.
 std::vector<double> integers_of(const std::string& file, const std::string& name) {
-  const std::string offset = "offset=\"", mark = "encoding=\"raw\">\n_";
-  const std::size_t at = file.find(offset, file.find("Name=\"" + name + "\"")) + offset.size();
-  const std::size_t begin = file.find(mark) + mark.size() + std::stoul(file.substr(at));
-  const auto bytes = static_cast<unsigned char>(file[begin]);  // of fewer than 256
-  const auto read = vtu_binary_numbers(std::string_view(file).substr(begin), "Int32", bytes / 4U,
-                                       {false, true}, true);
+  const std::size_t tag = file.find("Name=\"" + name + "\"");
+  const std::size_t begin = file.find(">\n", tag) + 2;
+  const std::string text = file.substr(begin, file.find('\n', begin) - begin);
+  const auto bytes = static_cast<unsigned char>(decode_base64(text, 8)[0]);
+  const auto read = vtu_binary_numbers(text, "Int32", bytes / 4U, {false, true}, false);
   REQUIRE(read.ok());
   return read.value();
 }
@@ -145,6 +146,20 @@ std::vector<double> integers_of(const std::string& file, const std::string& name
 TEST_CASE("a .vtu file has the regions, 1 when there are none") {
   REQUIRE(integers_of(vtu_bytes(sample_mesh(1)), "region") == std::vector<double>{1, 1});
   REQUIRE(integers_of(vtu_bytes(tests::divided_mesh(1)), "region") == std::vector<double>{-7, 2});
+}
+
+TEST_CASE("a .vtu file is text all through, as readers of XML want it") {
+  const std::string text = vtu_bytes(sample_mesh(5));
+  CHECK(std::all_of(text.begin(), text.end(),
+                    [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  CHECK(text.find("AppendedData") == std::string::npos);
+  // Arrays of more bytes than are encoded at a time, and of numbers of bytes that 3 does not
+  // divide.
+  const mesh m = sample_mesh(60);
+  const auto read = read_vtu_mesh(vtu_bytes(m), "m.vtu");
+  REQUIRE(read.ok());
+  REQUIRE(read.value().content.sites.size() == m.sites.size());
+  CHECK(read.value().content.sites.back().position == m.sites.back().position);
 }
 
 TEST_CASE("a mesh with more or fewer regions than triangles is not written") {
