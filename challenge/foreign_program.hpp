@@ -52,9 +52,9 @@ struct program_run {
 inline constexpr std::size_t longest_answer = 4096;
 
 // Runs `command` (a program and its arguments) on the questions, one a line, and closes its input
-// after the last. Nothing that it started is left afterwards (challenge/kept_program.hpp says what
-// holds). A gap between answers is counted from the start or the answer before, so that of a
-// program that collects its output the first line collected is late.
+// after the last. No process that it started remains afterwards, with the exceptions named in
+// challenge/kept_program.hpp. A gap between answers is counted from the start or the answer before;
+// if a program buffers its output, the first line of each buffer is late.
 //
 // Errors: no such program, or no process can be made.
 result<program_run> run_program(const std::vector<std::string>& command,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists the classes of input on which predicates are known to fail. A new one is a function from
-// random numbers to a scene, declared here and entered in the table of input_classes.cpp, which is
-// all that the command, its help and the tests read.
+// Lists the classes of input on which predicates are known to fail. To add a class, declare here a
+// function from random numbers to a scene, and enter it in the table of input_classes.cpp: the
+// command, its help and the tests read only that table.
 #pragma once
 
 #include <span>

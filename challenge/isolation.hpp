@@ -32,7 +32,7 @@ struct batch_replies {
   bool out_of_time = false;    // the time for the whole was over, and the rest was not asked
 };
 
-// Number of failures in one batch after which the rest is not asked. The search for one takes some
+// Number of failures in one batch after which the rest is not asked. Finding one failure takes some
 // ten runs.
 inline constexpr std::size_t most_failures = 5;
 

@@ -5,12 +5,12 @@
 // The keeper is a process between this one and the program. Whatever the program starts, with
 // setsid or not, becomes the keeper's child when its own parent ends (Linux: a child subreaper,
 // prctl(2)), so that the keeper ends one generation after the other until it has no child. It does
-// so when it is told to, and when we end, however that happens.
+// so on request, and when this process ends for any reason.
 //
 // Guarantees: on Linux with a list of children in /proc (CONFIG_PROC_CHILDREN, as distributions
 // have it) all that descends from the program is ended, but for processes of another user, which
-// may not be sent signals. Elsewhere the program's process group is. Something that forks faster
-// than it is ended is given up after some seconds, and told.
+// may not be sent signals. Elsewhere the program's process group is. A program that forks faster
+// than it can be ended is left after some seconds, which is reported.
 #pragma once
 
 #include <sys/types.h>

@@ -2,7 +2,7 @@
 //
 // Reads doubles from characters as std::from_chars does. Where the standard library has none for
 // doubles (libc++ before 20), decimal numbers are read by fast_float, a header alone, and
-// hexadecimal ones here. ASTERISM_FAST_FLOAT takes that way on any library.
+// hexadecimal ones here. ASTERISM_FAST_FLOAT selects fast_float with any library.
 #pragma once
 
 #include <charconv>

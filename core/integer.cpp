@@ -15,8 +15,8 @@ namespace {
 // Cost of a function call, in units of products of two limbs.
 constexpr std::uint64_t a_call = 40;
 
-// Counts a product of so many limbs by so many. Beyond some forty limbs it is made of smaller ones,
-// and grows by the 1.6th power of the size.
+// Adds the work of a product of numbers of these lengths, in limbs. Beyond some forty limbs it is
+// composed of smaller products, and the work grows as the length to the power 1.6.
 void count_product(std::size_t longer, std::size_t shorter) {
   constexpr std::size_t plain = 40;
   const std::size_t rows = shorter <= plain ? shorter : plain + (shorter - plain) / 4;

@@ -21,9 +21,9 @@
 namespace asterism::internal {
 
 // Work that this thread has done with long integers, in products of two limbs: about half a
-// nanosecond each. What the functions of core/limbs_gmp.hpp take grows with the sizes of their
-// numbers, so that one question can cost ten thousand times another. It depends on the numbers
-// alone, not on who multiplies them.
+// nanosecond each. The work of core/limbs_gmp.hpp grows with the sizes of the numbers, so that one
+// question can cost ten thousand times another. It depends on the numbers alone, not on the library
+// that multiplies them.
 inline constinit thread_local std::uint64_t limb_products_done = 0;
 
 class integer {

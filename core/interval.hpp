@@ -43,7 +43,7 @@ inline uncertain_sign sign_of(const interval& x) {
 }
 
 // Returns the square root of the part of x that is not negative: for a radicand known to be
-// non-negative whose enclosure is not.
+// non-negative whose enclosure contains negative numbers.
 inline interval square_root_of_non_negative(const interval& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!(x.sup() >= 0)) return interval(0, infinity);  // empty, or a NaN: promise nothing

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Provides the functions of core/limbs_gmp.hpp without GMP, for the build with
-// ASTERISM_EXACT=cpp_int: plain loops for what takes one pass, Boost's cpp_int for division,
-// divisors and roots. Slower, and with a licence without conditions for who links it.
+// ASTERISM_EXACT=cpp_int: loops for operations of one pass, Boost's cpp_int for division, divisors
+// and roots. Slower than GMP, but its licence puts no conditions on programs linked to it.
 #pragma once
 
 #include <algorithm>

@@ -21,8 +21,8 @@ constexpr double unit_fraction(std::uint64_t bits) {
   return static_cast<double>(bits >> 11U) * 0x1p-53;
 }
 
-// Returns a number in [0, 1) that depends on all bits of the two, and on nothing else: for numbers
-// that belong to a place or to an attempt, whatever was drawn before.
+// Returns a number in [0, 1) that depends on all bits of a and b, and on nothing else: a number for
+// a place or an attempt that does not depend on numbers drawn before.
 constexpr double fraction_of(std::uint64_t a, std::uint64_t b) {
   return unit_fraction(mixed_bits(a * 0x9e3779b97f4a7c15U + b * 0xd1342543de82ef95U + 1));
 }
@@ -31,7 +31,7 @@ class splitmix64 {
  public:
   constexpr explicit splitmix64(std::uint64_t seed) : state_(seed) {}
 
-  // A generator with its state. A copy continues where this one is.
+  // The state, to be kept: a generator made with it as seed continues the sequence from here.
   constexpr std::uint64_t state() const { return state_; }
 
   constexpr std::uint64_t bits() { return mixed_bits(state_ += 0x9e3779b97f4a7c15U); }

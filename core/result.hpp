@@ -12,7 +12,7 @@
 
 namespace asterism {
 
-// Kind of input that was refused, for programs; the message says which and where.
+// Kind of input that was refused, for programs; the message says what was refused and where.
 enum class error_code {
   invalid_input,    // none of the following, or not known more precisely
   bad_option,       // an option, or a name given for one, out of range

@@ -26,7 +26,7 @@ constexpr sign to_sign(int value) {
   return value > 0 ? sign::positive : value < 0 ? sign::negative : sign::zero;
 }
 
-// An answer, or the knowledge that there is none.
+// An answer, or no answer: the arithmetic could not decide.
 template <class T>
 class uncertain {
  public:

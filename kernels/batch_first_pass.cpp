@@ -117,7 +117,7 @@ ASTERISM_INLINE number dominates_row(const site& v, const site& w, const point& 
   const verdict nearer =
       decide(of_v - of_w, length_magnitude(v.metric, from_v) + length_magnitude(w.metric, from_w),
              bound_factor(semi_static::compare_distance_depth));
-  // Takes d from v to w or from w to v: squared lengths are the same.
+  // d may be w - v or v - w: squared lengths are the same.
   const metric_tensor near = choose(nearer.negative, v.metric, w.metric),
                       far = choose(nearer.negative, w.metric, v.metric);
   const vector u = {choose(nearer.negative, from_v.x, from_w.x),

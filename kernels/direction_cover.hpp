@@ -3,7 +3,7 @@
 // Refuses a site w beside the neighbours x and y of v, without a Voronoi vertex to start from: the
 // directions in which v and w may see a common point are covered by cones, and in each of them one
 // reason forbids all of them. For neighbours whose metrics are stretched in directions of their
-// own, where star_gap finds no vertex or one that tells too little.
+// own, where star_gap finds no vertex or one whose bounds decide nothing.
 //
 // Method: in v's frame (kernels/normal_frame.hpp) an upper bound of w's first meeting, 1/s_w, and a
 // lower bound of x's, or of the line through w and x beyond x, are compared at both ends of a cone;

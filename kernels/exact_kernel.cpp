@@ -301,7 +301,7 @@ namespace {
       return equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position);
     });
   }
-  // Takes a certain "no" of the search as no tie (kernels/arc_search.hpp).
+  // Accepts a certain "no" of the search, which excludes a tie (kernels/arc_search.hpp).
   const uncertain_bool found = search_arc(v, w, x, y);
   if (found.certain()) return found.value();
   insertion_sections sections(v, w, x, y);

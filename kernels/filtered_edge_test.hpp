@@ -10,9 +10,9 @@
 
 namespace asterism::internal {
 
-// Returns what filtered_kernel::edge_test(v, w, x, y) would where it comes to no exact numbers, or
-// the four metrics are the same, which takes none that are long; undecided otherwise. Counts in
-// `decided` the last tier that was tried.
+// Returns what filtered_kernel::edge_test(v, w, x, y) would where it needs no exact arithmetic, or
+// only on short numbers as the four metrics are equal; undecided otherwise. Counts in `decided` the
+// last tier that was tried.
 uncertain_bool filtered_edge_test(const site& v, const site& w, const site& x, const site& y,
                                   tier_counters& decided);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Is the first stage of the exact tier: the pointwise predicates in integers of a fixed width. The
-// coordinates of a question become 62-bit integers in one common unit, and so do its metrics;
-// products then have 128, 192 and 320 bits. Nothing rounds and nothing asks for memory.
+// Implements the first stage of the exact tier: the pointwise predicates in integers of a fixed
+// width. The coordinates of a question become 62-bit integers in one common unit, and so do its
+// metrics; products then have 128, 192 and 320 bits. There is no rounding and no allocation.
 //
 // Undecided where the numbers of a question differ so much in size, or have so many bits, that no
 // common unit holds them all. Neither their magnitude nor the floating-point environment matters.

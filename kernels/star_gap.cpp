@@ -62,7 +62,7 @@ star_gap::star_gap(const site& v, const site& y, const site& x) : frame_(v) {
 }
 
 // Finds the vertex by Newton's method for f_v - f_z = u.(I - N)u + 2 u.N d - C at z = x, y, from
-// the centre of the circle that the sum of the three metrics sees through v, x and y.
+// the centre of the circle through v, x and y in the sum of the three metrics.
 bool star_gap::find_vertex() {
   const metric_tensor at_x = complement(x_.site.metric), at_y = complement(y_.site.metric);
   const double half_x = 0.5 * x_.c, half_y = 0.5 * y_.c;

@@ -20,8 +20,9 @@ void group_options(CLI::App& program);
 // output is, else 100.
 std::size_t help_columns();
 
-// Returns the help with lines longer than `columns` broken between words. A description goes on
-// below its first word. Examples stay as they are: a broken command line cannot be copied.
+// Returns the help with lines longer than `columns` broken between words. Continuation lines of a
+// description are indented to its first word. Examples stay as they are: a broken command line
+// cannot be copied.
 std::string wrapped(const std::string& help, std::size_t columns);
 
 }  // namespace asterism::apps

@@ -7,8 +7,8 @@
 
 namespace asterism::apps {
 
-// Returns the exit status. What can be refused is refused before meshing; messages go to standard
-// error, the summary to standard output.
+// Returns the exit status. Input is refused before meshing where that is possible; messages go to
+// standard error, the summary to standard output.
 int run_mesh_job(const mesh_job& job);
 
 }  // namespace asterism::apps

@@ -26,7 +26,7 @@ std::atomic<bool> is_counting = false;
 std::atomic<std::int64_t> held = 0, most = no_limit;
 std::atomic<std::int64_t> next_look = no_limit;  // when this much is held
 
-// Reads how much memory is resident, in bytes; 0 where the system does not tell.
+// Reads how much memory is resident, in bytes; 0 where the system does not report it.
 struct residence {
   double all = 0, of_files = 0;  // of files: code, and constants of the program and its libraries
 };
@@ -94,8 +94,8 @@ bool may_hold(std::size_t more) {
 // access. Asks for all of a block that is aligned to such pages
 // (mesh/support/large_page_allocator), and for the first half of another large one: the other half
 // of a list that has grown may never be touched, and the page in which it begins would be resident,
-// which is 2 % of all at a million triangles. Of still larger ones it is little. A system that does
-// not know of such pages says so, and nothing is different then.
+// which is 2 % of all at a million triangles. Where a system has no such pages, the request fails
+// without effect.
 void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size,
                          [[maybe_unused]] std::size_t alignment) {
 #ifdef MADV_HUGEPAGE
@@ -120,7 +120,7 @@ void* allocate(std::size_t size, std::size_t alignment) {
   return posix_memalign(&block, alignment, size) == 0 ? block : nullptr;
 }
 
-// Returns the block, or nothing where there is no memory or no room under the limit.
+// Returns the block; null if there is no memory, or too little below the limit.
 void* take(std::size_t size, std::size_t alignment) {
   const bool counting = is_counting.load(std::memory_order_relaxed);
   if (counting && !may_hold(size)) return nullptr;

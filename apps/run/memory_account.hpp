@@ -25,7 +25,7 @@ class memory_account {
   memory_account(const memory_account&) = delete;
   memory_account& operator=(const memory_account&) = delete;
 
-  // Returns the resident memory in bytes; 0 where the system does not tell.
+  // Returns the resident memory in bytes; 0 where the system does not report it.
   static double resident();
 };
 

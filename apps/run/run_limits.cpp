@@ -82,9 +82,9 @@ double run_limits::seconds_worked() const {
   return std::chrono::duration<double>(clock::now() - start_).count();
 }
 
-// Ends the program if a run that is told to end does not. The wait is measured in processor time of
-// the run, so that a busy machine does not lose its mesh; a run that waits, for a file or a pipe,
-// has a few times as long in wall time.
+// Ends the program if a run that is told to end does not end in time. The time is processor time of
+// the run, so that no mesh is lost on a busy machine; a run that waits for a file or a pipe is
+// given a few times as long in wall time.
 void run_limits::watch() {
   constexpr double times_waiting = 4;
   constexpr std::chrono::milliseconds between{20};

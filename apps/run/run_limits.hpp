@@ -3,10 +3,10 @@
 // Ends a run early: at an interrupt from the keyboard, or at a limit on time or on memory. The run
 // then writes the results that are certain.
 //
-// A run ends where it polls, which is often. So that no unforeseen loop goes on for
-// minutes, a thread watches it: a run that is told to end and has not begun to write its
-// files within the time that a conclusion takes is ended there, with status 1, and nothing
-// is written.
+// A run ends where it polls, which is often. A thread watches it, in case an unforeseen
+// loop takes minutes: a run that is told to end and has not begun to write its files
+// within the time that a conclusion takes is ended there, with status 1, and nothing is
+// written.
 #pragma once
 
 #include <pthread.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Judges the metric of a mesh for `verify`: whether it is the one asked for, or near enough.
+// Judges the metric of a mesh for `verify`: whether it is the one asked for, exactly or within the
+// tolerance.
 #pragma once
 
 #include <memory>

@@ -79,7 +79,7 @@ std::optional<error> compare_domain(const verify_options& options, const pieces_
   return std::nullopt;
 }
 
-// Makes the metric that is named, or else the one named by the index.
+// Makes the metric that --metric names, or else the one that the index names.
 std::optional<error> ask_metric(const verify_options& options, const pieces_index& index,
                                 pieces_question& asked) {
   certificate words;  // of the question alone

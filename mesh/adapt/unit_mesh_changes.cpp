@@ -120,8 +120,8 @@ std::vector<long_edge> those_longer(const working_mesh& m, const metric_at& fiel
 
 }  // namespace
 
-// Splits the edges that are too long in the wanted metric and not short in the mesh's own, in which
-// stars can agree: where that one is coarser edges stay long.
+// Splits edges that are too long in the wanted metric, unless they are short in the mesh's own
+// metric, in which stars can agree: where the own metric is coarser, long edges remain.
 std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const length_limits& limits,
                                                     std::size_t most_nodes) {
   std::vector<vertex_index> made_nodes;

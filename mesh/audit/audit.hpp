@@ -10,8 +10,8 @@
 //     domain is given, of that domain with its segments split, those inside it being edges with a
 //     triangle on each side; and every triangle has the number of its region;
 //  3. have no angle below the bound, at any corner, in the metric of any of the triangle's three
-//     vertices, hence of any convex combination of them, but the domain's own angle at corners
-//     that are sharper, in metrics that measure it so;
+//     vertices, hence of any convex combination of them, except the angles at those corners of
+//     the domain whose own angle is below the bound in the same metric;
 //  4. have every triangle in the star of each of its vertices: each star is a fixed point of the
 //     incremental insertion among the sites visible from its centre.
 // If that is asked for, it is also proven or refused that the mesh

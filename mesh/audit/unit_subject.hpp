@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Brings a mesh of extreme coordinates or metrics into the range in which bounds in doubles decide,
-// by powers of two that lose nothing: questions about lengths beside each other stay the same.
+// Scales a mesh of extreme coordinates or metrics into the range in which bounds in doubles decide.
+// The factors are powers of two: the scaling is exact, and no comparison of lengths changes.
 #pragma once
 
 #include <optional>

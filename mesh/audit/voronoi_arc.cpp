@@ -248,8 +248,8 @@ std::optional<offset> enclosed_arc::middle(const offset& from, const offset& to)
   return cut;
 }
 
-// Extends the reach to a span, which is in the parallelogram of its ends moved aside: f_v is
-// greatest in one of the four corners.
+// Extends the reach to a span: f_v on it is at most the greatest value at the corners of a
+// parallelogram that contains it, its ends moved aside in both directions.
 void enclosed_arc::extend_reach(const span& s) {
   const offset aside = bounded(0.25 * s.bulge) * exactly(s.across);
   const tensor<bounded> own = tensor_of_doubles(v_.metric);

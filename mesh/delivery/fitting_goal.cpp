@@ -70,7 +70,8 @@ bool fitting_goal::give_up_room_at_chords() {
   return true;
 }
 
-// Raises the number of vertices to this share of what the metric with room at short segments takes.
+// Raises the number of vertices to the number that the metric with room at short segments needs,
+// times `part`. Returns false if that number is not greater or exceeds the limit.
 bool fitting_goal::raise_count(double part, const cancellation& stop) {
   const auto all = static_cast<std::size_t>(part * vertices_for_area * fitted_.complexity());
   if (!(count_ < all && all < most_)) return false;

@@ -6,19 +6,19 @@
 // Vertices of the domain are: corners and required vertices, ends of required edges, and vertices
 // where not exactly two segments meet, where the marker changes or a segment becomes internal, and
 // where the boundary turns by more than the angle. The segments between them are
-//   - straight, where all vertices between are on the line up to sixteen units in the last place,
-//     which then go;
-//   - else, pieces of the polygon: of its vertices those stay that keep every piece at most one
-//     long, as its ends' metric measures it, and no dropped one farther from it than is allowed:
-//     by default a hundredth of the piece, and of the metric's size across it. So a
-//     curved boundary follows the polygon, coarser where the metric is. Lines between different
-//     regions keep every vertex that is not on a straight part. Between its ends a piece of the
-//     outer boundary is a cubic through them (outline_curves.hpp), on which the next mesh splits
-//     it; straight where the cubic would be farther from the polygon than is asked for, or has no
-//     room.
-// If that is no domain (check_domain), or the area of a region differs from the mesh's by more than
-// vertices that go within the distance asked for make of it, curved parts keep all their vertices;
-// where that does not do either, every vertex is one of the domain.
+//   - straight, if all vertices between are on the line up to sixteen units in the last place;
+//     these vertices are removed;
+//   - else, pieces of the polygon: vertices of it are removed as long as every piece has at most
+//     length 1 in the metric of its ends, and no removed vertex is farther from its piece than is
+//     allowed: by default a hundredth of the piece's length, and of the metric's size across it.
+//     So a curved boundary follows the polygon, with longer pieces where the metric is coarser.
+//     Lines between different regions keep every vertex that is not on a straight part. A piece of
+//     the outer boundary is a cubic through its ends (outline_curves.hpp), on which the next mesh
+//     splits it; it is straight if the cubic would be farther from the polygon than is allowed, or
+//     would come too near to other pieces.
+// If the result is no domain (check_domain), or the area of a region differs from the mesh's by
+// more than removals within the distance allowed can explain, curved parts keep all their vertices;
+// if that fails, too, every vertex of the mesh is one of the domain.
 #pragma once
 
 #include <cstddef>

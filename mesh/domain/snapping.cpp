@@ -247,7 +247,8 @@ std::vector<vertex_index> snapper::chain_of(const edge& e) const {
   return chain;
 }
 
-// Replaces the pieces along edges that are to pass other vertices. Returns true if there are any.
+// Replaces each piece along an edge that must pass through other vertices by the pieces between
+// these. Returns true if there are any such edges.
 bool snapper::replace(const std::vector<edge>& edges) {
   std::map<vertex_pair, std::vector<vertex_index>> chains;
   for (const edge& e : edges)

@@ -15,8 +15,8 @@ namespace asterism::internal {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
-// Bound the error of core/elementary, of the result and where that is subnormal, as derived in
-// interval_functions.hpp.
+// Bounds of the errors of core/elementary, as derived in interval_functions.hpp: relative for
+// normal results, absolute for subnormal ones.
 constexpr double elementary_error = 0x1p-49, subnormal_error = 0x1p-1070;
 
 using plain_function = double (*)(double);

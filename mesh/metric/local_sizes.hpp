@@ -18,11 +18,11 @@ namespace asterism {
 ASTERISM_EXPORT double size_where_none_is_wished(const size_wishes& wishes, const domain& d);
 
 // Returns the field with these sizes in the domain `d`, as check_domain leaves it (its curves
-// divided: distances are from the chords). Takes `base` over, and returns it where nothing is
-// wished. At each point, in this order:
+// divided: distances are from the chords). Takes ownership of `base`, and returns it unchanged if
+// no sizes are given. At each point, in this order:
 //
-//  - layers: the length across becomes what they want there, if it was longer, and the length along
-//    the wall no longer than its curvature and its corners allow (metric/wall_layers.hpp);
+//  - layers: the length across is at most the thickness of the layer there, and the length along
+//    the wall at most that which its curvature and its corners allow (metric/wall_layers.hpp);
 //  - sizes: no direction is longer than the least of them;
 //  - bounds, as `asterism adapt` has them: no direction longer than `greatest`, then none shorter
 //    than `least`, which wins, then `aspect`.

@@ -91,7 +91,7 @@ variation_of_part logarithm_triangle::bounds() const {
   small_part shape;
   // Bounds errors in units of 2^-52 of the greatest coordinate: at most 60 for the corner after 60
   // halvings, 60 for the middle of three such corners, 3 for the sum and quotient of that, 2 for
-  // the difference from it. Together below 2^8.
+  // the difference from it. The sum is below 2^8.
   const double slack = greatest_coordinate * 0x1p-44;
   shape.middle = {(corners[0].x + corners[1].x + corners[2].x) / 3,
                   (corners[0].y + corners[1].y + corners[2].y) / 3};

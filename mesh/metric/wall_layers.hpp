@@ -5,14 +5,14 @@
 //
 // Heights: the row of triangles of a mesh with edges of metric length 1 is sqrt(3)/2 high. Rows of
 // height h need a metric with the length 2/sqrt(3) h across: `edge_across`. Where the direction
-// across turns by the angle t, an edge of length l along the wall at one end is l t across at the
-// other, which is l t / h in the metric. Where that is near 1 no good triangles exist. It is kept
-// at 0.16 or below: in a vertex where the wall turns by t edges are no longer than 0.16 h / t (or
-// h, where that is more), and grow from there; where vertices of a wall of radius of curvature R
-// are nearer together, t is l / R over an edge, and edges are no longer than 0.4 sqrt(R h). The
-// sagitta of a chord that long is a fiftieth of h, as for curves that are divided for a size
-// (domain/divide_curves.hpp). Where a wall ends and the boundary goes straight on, edges are as
-// long as high.
+// across turns by the angle t, an edge of length l along the wall at one end has the length l t
+// across it at the other end, l t / h in the metric. If that is near 1, no good triangles exist. It
+// is kept at 0.16 or below: at a vertex where the wall turns by t edges are no longer than 0.16 h /
+// t (or h, where that is more), and grow from there; where vertices of a wall of radius of
+// curvature R are nearer together, t is l / R over an edge, and edges are no longer than 0.4 sqrt(R
+// h). The sagitta of a chord that long is a fiftieth of h, as for curves that are divided for a
+// size (domain/divide_curves.hpp). Where a wall ends and the boundary goes straight on, edges are
+// as long as high.
 #pragma once
 
 #include <cstddef>

@@ -3,10 +3,10 @@
 // Decides whether the meshes of pieces are together a mesh of the domain (docs/math/pieces.md).
 //
 // It proves, in addition to the audit of each piece against its own domain,
-//  - of the index: its edges are the segments of the domain, divided at further points but for
-//    rounding, which bound what is on their left exactly once, and cuts with a piece on each side;
-//    so the boundaries of the pieces, as chains of directed edges, add up to that of the domain;
-//    regions and markers are kept, and a cut has one region on both sides;
+//  - of the index: its edges are the segments of the domain, divided at further points up to
+//    rounding, which enclose the region on their left exactly once, and cuts with a piece on each
+//    side; so the boundaries of the pieces, as chains of directed edges, add up to that of the
+//    domain; regions and markers are kept, and a cut has one region on both sides;
 //  - of each piece: its own domain has the edges that the index gives to it, directed so, and no
 //    others; and its mesh divides each seam at the points of the index, with the same tensors.
 // Shares no code with the functions that cut domains and divide seams, except for the parts of

@@ -2,26 +2,26 @@
 //
 // Recovers the second derivatives of a field from its values at the vertices of a mesh.
 //
-//   l2_projection  the gradients of the triangles at a vertex, averaged by area; then the same of
-//   the
-//                  gradient's components (Clement's operator, twice; refine's default). Linear
-//                  fields have none to rounding, and so have quadratic ones theirs at vertices
-//                  inside a patch that is its own image under a half turn, as in a grid.
+//   l2_projection  the gradients of the triangles at a vertex, averaged by area; then the same for
+//                  the gradient's components (Clement's operator, twice; refine's default). Exact
+//                  to rounding for linear fields, and for quadratic ones at vertices inside a patch
+//                  that is its own image under a half turn, as in a grid.
 //   green          the weak form: -sum |T| d_i u d_j phi / (sum |T| / 3), that is, the jumps of the
-//                  gradient across the edges at a vertex. Linear fields as above; quadratic ones in
-//                  a grid whose diagonals are parallel. At the boundary as the third. The default.
+//                  gradient across the edges at a vertex. Exact to rounding for linear fields, and
+//                  for quadratic ones in a grid whose diagonals are parallel. At the boundary:
+//                  least_squares. The default.
 //   least_squares  a quadratic fitted to two rings of neighbours, in coordinates in which their
-//                  covariance is the identity: else thin patches are singular. The near ones count
-//                  most. Linear and quadratic fields to rounding, everywhere.
+//                  covariance is the identity: else thin patches are singular. Near neighbours have
+//                  larger weights. Exact to rounding for linear and quadratic fields, everywhere.
 //
-// The first averages over the widest patch: it does not see waves of a few edges, so that a loop
-// never resolves them. The third does, but flattens a front that is as wide as an edge; the second,
-// which looks at one ring alone, does not (docs/results/adaptation.md).
+// l2_projection averages over the widest patch: waves of a few edges are averaged out, so that an
+// adaptation loop never resolves them. least_squares keeps them, but flattens a front that is as
+// wide as an edge; green, which uses one ring alone, does not (docs/results/adaptation.md).
 //
-// At the boundary the first takes the mean of the neighbours inside, as one-sided patches say
-// nothing of second derivatives; gradients there, which it needs, come from the third.
-// Second differences that rounding of the values alone may have made are set to zero.
-// Neighbours are those by edges of the mesh, so nothing is read across a gap.
+// At the boundary l2_projection takes the mean of the neighbours inside, as one-sided patches do
+// not determine second derivatives; gradients there, which it needs, come from least_squares.
+// Second differences that may be due to rounding of the values alone are set to zero.
+// Neighbours are those by edges of the mesh, so no value is read across a gap.
 #pragma once
 
 #include <cstddef>

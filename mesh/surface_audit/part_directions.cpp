@@ -139,8 +139,8 @@ rounded_interval widened(double low, double high, double off) {
   return {low - error, high + error};
 }
 
-// Ranges of differences along two sides and, for a quotient, those of the weights' differences and
-// of its places.
+// Ranges of the differences of control points along two sides; for a quotient, also of the
+// differences of weights and of the control points themselves.
 struct side_ranges {
   direction_range first, second, place;
   std::array<rounded_interval, 2> weight;

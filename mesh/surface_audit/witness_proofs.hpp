@@ -13,8 +13,8 @@ namespace asterism::internal {
 double proved_distance_of_mesh_point(const deviation_scene& scene, const deviation_witness& at,
                                      double proposed);
 // Returns a proved lower bound of the distance of a point of the surface from all of the mesh,
-// likewise. Exact where intervals do not decide and the patch is a Bezier patch, whose control
-// points are doubles.
+// `proposed` or little less; 0 if none is proved. Computes exactly where intervals do not decide
+// and the patch is a Bezier patch, whose control points are doubles.
 double proved_distance_of_surface_point(const deviation_scene& scene, const surface_place& at,
                                         double proposed);
 
