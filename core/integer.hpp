@@ -75,7 +75,7 @@ class integer {
     return k * limb_bits + static_cast<unsigned long>(std::countr_zero(data()[k]));
   }
 
-  // Sets *this to a * b. It must be neither.
+  // Sets *this to a * b. Requires that neither operand is *this.
   void set_product(const integer& a, const integer& b) {
     negative_ = a.negative_ != b.negative_;
     if (a.size_ <= 1 && b.size_ <= 1)
@@ -84,7 +84,7 @@ class integer {
       set_long_product(a, b);
   }
 
-  // Sets *this to a * 2^shift + b, or - b. It must be neither.
+  // Sets *this to a * 2^shift + b, or - b. Requires that neither operand is *this.
   void set_sum(const integer& a, unsigned long shift, const integer& b, bool subtract) {
     // Adds numbers below 2^126, whose sum fits into an __int128.
     if (a.size_ <= 1 && b.size_ <= 1 && shift <= largest_short_shift) {
@@ -108,7 +108,7 @@ class integer {
   friend integer exact_quotient(const integer& a, const integer& b);
   // Returns the greatest common divisor, which is positive. Requires odd numbers.
   friend integer greatest_common_divisor_of_odd(const integer& a, const integer& b);
-  // Returns the whole part of the root of a > 0; `exact` when nothing is left.
+  // Returns the root of a > 0, rounded down; sets `exact` to whether that is the root itself.
   friend integer square_root(const integer& a, bool& exact);
 
  private:

@@ -20,7 +20,7 @@ static_assert(GMP_NUMB_BITS == 64 && std::is_same_v<mp_limb_t, limb>);
 
 inline mp_size_t signed_size(std::size_t limbs) { return static_cast<mp_size_t>(limbs); }
 
-// Writes n + m limbs, of which the top one is returned. Requires n >= m; `to` is neither.
+// Writes n + m limbs, of which the top one is returned. Requires n >= m; `to` is neither a nor b.
 inline limb multiply(limb* to, const limb* a, std::size_t n, const limb* b, std::size_t m) {
   if (m == 1) return to[n] = mpn_mul_1(to, a, signed_size(n), b[0]);
   return mpn_mul(to, a, signed_size(n), b, signed_size(m));

@@ -182,7 +182,7 @@ std::string meant_value(const std::string& message) {
   return meant(message.substr(begin + 2, at - begin - 2), values);
 }
 
-// Returns what the parser has against a value, in the words of the other messages.
+// Returns the parser's objection to a value, in the form of the other messages.
 std::string plain_text(const CLI::App& app, const std::vector<std::string>& words,
                        const CLI::ParseError& failure) {
   std::string text = failure.what();

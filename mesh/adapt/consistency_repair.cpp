@@ -271,8 +271,8 @@ void consistency_repair::follow_shape(vertex_index t) {
   }
 }
 
-// Returns the defect of these faces: how far their angles are below a few degrees above the bound.
-// Stops once the sum reaches `most`, and returns a number no less than that.
+// Returns the defect of these faces: how far their angles are below the aim, which is a few degrees
+// above the bound. Stops once the sum reaches `most`, and returns a number no less than that.
 double consistency_repair::defect_at(const face_list& at, double most) const {
   double sum = 0;
   for (const vertex_index t : at) {

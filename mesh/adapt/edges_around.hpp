@@ -26,7 +26,7 @@ class edges_around {
     v_ = v;
     m_.around(v, at_);
   }
-  // Takes the node as it is tried into the mesh for good.
+  // Accepts the node as it was tried: the known centres of its faces are no longer valid.
   void accept() { present_.forget(at_); }
   // Returns the faces around the node.
   const face_list& faces() const { return at_; }
@@ -64,10 +64,10 @@ class edges_around {
     bool is_known = false;
   };
 
-  // Calls tell(clearance) for each edge that has the node as an end or across from it, until it
-  // returns false; clearances are infinite at segments; returns the last answer. Of the edges at
-  // the node each face passes one, which it shares with the next face. `own(k)` returns the centre
-  // of the k-th face at the node.
+  // Calls tell(clearance) for each edge that has the node as an end or across from it, until a call
+  // returns false; returns the last answer. Clearances are infinite at segments. An edge at the
+  // node, which two faces share, is passed once. `own(k)` returns the centre of the k-th face at
+  // the node.
   template <class Own, class Tell>
   bool tell_clearances(const Own& own, const Tell& tell);
 

@@ -145,7 +145,8 @@ void mesh_blocks::mark_frame() {
   for (std::size_t i = 0; i < frame_.size(); ++i)
     for (const frame_edge::side* side : {&frame_[i].left, &frame_[i].right})
       faces[side->face].segment[side->edge] = first_of_frame + static_cast<vertex_index>(i);
-  // The faces around any other node than these follow each other across edges of one block.
+  // Marks the nodes that several blocks may have. Around any other node, successive faces share
+  // edges of one block.
   is_shared_.assign(given_.nodes.size(), 0);
   const std::size_t given = whole_.shape().vertices.size();
   std::fill_n(is_shared_.begin(), std::min(given, is_shared_.size()), char{1});
@@ -156,7 +157,7 @@ void mesh_blocks::mark_frame() {
   number_.assign(given_.nodes.size(), none);
 }
 
-// Returns in how many corners of a block's faces there is a node that other blocks may have.
+// Returns the number of corners of a block's faces whose nodes other blocks may have, too.
 std::size_t mesh_blocks::shared_corners(const std::vector<vertex_index>& faces) const {
   std::size_t corners = 0;
   for (const vertex_index t : faces)

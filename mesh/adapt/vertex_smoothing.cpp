@@ -156,8 +156,8 @@ double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
                    [this](double greatest, double area) { return greatest / area - cotangent_; });
 }
 
-// Most angles are no defect, and surely so: that needs no division. Roundings of the products and
-// of the quotient take some 1e-16 of them.
+// Most angles are no defect by a wide margin, which is decided without a division. The roundings of
+// the products and of the quotient are some 1e-16 of them.
 double vertex_smoothing::defect_of(vertex_index t, vertex_index by) const {
   constexpr double roundings = 1e-12;
   return excess_as(t, by, [this](double greatest, double area) {

@@ -68,7 +68,7 @@ int winding_left_of(const audit_context& context, const subsegment_tree& tree,
     if (!upward && !downward) return true;
     const vector2<rational> along = {rational(d.x) - rational(c.x), rational(d.y) - rational(c.y)};
     const vector2<rational> reach = {middle.x - rational(c.x), middle.y - rational(c.y)};
-    // Counts the subsegment itself as having the start of the ray, on its left side, on its left.
+    // Treats the subsegment itself as having the start of the ray on its left.
     const int side = other == subsegment ? 1 : cross(along, reach).sign();
     if (upward && side > 0) ++winding;
     if (downward && side < 0) --winding;

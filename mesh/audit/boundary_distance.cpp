@@ -56,8 +56,8 @@ class common_walk {
     double part = 0;
   };
 
-  // Advances one place to the next vertex of `to`, and the other to the place beside it on
-  // `beside`. Enters the distance of the two.
+  // Advances one place to the next vertex of `to`, and the other along its present edge of `beside`
+  // to the point about level with that vertex. Updates the greatest distance by that of the two.
   void stop(const std::vector<point>& to, place& at, const std::vector<point>& beside,
             place& at_beside) {
     const point &p = to[at.next], &a = beside[at_beside.next - 1], &b = beside[at_beside.next];

@@ -13,8 +13,9 @@ namespace {
 using rational_point = vector2<rational>;
 
 // Largest distance of a computed point from its curve, in units in the last place of the largest
-// number it is computed from. An arc's is centre plus radius times a cosine: below four. A cubic's
-// are three rounds of means, below five, and the parameter found for it three.
+// number it is computed from. A point of an arc, centre plus radius times a cosine, has an error
+// below four; a point of a cubic, three rounds of means, one below five, and its parameter one of
+// three.
 constexpr double units_off = 16;
 // Largest distance of an arc's last vertex from its circle, as a part of the radius: domains are
 // accepted with that (domain/divide_curves.hpp).

@@ -25,8 +25,8 @@ directed_edges reversed_sides(const audit_context& context) {
 }
 
 // Returns the sectors at v between a subsegment that leaves it and the next one, counter-clockwise,
-// that reaches it, where that is less than a half turn. `arriving` are the boundary edges as sides
-// reversed, those that reach v leaving it.
+// that reaches it, where that is less than a half turn. `arriving` has the sides reversed: those
+// that reach v are listed as leaving it.
 std::vector<corner> sectors_at(const audit_context& context, const directed_edges& arriving,
                                vertex_index v) {
   std::vector<vertex_index> out, in;

@@ -206,8 +206,8 @@ void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
     return;
   }
   const std::size_t middle = first + (last - first) / 2;
-  // Halved, as the difference of two finite doubles may overflow. The order decides cost alone,
-  // and is total because positions are distinct.
+  // Halves coordinates, as the difference of two finite doubles may overflow. The order decides
+  // cost alone, and is total because positions are distinct.
   const bool wide = n.high.x / 2 - n.low.x / 2 > n.high.y / 2 - n.low.y / 2;
   const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(first), at(middle), at(last), [&](vertex_index a, vertex_index b) {
@@ -380,8 +380,8 @@ bool site_tree::separation::is_beyond(double reach) const {
   return least > r * (std::sqrt(own_squared) + std::sqrt(other)) * up;
 }
 
-// Tries the covector that v finds to point to the middle of the box, and, where that is far enough
-// for equal metrics, the one of the two together.
+// Tries the covector M c, with M the metric of v and c the displacement from v to the middle of the
+// box; if that suffices for equal metrics, also the covector chosen by both metrics.
 bool site_tree::too_far(const offset_box& to, const centre& v, const inverse_bound& inverse) {
   const bool may_meet = to.low.x <= 0 && to.low.y <= 0 && to.high.x >= 0 && to.high.y >= 0;
   if (may_meet || !(inverse.factor < infinity)) return false;

@@ -124,7 +124,7 @@ class site_tree {
     point low, high;
     metric_tensor metric;
     double reach = 0, spread_squared = 1;
-    // Known of one star only: a lower bound of each covector's dual length in its metric, the
+    // Set for a single star alone: a lower bound of each covector's dual length in its metric, the
     // covectors' values at its position, and bounds of the errors of these values.
     by_covector length{beyond_all, beyond_all, beyond_all, beyond_all}, value{};
     double lost = 0;

@@ -50,8 +50,8 @@ class star_gap_filter {
  private:
   site v_;
   gap_side x_, y_;
-  // Whether the middle direction is certainly within a right angle of x and y, and the ray along it
-  // ends.
+  // True if the middle direction is certainly within a right angle of x and y, and the lower bounds
+  // of s along it are positive.
   bool usable_ = false;
   vector2<bounded> middle_;
   bounded middle_length_squared_;

@@ -229,9 +229,9 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
     const double by_a = theorem::distance_above(a, b), by_b = theorem::distance_above(b, a);
     part.longest_subsegment = greatest_bound(part.longest_subsegment, greatest_bound(by_a, by_b));
     farthest.push_back(farthest_from_nearer_end(by_a, by_b));
-    // From the end that finds it shorter, s long: no point of it is farther from that end than s,
-    // nor, as both ends measure along it linearly, from its nearer end. So g . (w - end) is at most
-    // (|g|_end + |g|_w) s for a w that is as near (site_tree.hpp).
+    // Measures from the end in whose metric the subsegment is shorter, of length s: no point of it
+    // is farther from that end than s, nor, as both ends measure along it linearly, from its nearer
+    // end. So g . (w - end) is at most (|g|_end + |g|_w) s for a w that is as near (site_tree.hpp).
     starts.push_back(by_b < by_a ? site_tree::reaching{b, by_b} : site_tree::reaching{a, by_a});
   }
   std::vector<std::size_t> leaves;

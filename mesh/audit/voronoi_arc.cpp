@@ -24,7 +24,7 @@ bool is_finite(const vector2<double>& a) {
   return std::abs(a.x) < infinity && std::abs(a.y) < infinity;
 }
 
-// Returns where Newton's method starts: the centre of the circle through the sites in the sum of
+// Returns the start of Newton's method: the centre of the circle through the sites in the sum of
 // the metrics.
 vector2<double> centre_in_sum(const site& a, const site& b, const site& c) {
   const metric_tensor sum{a.metric.m11 + b.metric.m11 + c.metric.m11,

@@ -91,7 +91,7 @@ result<domain> accepted(const asterism_domain& arrays, const mesh_options& optio
   return shape;
 }
 
-// Returns the function that makes this metric for any size: its edges are as many times
+// Returns the function that makes this metric for any size, a factor by which all edges are
 // longer.
 field_in_box metric_of(const asterism_metric& metric) {
   return [&metric](double size, const bounding_box& box) {

@@ -129,7 +129,7 @@ struct close_vertices {
   double length = 0;  // between them, in the plane
 };
 
-// A last resort, one metric for all sites
+// The fallback: one metric for all sites
 // (delivery/constant_metric_fallback.hpp).
 struct last_resort_report {
   refinement_ending as_given;  // how refinement ended in the metric as given

@@ -45,8 +45,8 @@ class fitting_goal {
   // shows whether it is needed.
   void make_room_where_needed(const cancellation& stop);
   // Refines the metric at short segments, and raises the number of vertices to this share of the
-  // number that takes. Angles need nodes there that the wanted metric does not ask for; without
-  // them no attempt led to a mesh.
+  // number that this takes. Angles need nodes there that the wanted metric does not ask for;
+  // without them no attempt led to a mesh.
   void make_room_for_segments(double part, const cancellation& stop);
   // Keeps the metric with room at chords for good, and forgets the one without.
   void keep_room_at_chords() { without_room_.reset(); }

@@ -56,7 +56,7 @@ std::vector<vertex_index> first_at_place(const mesh& m) {
   return first;
 }
 
-// Markers that the boundary has for sides, whatever their direction.
+// Markers of the boundary edges, found by their two ends in either order.
 class listed_markers {
  public:
   explicit listed_markers(const mesh& m) {

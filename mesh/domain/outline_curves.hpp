@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws cubics through the boundary vertices of a mesh, for places between them, and keeps a list
-// of them. Internal to mesh_outline.
+// Draws cubics through the boundary vertices of a mesh, on which new vertices between these are
+// put. Internal to mesh_outline.
 #pragma once
 
 #include <array>
@@ -13,13 +13,14 @@
 
 namespace asterism::internal {
 
-// The cubic has the direction of the circle through three vertices in a row, at a vertex that is
-// no corner; beside a corner, a direction with which the two ends are mirror images, as of an arc.
-// Its control points are as far from the ends as those of an arc, which it is to the sixth order.
+// The cubic has the direction of the circle through three vertices in a row, at a vertex that is no
+// corner; beside a corner, a direction with which the two ends are mirror images, as of an arc. Its
+// control points are as far from the ends as those of an arc, which the cubic approximates to the
+// sixth order.
 //
 // An edge at one end of which the boundary turns twenty times less than at the other is part of a
-// straight side: it stays straight, and what it meets begins in its direction. So a side of two
-// edges or more is not bent by the side that it meets at a flat angle.
+// straight side: it stays straight, and the curve that meets it begins in its direction. So a side
+// of two edges or more is not bent by the side that it meets at a flat angle.
 class outline_curves {
  public:
   // `at` has the edges of the boundary at each vertex; `smooth` is set where two meet that are no

@@ -3,12 +3,12 @@
 // Draws a mesh: one drawing for SVG, PDF and PNG.
 //
 // Triangles are drawn in thin lines, the boundary in a bold one, internal segments in between. A
-// domain is a mesh without triangles (mesh/draw/outline.hpp).
-// Where lines would hide most of the mesh, its triangles being a few pixels each, they are coloured
-// by what tells most of them, unless options say by what, and those too small for lines have none.
-// Disagreeing triangles are red, triangles with an angle below the bound tinted. Sites are dots
-// with the given ones marked, but not on a mesh of more than 300. Unit circles of the metric are
-// thinned out so that they stay readable, all drawn to one scale.
+// domain is a mesh without triangles (mesh/draw/outline.hpp). Where lines would hide most of the
+// mesh, its triangles being a few pixels each, they are coloured by the most informative measure,
+// unless the options name one, and triangles too small for lines have none. Disagreeing triangles
+// are red, triangles with an angle below the bound tinted. Sites are dots with the given ones
+// marked, but not on a mesh of more than 300. Unit circles of the metric are thinned out so that
+// they stay readable, all drawn to one scale.
 #pragma once
 
 #include <optional>

@@ -115,7 +115,7 @@ std::vector<double> sizes(const mesh& m) {
   return of_triangles(m, [&](const triangle& t) { return std::sqrt(extent(m, t).first / 2); });
 }
 
-// Returns the value that `part` of all are below.
+// Returns the quantile: the value below which the share `part` of the values lies.
 double quantile(std::vector<double> values, double part) {
   const auto at =
       values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));

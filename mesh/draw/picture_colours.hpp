@@ -20,8 +20,8 @@ struct picture_colouring {
   picture_legend legend;
 };
 
-// Returns what tells most of a mesh with triangles, as pages begin: aspects, or if nine of ten are
-// below 4 sizes, or if these are much alike angles.
+// Returns the most informative measure of a mesh with triangles, with which pages begin: aspects;
+// sizes if nine of ten aspects are below 4; angles if sizes hardly differ either.
 picture_by most_telling(const mesh& m);
 
 // Fails for a field that has not one number for each site, and if the values are missing: colours

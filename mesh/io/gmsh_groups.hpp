@@ -24,8 +24,8 @@ class gmsh_groups {
   // Returns the number of the union of two sets.
   int united(int dimension, int one, int other);
 
-  // Gives an element that is listed again, once for each of its groups, all of them: versions 1 and
-  // 2 have no other form for several groups.
+  // Gives an element that is listed once for each of its groups the set of all of them: versions 1
+  // and 2 have no other form for several groups.
   void unite_repeated(listed_mesh& m);
 
   // Replaces the numbers of sets by markers and regions, and names these. A set of one group gets

@@ -54,7 +54,7 @@ class gmsh_reader : private gmsh_source {
 
   // Reads all sections in the order of the file.
   failure read();
-  // Makes them a plane mesh: groups become markers and regions.
+  // Turns the sections read into a plane mesh: groups become markers and regions.
   failure finish();
   listed_mesh take() { return std::move(file_); }
 

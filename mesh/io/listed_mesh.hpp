@@ -76,8 +76,7 @@ struct listed_mesh {
 
 enum class listed_order {
   put_right,  // for use
-  as_listed,  // triangles and vertices as they are in the file: of a mesh that is judged by its
-              // file
+  as_listed,  // triangles and vertices as in the file: for a mesh that is judged as its file has it
 };
 
 // Returns the note on elements of higher order; readers of their sides as well remove it.

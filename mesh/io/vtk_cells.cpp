@@ -36,7 +36,7 @@ constexpr std::array<cell_kind, 13> kinds = {{{3, 2, 2},
                                               {69, 3, 0},
                                               {70, 4, 0}}};
 
-// Names that programs give to the numbers of materials and markers: ours, gmsh's, Medit's,
+// Names that programs give to the numbers of materials and markers: Asterism's, gmsh's, Medit's,
 // FreeFEM's, Elmer's, meshio's.
 constexpr std::array<std::string_view, 12> names_of_regions = {
     "region",      "regions",   "gmsh:physical", "medit:ref", "Label",      "CellEntityIds",

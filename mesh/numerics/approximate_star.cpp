@@ -24,8 +24,8 @@ struct candidate {
   displacement<double> d, z;
 };
 
-// Returns a number that grows with the direction's angle. Copies the sign without a branch, since
-// the side of the centre is past prediction. Adding 0 turns -0 into 0.
+// Returns a number that grows with the direction's angle. Copies the sign without a branch, which
+// would be mispredicted, as directions come in any order. Adding 0 turns -0 into 0.
 double turn_of(const displacement<double>& d) {
   const double slope = d.x / (std::abs(d.x) + std::abs(d.y));
   return std::copysign(1 - slope, d.y + 0.0);

@@ -19,8 +19,8 @@ constexpr std::size_t grid_points = 33;
 // is about the field's own rate already, and at this distortion still has ten digits that are not
 // rounding.
 constexpr double little_distortion = 1.01;
-// Part of the box's longer side at which two samples that still differ by more than that make a
-// jump: 2^-40 of it is some thousand units in the last place of a coordinate.
+// Distance of two samples, as a part of the box's longer side, at which a distortion above that
+// limit counts as a jump: 2^-40 is some thousand units in the last place of a coordinate.
 constexpr double next_to_each_other = 0x1p-40;
 
 class sampling {

@@ -34,7 +34,7 @@ enum class badness { disagreeing, low_angle, too_large };
 struct bad_triangle {
   badness why = badness::disagreeing;
   double rank = 0;  // smaller is worse: smallest angle in degrees, or minus the circumradius
-  // Counter-clockwise; for a wide gap the indices may repeat or run clockwise
+  // Vertices of the triangle, counter-clockwise; for a wide gap they may repeat or run clockwise
   // (stars/consistency.hpp).
   triangle where{};
 

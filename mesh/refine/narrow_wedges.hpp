@@ -27,8 +27,8 @@ struct domain_corner {
   bool is_sharp() const { return angle < 60; }
 };
 
-// Two input segments that meet in a sharp corner with nothing between them, as far as they go:
-// beyond the first subsegments too.
+// Two input segments that meet in a sharp corner with nothing between them, over their whole
+// length, not only at the first subsegments.
 struct domain_wedge {
   domain_corner corner;
   vertex_index first = 0, last = 0;          // the segments, counter-clockwise

@@ -32,7 +32,7 @@ void box_index::divide(std::uint32_t at, division how) {
 // Returns the way of division whose cells are no smaller than the box, if there is one.
 std::optional<box_index::division> box_index::way_to_divide(std::uint32_t at,
                                                             const bounding_box& box) const {
-  // Halved, as sums and differences of finite doubles may overflow.
+  // Halves coordinates, as sums and differences of finite doubles may overflow.
   const bool is_narrow = box.high.x / 2 - box.low.x / 2 <= nodes_[at].half.x / 2,
              is_low = box.high.y / 2 - box.low.y / 2 <= nodes_[at].half.y / 2;
   if (is_narrow && is_low) return division::in_four;

@@ -54,7 +54,7 @@ struct curve_part {
 };
 constexpr int levels_of_part = 4;
 constexpr std::size_t parts_across = 1U << levels_of_part;
-// By the way of entering the cell, and by 16 x + y.
+// Table of parts, indexed by the way of entering the cell and by 16 x + y.
 using curve_parts = std::array<std::array<curve_part, parts_across * parts_across>, 4>;
 
 constexpr curve_parts parts_of_curve() {

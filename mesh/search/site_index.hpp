@@ -260,8 +260,8 @@ bool site_index::visit_leaf_inside(const std::vector<site>& sites, const node& n
   return true;
 }
 
-// Writes each child to both lists; it stays on the one it belongs on. Guessing which that is would
-// be wrong as often as not.
+// Writes each child to both lists and advances only the list that it belongs to: a branch would be
+// mispredicted every other time.
 template <class Visit>
 bool site_index::visit_clusters(const std::vector<site>& sites, const bounding_box& box,
                                 Visit&& visit) const {

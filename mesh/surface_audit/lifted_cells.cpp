@@ -29,7 +29,8 @@ cut_corner crossing(const cut_corner& p, const cut_corner& q, std::size_t axis, 
   return c;
 }
 
-// True if the side of a corner is not certain: corners on a cut of the other axis are intervals.
+// True if it is not certain on which side of the knot some corner is: corners on a cut along the
+// other axis are intervals.
 bool is_uncertain(const cut_polygon& p, std::size_t axis, double knot) {
   return std::any_of(p.begin(), p.end(), [&](const cut_corner& c) {
     const rounded_interval& x = c.at[axis];

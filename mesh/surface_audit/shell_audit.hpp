@@ -36,11 +36,11 @@ namespace asterism::internal {
 result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
                                  const shell_question& asked);
 
-// For the maker of a shell: measures an upper bound of the distances between a plane triangle and
-// its piece of the surface, either no more than 5 % above a point's distance or below `enough`; and
-// whether the surface is not folded over it, as far as doubles tell in a few places, and where the
-// surface itself is, which no finer mesh mends: u and v of its patch. Only for the plane triangles
-// that are wanted, face by face.
+// Measures for the maker of a shell: an upper bound of the distances between a plane triangle and
+// its piece of the surface, either no more than 5 % above a point's distance or below `enough`;
+// whether the surface is not folded over the triangle, as far as doubles tell in a few places; and
+// a place, u and v of the patch, where the surface itself is folded, which no finer mesh mends.
+// Made only for the plane triangles that are wanted, face by face.
 struct shell_measure {
   double distance = 0;
   bool is_unfolded = false;

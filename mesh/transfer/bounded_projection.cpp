@@ -35,8 +35,8 @@ class limiter {
   }
 
  private:
-  // Calls with each neighbour's number and the flux from there to v: m (x_v - x_w), a triangle at a
-  // time.
+  // Calls visit(w, flux) for the neighbours w of v, triangle by triangle, with the flux m (x_v -
+  // x_w) from w to v.
   template <class Visit>
   void for_each_flux(vertex_index v, const Visit& visit) const {
     for (const incidence& at : links_.around(v))
