@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Advection and diffusion with two layers, by Galerkin's method without stabilisation, and its true error from
-pass to pass.
+"""Two layers on the unit square, by Galerkin's method without stabilisation, and its true error from pass to pass.
 
-  -e lap u + u_x + u_y = g(x) + g(y) on the unit square, 0 on its sides: u = g(x) g(y),
-  g(t) = t - (exp((t-1)/e) - exp(-1/e)) / (1 - exp(-1/e))
+  u = g(x) g(y), g(t) = t - (exp((t-1)/e) - exp(-1/e)) / (1 - exp(-1/e)), which is 0 on the sides
+  advection: -e lap u + u_x + u_y = g(x) + g(y)
+  reaction:  -e^2 lap u + u = f
 
-  two_layers.py [--thickness E] [--vertices N] [--passes N] [--aspect A] [--from solution|values|derivatives]
+  two_layers.py [--thickness E] [--equation advection|reaction] [--vertices N] [--passes N] [--aspect A]
+                [--from solution|values|derivatives]
 
 --from: what the metric is made of: the solution, u at the vertices, or u's own second derivatives. Printed are
-errors in the mean square: of the solution, and of linear interpolation on the same mesh. Without --aspect the first
-grows while the second falls, whatever the metric is made of (docs/results/adaptation.md).
+errors in the mean square: of the solution, and of linear interpolation on the same mesh. With --aspect 1e5, that is
+without a bound, the first grows while the second falls, whatever the metric is made of (docs/results/adaptation.md).
 """
 import argparse
 
@@ -27,8 +28,8 @@ WEIGHTS = np.array([9 / 40] + [(155 + ROOT) / 1200] * 3 + [(155 - ROOT) / 1200] 
 
 
 class Layers:
-    def __init__(self, thickness):
-        self.e = thickness
+    def __init__(self, thickness, equation):
+        self.e, self.equation = thickness, equation
 
     def profile(self, t):
         e = self.e
@@ -43,13 +44,22 @@ class Layers:
         return np.stack([-rise[0] / self.e * self.profile(y), (1 - rise[0]) * (1 - rise[1]),
                          -rise[1] / self.e * self.profile(x)], axis=1)
 
+    def force(self, x, y):
+        g, h = self.profile(x), self.profile(y)
+        if self.equation == "advection":
+            return g + h
+        return np.exp((x - 1) / self.e) * h + g * np.exp((y - 1) / self.e) + g * h
+
     def solve(self, points, triangles):
         areas, gradients = elements.shapes(points, triangles)
-        blocks = self.e * np.einsum("tid,tjd->tij", gradients, gradients) * areas[:, None, None]
-        blocks += (areas / 3)[:, None, None] * gradients.sum(axis=2)[:, None, :]
+        stiffness = np.einsum("tid,tjd->tij", gradients, gradients) * areas[:, None, None]
+        if self.equation == "reaction":
+            blocks = self.e ** 2 * stiffness + areas[:, None, None] / 12 * (np.ones((3, 3)) + np.eye(3))
+        else:
+            blocks = self.e * stiffness + (areas / 3)[:, None, None] * gradients.sum(axis=2)[:, None, :]
         matrix = elements.assembled(triangles, blocks, len(points))
         x, y = np.einsum("qi,tid->dtq", PLACES, points[triangles])
-        parts = np.einsum("q,tq,qi->ti", WEIGHTS, self.profile(x) + self.profile(y), PLACES) * areas[:, None]
+        parts = np.einsum("q,tq,qi->ti", WEIGHTS, self.force(x, y), PLACES) * areas[:, None]
         right = np.bincount(triangles.ravel(), parts.ravel(), len(points))
         inside = np.flatnonzero(((points > 0) & (points < 1)).all(axis=1))
         values = np.zeros(len(points))
@@ -97,12 +107,13 @@ def run(layers, vertices, passes, aspect, of):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--thickness", type=float, default=1e-2)
+    parser.add_argument("--equation", choices=("advection", "reaction"), default="advection")
     parser.add_argument("--vertices", type=int, default=2000)
     parser.add_argument("--passes", type=int, default=10)
     parser.add_argument("--aspect", type=float)
     parser.add_argument("--from", dest="of", choices=("solution", "values", "derivatives"), default="solution")
     options = parser.parse_args()
-    errors = run(Layers(options.thickness), options.vertices, options.passes, options.aspect, options.of)
+    errors = run(Layers(options.thickness, options.equation), options.vertices, options.passes, options.aspect, options.of)
     print(f"last {errors[-1]:.3e} least {min(errors):.3e} ratio {errors[-1] / min(errors):.3f}")
 
 

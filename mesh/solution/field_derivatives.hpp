@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct field_derivatives {
   std::vector<std::vector<metric_tensor>> recovered, moduli;
   std::vector<std::vector<double>> scales;  // of a relative error; none for one that is not
   std::size_t noise = 0, at_boundary = 0;
+  // Least bound on aspects of fields that were computed (mesh/solution/computed_field.hpp).
+  std::optional<double> aspect;
 };
 
 // Recovers second derivatives from values at the vertices, by the options; on the continued mesh if

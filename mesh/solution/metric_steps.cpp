@@ -25,7 +25,8 @@ std::string relative_step(const solution_metric_options& options) {
 }  // namespace
 
 std::vector<std::string> metric_steps(const solution_metric_options& options, std::size_t fields,
-                                      std::size_t others, bool given) {
+                                      std::size_t others, bool given,
+                                      std::optional<double> layers) {
   constexpr std::array<const char*, 3> methods = {"l2", "green", "lsq"};
   std::vector<std::string> steps;
   if (fields > 0) {
@@ -33,6 +34,7 @@ std::vector<std::string> metric_steps(const solution_metric_options& options, st
     const char* const method = methods[static_cast<std::size_t>(options.hessian)];
     steps.push_back(fmt::format("hessian {}", given ? "given" : method));
     if (is_green) steps.emplace_back("moduli");
+    if (layers) steps.push_back(fmt::format("layers {:.4g}", *layers));
     steps.push_back(options.relative ? relative_step(options) : optimum_step(options));
     if (fields > 1) steps.push_back(fmt::format("fields {}", fields));
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace asterism::internal {
 
 // Returns the steps for these options, each as a word and its argument. `fields` is 0 for a metric
 // that is given, `others` counts the metrics to intersect with; `given` says that second
-// derivatives were not recovered.
+// derivatives were not recovered, `layers` is the least bound on aspects of fields that were
+// computed.
 std::vector<std::string> metric_steps(const solution_metric_options& options, std::size_t fields,
-                                      std::size_t others, bool given);
+                                      std::size_t others, bool given, std::optional<double> layers);
 
 }  // namespace asterism::internal

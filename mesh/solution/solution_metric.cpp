@@ -95,6 +95,7 @@ class metric_maker {
     raw_ = std::move(given);
     is_given_ = true;
   }
+  void set_layers(std::optional<double> aspect) { layers_ = aspect; }
   void set_recovered(std::vector<tensors> recovered, bool are_given) {
     recovered_ = std::move(recovered);
     hessians_given_ = are_given;
@@ -121,6 +122,7 @@ class metric_maker {
   bool is_given_ = false, hessians_given_ = false;
   tensors raw_, implied_, made_;
   std::vector<tensors> recovered_;
+  std::optional<double> layers_;  // bound on aspects of fields that were computed
   solution_metric_report report_;
 };
 
@@ -272,7 +274,8 @@ void metric_maker::say(double target, double got) {
 result<solution_metric> metric_maker::run() {
   if (implied_.empty())
     if (auto failed = set_implied()) return *failed;
-  report_.steps = metric_steps(options_, recovered_.size(), others_.size(), hessians_given_);
+  report_.steps =
+      metric_steps(options_, recovered_.size(), others_.size(), hessians_given_, layers_);
   for (const tensors& other : others_)
     if (other.size() != mesh_.sites.size())
       return error{fmt::format("{} tensors to intersect with, for {} vertices", other.size(),
@@ -446,6 +449,7 @@ result<solution_metric> metric_of_values(const mesh& m, const glued_mesh* glued,
   const auto found = recovered_derivatives(m, maker.links(), fields, wishes, glued);
   if (!found) return found.failure();
   maker.set_recovered(found.value().recovered, false);
+  maker.set_layers(found.value().aspect);
   return wishes.relative ? relative_metric_of(found.value(), maker, wishes)
                          : metric_of(found.value(), maker, wishes);
 }

@@ -15,6 +15,10 @@ namespace asterism {
 // gradation takes vertices that fronts need.
 inline constexpr double loop_gradation = 6;
 
+// Aspect of those who name none: along layers of a solution that was computed in linear elements
+// the bound is then made of how steep it is (docs/manual/adaptation.md).
+inline constexpr double no_aspect_named = 1e6;
+
 // Options of the metric. At most one of vertices, complexity and error; without any, the number of
 // vertices is that of the mesh.
 struct solution_metric_options {
@@ -25,7 +29,8 @@ struct solution_metric_options {
   std::optional<double> error = {};  // of linear interpolation in the norm, greatest of the fields
   double least_size = 0;
   double greatest_size = std::numeric_limits<double>::infinity();
-  double aspect = 1e6;
+  // Length over width of triangles; the default leaves the bound to fields that were computed.
+  double aspect = no_aspect_named;
   std::optional<double> gradation = {};  // beta above 1; none: sizes stay as they are
   bool gradation_keeps_shape = false;    // in metric space; else in mixed space
   bool isotropic = false;

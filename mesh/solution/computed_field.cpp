@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/solution/computed_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/symmetric_eigen.hpp"
+#include "asterism/mesh/solution/element_gradients.hpp"
+#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/solution/quadratic_fit.hpp"
+
+namespace asterism::internal {
+namespace {
+
+double strength(const metric_tensor& h) {
+  const symmetric_eigen e = eigen_of(h);
+  return std::max(std::abs(e.first), std::abs(e.second));
+}
+
+double part_of_sorted(std::vector<double> all, double part) {
+  const auto at = all.begin() + static_cast<std::ptrdiff_t>(part * double(all.size() - 1));
+  std::nth_element(all.begin(), at, all.end());
+  return *at;
+}
+
+// Returns how far `own` is from the value at v of the linear function that fits its neighbours'
+// best; none where they do not determine one.
+template <class Value>
+std::optional<double> off_linear(const mesh& m, const mesh_links& links, vertex_index v, double own,
+                                 const Value& value) {
+  const auto around = links.neighbours(v);
+  const point& p = m.sites[v].position;
+  const auto n = static_cast<double>(around.size());
+  double x = 0, y = 0, t = 0;
+  for (const vertex_index w : around) {
+    x += (m.sites[w].position.x - p.x) / n;
+    y += (m.sites[w].position.y - p.y) / n;
+    t += value(w) / n;
+  }
+  double xx = 0, xy = 0, yy = 0, xt = 0, yt = 0;
+  for (const vertex_index w : around) {
+    const double dx = m.sites[w].position.x - p.x - x, dy = m.sites[w].position.y - p.y - y,
+                 dt = value(w) - t;
+    xx += dx * dx, xy += dx * dy, yy += dy * dy, xt += dx * dt, yt += dy * dt;
+  }
+  constexpr double least_pivot = 1e-12;  // of products that are off by a few 1e-16
+  const double determinant = xx * yy - xy * xy;
+  if (!(determinant > least_pivot * (xx * yy))) return std::nullopt;
+  const double a = (xt * yy - yt * xy) / determinant, b = (yt * xx - xt * xy) / determinant;
+  return std::abs(own - (t - a * x - b * y));
+}
+
+// Vertices whose neighbours all lie inside, as the weak form means nothing at the boundary.
+std::vector<vertex_index> inner_vertices(const mesh_links& links) {
+  constexpr std::size_t enough = 4;  // neighbours, for three unknowns
+  std::vector<vertex_index> found;
+  for (vertex_index v = 0; v < links.vertices(); ++v) {
+    const auto around = links.neighbours(v);
+    if (links.on_boundary(v) || around.size() < enough) continue;
+    if (std::none_of(around.begin(), around.end(),
+                     [&](vertex_index w) { return links.on_boundary(w); }))
+      found.push_back(v);
+  }
+  return found;
+}
+
+// Inner vertices at which second derivatives are at least a tenth of what all but one in twenty
+// have at most; evenly taken from these where they are more than wanted.
+std::vector<vertex_index> strong_vertices(const mesh_links& links,
+                                          const std::vector<metric_tensor>& weak) {
+  constexpr double high = 0.95, strong = 0.1;
+  constexpr std::size_t wanted = 1000;
+  std::vector<vertex_index> inner = inner_vertices(links);
+  if (inner.empty()) return inner;
+  std::vector<double> strengths(inner.size());
+  for (std::size_t i = 0; i < inner.size(); ++i) strengths[i] = strength(weak[inner[i]]);
+  const double least = strong * part_of_sorted(strengths, high);
+  std::erase_if(inner, [&](vertex_index v) { return !(strength(weak[v]) > least); });
+  const std::size_t step = 1 + inner.size() / wanted;
+  std::vector<vertex_index> taken;
+  for (std::size_t i = 0; i < inner.size(); i += step) taken.push_back(inner[i]);
+  return taken;
+}
+
+// Both roughnesses at a vertex, in parts of the second derivatives there.
+struct two_roughnesses {
+  double weak = 0, fitted = 0;
+};
+
+std::optional<two_roughnesses> roughnesses_at(const mesh& m, const mesh_links& links,
+                                              const std::vector<double>& values,
+                                              const std::vector<metric_tensor>& weak,
+                                              vertex_index v) {
+  bool all_fitted = true;
+  const auto fitted = [&](vertex_index w) {
+    const auto fit = fit_quadratic(m, links, values, w);
+    all_fitted = all_fitted && fit;
+    return fit ? fit->second.m11 + fit->second.m22 : 0;
+  };
+  const auto trace = [&](vertex_index w) { return weak[w].m11 + weak[w].m22; };
+  std::vector<double> of_neighbours;
+  for (const vertex_index w : links.neighbours(v)) of_neighbours.push_back(fitted(w));
+  const auto known = [&](vertex_index w) {
+    const auto around = links.neighbours(v);
+    return of_neighbours[static_cast<std::size_t>(
+        std::lower_bound(around.begin(), around.end(), w) - around.begin())];
+  };
+  const auto of_weak = off_linear(m, links, v, trace(v), trace),
+             of_fit = off_linear(m, links, v, fitted(v), known);
+  if (!of_weak || !of_fit || !all_fitted) return std::nullopt;
+  const double unit = strength(weak[v]);
+  return two_roughnesses{*of_weak / unit, *of_fit / unit};
+}
+
+}  // namespace
+
+std::optional<double> roughness_ratio(const mesh& m, const mesh_links& links,
+                                      const std::vector<double>& values) {
+  constexpr std::size_t enough = 16;
+  // Roughness that is nothing beside what a method leaves, 0.02 and more; rounding is less.
+  constexpr double smooth = 1.0 / 512;
+  const auto weak = weak_second_derivatives(m, links, triangle_gradients(m, values));
+  const std::vector<vertex_index> strong = strong_vertices(links, weak);
+  std::vector<std::optional<two_roughnesses>> found(strong.size());
+  for_each_node(strong.size(), [&](std::size_t i) {
+    found[i] = roughnesses_at(m, links, values, weak, strong[i]);
+  });
+  std::vector<double> of_weak, of_fit;
+  for (const auto& one : found) {
+    if (!one) continue;
+    of_weak.push_back(one->weak);
+    of_fit.push_back(one->fitted);
+  }
+  if (of_weak.size() < enough) return std::nullopt;
+  constexpr double middle = 0.5;
+  return (part_of_sorted(of_weak, middle) + smooth) / (part_of_sorted(of_fit, middle) + smooth);
+}
+
+double steepness(const mesh& m, const std::vector<double>& values) {
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  if (least == values.end() || !(*greatest > *least)) return 0;
+  point low = m.sites.front().position, high = low;
+  for (const site& s : m.sites) {
+    low = {std::min(low.x, s.position.x), std::min(low.y, s.position.y)};
+    high = {std::max(high.x, s.position.x), std::max(high.y, s.position.y)};
+  }
+  const std::vector<point> gradients = triangle_gradients(m, values);
+  const auto slope = [&](std::size_t t) {
+    return std::sqrt(gradients[t].x * gradients[t].x + gradients[t].y * gradients[t].y);
+  };
+  double steepest = 0;
+  for (std::size_t t = 0; t < gradients.size(); ++t) steepest = std::max(steepest, slope(t));
+  if (!(steepest > 0)) return 0;
+  const auto moment = [&](bool is_third) {  // of slopes over the greatest
+    return ordered_sum(gradients.size(), [&](std::size_t t) {
+      const double part = slope(t) / steepest;
+      return doubled_area(m, m.triangles[t]) * part * part * (is_third ? part : 1);
+    });
+  };
+  const double width = high.x - low.x, height = high.y - low.y;
+  return std::sqrt(width * width + height * height) * (moment(true) / moment(false)) *
+         (steepest / (*greatest - *least));
+}
+
+std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
+                                   const std::vector<double>& values) {
+  const auto ratio = roughness_ratio(m, links, values);
+  if (!ratio || !(*ratio < ratio_of_function)) return std::nullopt;
+  const double bound = std::max(least_aspect_bound, aspect_of_steepness * steepness(m, values));
+  if (*ratio <= ratio_of_computed) return bound;
+  const double share = elementary::log(ratio_of_function / *ratio) /
+                       elementary::log(ratio_of_function / ratio_of_computed);
+  constexpr double most = 1e6;  // as --aspect
+  const double grown = elementary::log(bound) / share;
+  if (!(grown < elementary::log(most))) return std::nullopt;
+  return elementary::exp(grown);
+}
+
+void bound_aspects(double aspect, std::vector<metric_tensor>& moduli) {
+  for_each_node(moduli.size(), [&](std::size_t v) {
+    const symmetric_eigen e = eigen_of(moduli[v]);
+    const double first = std::abs(e.first), second = std::abs(e.second),
+                 least = std::max(first, second) / aspect / aspect;
+    if (std::min(first, second) >= least) return;
+    moduli[v] = with_eigenvalues(e, std::max(first, least), std::max(second, least));
+  });
+}
+
+}  // namespace asterism::internal

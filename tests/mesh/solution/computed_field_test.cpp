@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+//
+// Values that solve equations are told from values of functions, and their layers bound aspects.
+#include "asterism/mesh/solution/computed_field.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "asterism/mesh/numerics/symmetric_eigen.hpp"
+#include "asterism/mesh/solution/solution_metric.hpp"
+#include "asterism/tests/mesh/io/sample_mesh.hpp"
+#include "asterism/tests/mesh/solution/made_metric.hpp"
+
+using namespace asterism;
+using namespace asterism::internal;
+using tests::field;
+using tests::sample_mesh;
+
+namespace {
+
+// The shaken grid of [-1,1]^2 with cells that become narrower towards the sides.
+mesh narrowed(vertex_index cells) {
+  mesh m = sample_mesh(cells);
+  const auto bent = [](double x) { return std::sin(std::numbers::pi / 2 * x); };
+  for (site& s : m.sites) s.position = {bent(s.position.x), bent(s.position.y)};
+  return m;
+}
+
+// Linear elements for -w^2 lap u + c u = 1 with u = 0 on the sides, triangle by triangle.
+class linear_elements {
+ public:
+  linear_elements(const mesh& m, double w, double c)
+      : mesh_(m), links_(m), diffusion_(w * w), reaction_(c) {}
+
+  // By conjugate gradients.
+  std::vector<double> solve() const {
+    std::vector<double> u(mesh_.sites.size(), 0.0), r = load(), p = r, product;
+    double square = dot(r, r);
+    const double least = 1e-24 * square;
+    for (int step = 0; step < 3000 && square > least; ++step) {
+      product = applied(p);
+      const double along = square / dot(p, product);
+      for (std::size_t i = 0; i < u.size(); ++i) u[i] += along * p[i], r[i] -= along * product[i];
+      const double next = dot(r, r);
+      for (std::size_t i = 0; i < u.size(); ++i) p[i] = r[i] + next / square * p[i];
+      square = next;
+    }
+    return u;
+  }
+
+ private:
+  static double dot(const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+  }
+  double area(const triangle& t) const {
+    const point &a = mesh_.sites[t[0]].position, &b = mesh_.sites[t[1]].position,
+                &c = mesh_.sites[t[2]].position;
+    return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+  }
+  void fix_sides(std::vector<double>& r) const {
+    for (vertex_index v = 0; v < r.size(); ++v)
+      if (links_.on_boundary(v)) r[v] = 0;
+  }
+  std::vector<double> load() const {
+    std::vector<double> r(mesh_.sites.size(), 0.0);
+    for (const triangle& t : mesh_.triangles)
+      for (const vertex_index v : t) r[v] += area(t) / 3;
+    fix_sides(r);
+    return r;
+  }
+  std::vector<double> applied(const std::vector<double>& p) const {
+    std::vector<double> r(p.size(), 0.0);
+    for (const triangle& t : mesh_.triangles) {
+      const double size = area(t);
+      std::array<point, 3> slope;  // of the hats
+      point whole{0, 0};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const point &a = mesh_.sites[t[(i + 1) % 3]].position,
+                    &b = mesh_.sites[t[(i + 2) % 3]].position;
+        slope[i] = {(a.y - b.y) / (2 * size), (b.x - a.x) / (2 * size)};
+        whole = {whole.x + p[t[i]] * slope[i].x, whole.y + p[t[i]] * slope[i].y};
+      }
+      const double sum = p[t[0]] + p[t[1]] + p[t[2]];
+      for (std::size_t i = 0; i < 3; ++i)
+        r[t[i]] += size * (diffusion_ * (whole.x * slope[i].x + whole.y * slope[i].y) +
+                           reaction_ * (sum + p[t[i]]) / 12);
+    }
+    fix_sides(r);
+    return r;
+  }
+
+  const mesh& mesh_;
+  mesh_links links_;
+  double diffusion_, reaction_;
+};
+
+double ratio_of(const mesh& m, const std::vector<double>& values) {
+  const auto ratio = roughness_ratio(m, mesh_links(m), values);
+  REQUIRE(ratio);
+  return *ratio;
+}
+
+double greatest_aspect(const std::vector<metric_tensor>& tensors) {
+  double greatest = 1;
+  for (const metric_tensor& t : tensors) {
+    const symmetric_eigen e = eigen_of(t);
+    greatest = std::max(greatest, std::sqrt(e.first / e.second));
+  }
+  return greatest;
+}
+
+}  // namespace
+
+TEST_CASE("solutions in linear elements are told from values of functions") {
+  const mesh m = narrowed(32);
+  CHECK(ratio_of(m, linear_elements(m, 0.1, 1).solve()) < ratio_of_computed);
+  CHECK(ratio_of(m, linear_elements(m, 0.2, 1).solve()) < ratio_of_computed);
+  CHECK(ratio_of(m, linear_elements(m, 1, 0).solve()) < ratio_of_computed);
+  const std::vector<std::function<double(const point&)>> functions = {
+      [](const point& q) { return std::exp(-(q.x + 1) / 0.1); },
+      [](const point& q) { return std::tanh(10 * (q.x - q.y * q.y)); },
+      [](const point& q) { return std::sin(6 * q.x) * std::cos(5 * q.y); },
+      [](const point& q) { return q.x * q.x + 0.01 * q.y * q.y; },
+      [](const point& q) { return std::sqrt(q.x * q.x + q.y * q.y + 1e-4); }};
+  for (const mesh& on : {m, sample_mesh(20), sample_mesh(40)})
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      INFO("function " << i << ", " << on.sites.size() << " vertices");
+      CHECK(ratio_of(on, field(on, "u", functions[i]).values) > ratio_of_function);
+      CHECK(!aspect_bound(on, mesh_links(on), field(on, "u", functions[i]).values));
+    }
+}
+
+TEST_CASE("steepness counts layers over the diagonal, whatever the mesh and the units") {
+  for (const double w : {0.4, 0.2, 0.1})
+    for (const vertex_index cells : {vertex_index{32}, vertex_index{48}}) {
+      const mesh m = narrowed(cells);
+      auto values = field(m, "u", [w](const point& q) { return std::exp(-(q.x + 1) / w); }).values;
+      // The mean slope of exp(-t/w), weighted by its square: two thirds of 1/w where 2/w is large.
+      const double end = std::exp(-2 / w), range = 1 - end,
+                   mean = (1 - end * end * end) / 3 / ((1 - end * end) / 2) / w;
+      CHECK(steepness(m, values) == Approx(2 * std::numbers::sqrt2 * mean / range).epsilon(0.02));
+      const double before = steepness(m, values);
+      for (double& u : values) u = 0x1p300 * u;
+      CHECK(steepness(m, values) == before);
+    }
+  const mesh m = narrowed(8);
+  CHECK(steepness(m, std::vector<double>(m.sites.size(), 3)) == 0);
+}
+
+TEST_CASE("a mesh that is too small to tell bounds nothing") {
+  const mesh m = sample_mesh(4);
+  CHECK(!roughness_ratio(m, mesh_links(m),
+                         field(m, "u", [](const point& q) { return q.x * q.x; }).values));
+  const mesh flat = sample_mesh(12);
+  CHECK(!aspect_bound(flat, mesh_links(flat), std::vector<double>(flat.sites.size(), 1)));
+}
+
+TEST_CASE("moduli are bounded by the square of the aspect, and only where they are beyond") {
+  std::vector<metric_tensor> moduli = {{100, 0, 1}, {1, 0, 400}, {0, 0, 0}, {50.5, 49.5, 50.5}};
+  const auto before = moduli;
+  bound_aspects(5, moduli);
+  CHECK(moduli[0].m22 == 4);
+  CHECK(moduli[1].m11 == 16);
+  CHECK(identical(moduli[2], before[2]));
+  const symmetric_eigen turned = eigen_of(moduli[3]);
+  CHECK(turned.first == Approx(100));
+  CHECK(turned.second == Approx(4));
+  moduli = before;
+  bound_aspects(25, moduli);
+  for (std::size_t i = 0; i < moduli.size(); ++i) CHECK(identical(moduli[i], before[i]));
+}
+
+TEST_CASE("layers of a solution bound aspects where none is named, and the steps say so") {
+  const mesh m = narrowed(32);
+  const std::vector<nodal_values> computed = {{"u", linear_elements(m, 0.1, 1).solve()}};
+  solution_metric_options options;
+  const auto bound = make_solution_metric(m, computed, options);
+  REQUIRE(bound.ok());
+  CHECK(bound.value().report.steps == std::vector<std::string>{"hessian green", "moduli",
+                                                               "layers 20", "optimum 2", "factor",
+                                                               "aspect 1e+06"});
+  CHECK(greatest_aspect(bound.value().tensors) <= 20 * (1 + 1e-9));
+  options.aspect = 1e5;
+  const auto named = make_solution_metric(m, computed, options);
+  REQUIRE(named.ok());
+  CHECK(std::count(named.value().report.steps.begin(), named.value().report.steps.end(),
+                   "layers 20") == 0);
+  CHECK(greatest_aspect(named.value().tensors) > 21);
+}
