@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
@@ -85,15 +84,9 @@ std::vector<vertex_index> strong_vertices(const mesh_links& links,
   return taken;
 }
 
-// Both roughnesses at a vertex, in parts of the second derivatives there.
-struct two_roughnesses {
-  double weak = 0, fitted = 0;
-};
-
-std::optional<two_roughnesses> roughnesses_at(const mesh& m, const mesh_links& links,
-                                              const std::vector<double>& values,
-                                              const std::vector<metric_tensor>& weak,
-                                              vertex_index v) {
+std::optional<roughness> roughnesses_at(const mesh& m, const mesh_links& links,
+                                        const std::vector<double>& values,
+                                        const std::vector<metric_tensor>& weak, vertex_index v) {
   bool all_fitted = true;
   const auto fitted = [&](vertex_index w) {
     const auto fit = fit_quadratic(m, links, values, w);
@@ -112,19 +105,23 @@ std::optional<two_roughnesses> roughnesses_at(const mesh& m, const mesh_links& l
              of_fit = off_linear(m, links, v, fitted(v), known);
   if (!of_weak || !of_fit || !all_fitted) return std::nullopt;
   const double unit = strength(weak[v]);
-  return two_roughnesses{*of_weak / unit, *of_fit / unit};
+  return roughness{*of_weak / unit, *of_fit / unit};
+}
+
+// Returns 1 up to `all`, 0 from `none` on, and between them what falls in logarithms.
+double part_below(double x, double all, double none) {
+  if (x <= all) return 1;
+  return x < none ? elementary::log(none / x) / elementary::log(none / all) : 0;
 }
 
 }  // namespace
 
-std::optional<double> roughness_ratio(const mesh& m, const mesh_links& links,
+std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
                                       const std::vector<double>& values) {
   constexpr std::size_t enough = 16;
-  // Roughness that is nothing beside what a method leaves, 0.02 and more; rounding is less.
-  constexpr double smooth = 1.0 / 512;
   const auto weak = weak_second_derivatives(m, links, triangle_gradients(m, values));
   const std::vector<vertex_index> strong = strong_vertices(links, weak);
-  std::vector<std::optional<two_roughnesses>> found(strong.size());
+  std::vector<std::optional<roughness>> found(strong.size());
   for_each_node(strong.size(), [&](std::size_t i) {
     found[i] = roughnesses_at(m, links, values, weak, strong[i]);
   });
@@ -136,7 +133,7 @@ std::optional<double> roughness_ratio(const mesh& m, const mesh_links& links,
   }
   if (of_weak.size() < enough) return std::nullopt;
   constexpr double middle = 0.5;
-  return (part_of_sorted(of_weak, middle) + smooth) / (part_of_sorted(of_fit, middle) + smooth);
+  return roughness{part_of_sorted(of_weak, middle), part_of_sorted(of_fit, middle)};
 }
 
 double steepness(const mesh& m, const std::vector<double>& values) {
@@ -167,16 +164,16 @@ double steepness(const mesh& m, const std::vector<double>& values) {
 
 std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
                                    const std::vector<double>& values) {
-  const auto ratio = roughness_ratio(m, links, values);
-  if (!ratio || !(*ratio < ratio_of_function)) return std::nullopt;
+  const auto found = roughness_of(m, links, values);
+  if (!found) return std::nullopt;
+  const double share = part_below(found->ratio(), ratio_of_computed, ratio_of_function) *
+                       part_below(found->fitted, roughness_of_resolved, roughness_of_unresolved);
+  if (!(share > 0)) return std::nullopt;
   const double bound = std::max(least_aspect_bound, aspect_of_steepness * steepness(m, values));
-  if (*ratio <= ratio_of_computed) return bound;
-  const double share = elementary::log(ratio_of_function / *ratio) /
-                       elementary::log(ratio_of_function / ratio_of_computed);
   constexpr double most = 1e6;  // as --aspect
   const double grown = elementary::log(bound) / share;
   if (!(grown < elementary::log(most))) return std::nullopt;
-  return elementary::exp(grown);
+  return share < 1 ? elementary::exp(grown) : bound;
 }
 
 void bound_aspects(double aspect, std::vector<metric_tensor>& moduli) {

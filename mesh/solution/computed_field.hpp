@@ -25,15 +25,29 @@ namespace asterism::internal {
 
 // Below the first of these ratios a field is taken for computed, above the second for a function.
 inline constexpr double ratio_of_computed = 0.6, ratio_of_function = 0.95;
+// Below the first roughness of its quadratics a field is resolved, above the second it is not, and
+// both roughnesses are made of the function's own higher derivatives. Loops leave 0.02 to 0.04 of a
+// solution; layers of a third of a grid's spacing have 0.9.
+inline constexpr double roughness_of_resolved = 0.1, roughness_of_unresolved = 0.2;
 // Least bound of the aspect, and the bound over the steepness. By experiment: layers of a hundredth
 // (steepness 75) want 20 to 40, layers of a thousandth (713) 150 to 400.
 inline constexpr double least_aspect_bound = 20, aspect_of_steepness = 0.27;
 
-// Returns the roughness of the weak Laplacian over that of fitted quadratics': how far the value at
-// a vertex is from the linear function that fits its neighbours' best, in parts of the second
-// derivatives there; medians over vertices where these are strong, a thousand or so of them. None
+// How far second derivatives at a vertex are from the linear function that fits its neighbours'
+// best, in parts of the second derivatives there.
+struct roughness {
+  double weak = 0;    // of the Laplacian in the weak form
+  double fitted = 0;  // of that of fitted quadratics
+  // Returns the one over the other; what is nothing beside a method's errors counts as alike.
+  double ratio() const {
+    constexpr double nothing = 1.0 / 512;
+    return (weak + nothing) / (fitted + nothing);
+  }
+};
+
+// Returns medians over vertices where second derivatives are strong, a thousand or so of them. None
 // where fewer than sixteen vertices could tell.
-std::optional<double> roughness_ratio(const mesh& m, const mesh_links& links,
+std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
                                       const std::vector<double>& values);
 
 // Returns how many times the layers of a field fit into the diagonal of the box around the mesh:
