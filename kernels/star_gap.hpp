@@ -55,8 +55,8 @@ class star_gap {
     // Bounds of s along u at the first meeting of the ray with the neighbour's bisector. The root
     // of a concave lower bound is no smaller than the first meeting's s.
     double lowest = 0, highest = 0;
-    // Coefficient of the bound away from u: it is at least slope . direction where |u|^2 >= bend (u
-    // x d)^2.
+    // Coefficient of the bound for directions other than u: the bound is at least slope . direction
+    // where |u|^2 >= bend (u x d)^2.
     displacement<double> slope;
     double slope_magnitude = 0, bend = 0;
     // Inverse root of the ray equation's discriminant, if the bound is the tangent at u (bend is

@@ -80,7 +80,8 @@ std::vector<fs::path> written_files(const metric_job& job) {
   return all;
 }
 
-// Checks refusals and defaults of a series as if the window were the solution.
+// Checks the options of a series for contradictions, and sets defaults, as if a window were the
+// solution.
 std::optional<error> take_series(metric_job& job) {
   if (job.series.empty()) return std::nullopt;
   const metric_request& request = job.request;

@@ -109,7 +109,7 @@ mesh written_of(const mesh& subject, const adopted_mesh& whole, const adapted_re
   return together ? *std::move(together) : subject;
 }
 
-// Compares the claims about the domain, where it was the mesh's own.
+// Compares the claims about the domain, if the domain is that of the mesh that was adapted.
 void compare_domain(const certificate& claim, const adapted_rest& rest, field_check& check) {
   const adopted_mesh& adopted = rest.adopted;
   if (word_of(claim, "domain") != "of " + word_of(claim, "adapt-mesh")) return;

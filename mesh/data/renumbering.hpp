@@ -17,7 +17,7 @@ inline constexpr vertex_index no_number = std::numeric_limits<vertex_index>::max
 // Moves each vertex to its new number, which is at most its own, with its reference; of several
 // vertices with one number the first stays. New numbers are 0, 1, ... in the order of the first of
 // each. `given` counts those that stay. Triangles and edges name the new numbers: none of them may
-// be of a vertex that goes.
+// be of a vertex that is removed.
 inline void renumber_vertices(mesh& m, const std::vector<vertex_index>& number) {
   const bool has_references = m.references.size() == m.sites.size();
   vertex_index kept = 0, given = 0;

@@ -326,7 +326,7 @@ failure medit_reader::read_parts(std::string_view keyword) {
   return {};
 }
 
-// Takes the parts of the domain by the edges beside them, if there are edges alone.
+// Takes the parts of the domain, each given by an edge beside it, if the file lists edges alone.
 failure medit_reader::check_parts() {
   if (lists_triangles_) return {};
   for (const part& p : parts_) {

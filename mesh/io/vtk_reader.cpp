@@ -101,7 +101,7 @@ class vtk_reader {
                      std::size_t tuples);
   result<std::size_t> count(std::string_view what);
   result<number_type> type();
-  // Reads this many numbers; where they are not used, they may be other words.
+  // Reads this many numbers; if they are not to be used, they may be any words.
   result<numbers> values(std::size_t count, const number_type& type, bool wanted);
   failure add_cells();
   failure add_list(const cell_lists& lists, const numbers* types, int type, std::size_t& cell);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Defines the border of a face in the chart of its patch: the four sides of the rectangle, or the
-// curves of the loops that trim it. Doubles that propose.
+// curves of the loops that trim it. Works in doubles; the results are proposals.
 #pragma once
 
 #include <cstddef>

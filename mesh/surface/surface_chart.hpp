@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Defines the plane of a patch's parameters, and the metric in it in which edges of length 1 are as
-// long as a chord height allows. Doubles that propose.
+// long as a chord height allows. Works in doubles; the results are proposals.
 #pragma once
 
 #include <array>
