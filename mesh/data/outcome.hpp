@@ -35,7 +35,7 @@ enum class ending {
   overworked,  // given up: the most work that is done for so many sites was done
   stopped,     // by mesh_options::stop
   crowded,     // the metric varies too fast for sites to be spread: the given vertices alone
-  one_metric,  // for a whole run: the mesh is of one metric for all sites, as the last resort
+  one_metric,  // for a whole run: the mesh is of one metric for all sites, the fallback
   intolerable  // for a whole run: stars agree in a metric farther away than is allowed
 };
 
