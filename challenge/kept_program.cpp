@@ -140,7 +140,7 @@ void keep_until_told(pid_t program, int orders, int reports, const sigset_t& asl
   }
 }
 
-// Runs the keeper, from its fork to its end. Its status tells whether all processes were ended.
+// Runs the keeper, from its fork to its end. Its exit status says whether all processes were ended.
 [[noreturn]] void keep(const std::vector<char*>& arguments, all_channels& pipes) {
   ::setpgid(0, 0);
 #if defined(__linux__)

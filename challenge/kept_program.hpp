@@ -33,7 +33,7 @@ class kept_program {
 
   // Runs a program and its arguments. Returns an error unless it runs.
   std::optional<error> start(const std::vector<std::string>& command);
-  // True once it has ended; the status, as waitpid tells it, is then kept.
+  // True once the program has ended; its status, in the form of waitpid, is then kept.
   bool ended();
   int status() const { return status_; }
   // Ends the program and all processes that it started. Returns false if some could not be ended.

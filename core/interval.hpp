@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Names the interval type of the kernels, rigorous enclosures by doubles. Every use stands in a
+// Names the interval type of the kernels, rigorous enclosures by doubles. Every use must be in a
 // floating_point_scope(rounding::upward).
 //
 // The type is rounded_interval. In the self-check build (ASTERISM_SELF_CHECK) it is

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Defines interval arithmetic on doubles whose ends are rounded outward. Every operation stands in
+// Defines interval arithmetic on doubles whose ends are rounded outward. Every operation must be in
 // a floating_point_scope(rounding::upward), in a function that is not inlined into the one that
 // holds the scope, and is compiled with -frounding-math. Where there is no directed rounding, each
 // end that was rounded inward is moved outward by one unit: the same ends (core/two_lanes.hpp).

@@ -44,8 +44,8 @@ using metric_tensor = basic_metric_tensor<double>;
 // A site in doubles, as in input and output.
 using site = basic_site<double>;
 
-// True if the tensors are equal bit for bit, whatever the floating-point environment: to a
-// processor told to flush, == takes subnormal numbers for zeros. False for 0 and -0.
+// True if the tensors are equal bit for bit, whatever the floating-point environment: if the
+// processor is set to flush, == takes subnormal numbers for zeros. False for 0 and -0.
 constexpr bool identical(const metric_tensor& a, const metric_tensor& b) {
   using bits = std::array<std::uint64_t, 3>;
   return std::bit_cast<bits>(a) == std::bit_cast<bits>(b);

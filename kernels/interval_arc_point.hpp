@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Encloses a point of a visible arc by intervals, for arc_search. Stands in a
+// Encloses a point of a visible arc by intervals, for arc_search. Requires a
 // floating_point_scope(rounding::upward).
 #pragma once
 

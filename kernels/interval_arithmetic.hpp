@@ -4,9 +4,9 @@
 // segment shown by one verified witness or refuted by covering it with boxes on each of which a
 // condition certainly fails (existence on an arc: kernels/arc_search.hpp). Else undecided.
 //
-// Everything here stands in a floating_point_scope(rounding::upward). Source of the scheme:
-// Moore's interval branch and prune; bounds on the number of boxes are budgets, not tolerances:
-// running out of one means "undecided".
+// All functions require a floating_point_scope(rounding::upward). Source of the scheme: Moore's
+// interval branch and prune; bounds on the number of boxes are budgets, not tolerances: running out
+// of one means "undecided".
 #pragma once
 
 #include <array>

@@ -3,9 +3,9 @@
 // Ends a run early: at an interrupt from the keyboard, or at a limit on time or on memory. The run
 // then writes the results that are certain.
 //
-// A run ends where it polls, which is often. A thread watches it, in case an unforeseen
-// loop takes minutes: a run that is told to end and has not begun to write its files
-// within the time that a conclusion takes is ended there, with status 1, and nothing is
+// A run ends at the next place where it polls; there are many such places. A thread watches it, in
+// case an unforeseen loop takes minutes: a run that is told to end and has not begun to write its
+// files within the time that a conclusion takes is ended there, with status 1, and nothing is
 // written.
 #pragma once
 

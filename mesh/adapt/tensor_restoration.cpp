@@ -48,7 +48,7 @@ tensor_restoration::tensor_restoration(working_mesh& m, double angle_bound,
 
 void tensor_restoration::run(const cancellation& stop) {
   constexpr int most_sweeps = 8;
-  // Least part of nodes, one in this many, that can have the tensor wanted. Below it the metric
+  // Least share of nodes that can have the tensor wanted: one in this number. Below it the metric
   // turns nearly everywhere, and most steps towards the wanted tensors would be undone, audit after
   // audit.
   constexpr std::size_t few = 10;

@@ -110,7 +110,7 @@ double covering_radius(const mesh& m) {
 
 // Returns the radius of disks around sites that must meet for the pair to matter to the measures:
 // the covering radius, or, where all metrics are one, half the shortest edge. Pairs farther apart
-// than that edge are measured in vain there: their metrics do not differ. Where sites are spread
+// than that edge need not be measured there: their metrics do not differ. Where sites are spread
 // unevenly, as random ones are, that spares nearly all pairs.
 double radius_that_matters(const mesh& m, double covering_radius) {
   const metric_tensor& one = m.sites.front().metric;

@@ -89,7 +89,7 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
     return;
   }
   if (is_unmeasured(*claim)) {
-    // Accepts that one of both measurements was told to end, and has that reason alone.
+    // Accepts a certificate whose measurement was ended early, if it has that reason and no numbers.
     theorem_hypotheses nothing;
     nothing.reason = claim->reason;
     compare_measures(all, *claim, nothing);

@@ -111,7 +111,8 @@ std::optional<std::size_t> find_subsegment(const asterism_sites& sites, std::siz
   return found;
 }
 
-// Adds the new site between the two updates of the index, which is told before and after.
+// Adds the new site between the two notices that the index gets of a split: one before it and one
+// after it.
 void split(asterism_sites& sites, std::size_t subsegment, const double* at) {
   const auto twin = sites.edges.twin(subsegment);
   const std::size_t first_new = sites.edges.subsegments().size();

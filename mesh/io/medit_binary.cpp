@@ -52,7 +52,7 @@ class decoder {
   failure fail(const std::string& what) const {
     return error{file_ + ": byte " + std::to_string(at_) + ": " + what, error_code::malformed_file};
   }
-  // Reads an unsigned number of this many bytes. Requires that the data has them.
+  // Reads an unsigned number of `size` bytes. Requires that the data has these.
   std::uint64_t raw(std::size_t size) {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < size; ++i) {

@@ -85,7 +85,8 @@ failure read_tensors(text_scanner& source, int dimension, mesh& m, bool& is_metr
   return {};
 }
 
-// Reads the section; `is_metric` tells whether it must be a metric, and returns whether it is.
+// Reads the section. On entry `is_metric` states whether it must be a metric; on return, whether it
+// is one.
 failure read_sections(text_scanner& source, mesh& m, bool& is_metric) {
   const bool is_wanted = is_metric;
   const auto dimension = read_medit_header(source);

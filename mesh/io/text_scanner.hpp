@@ -43,7 +43,7 @@ class text_scanner {
   std::vector<word> next_line();
   // Returns the rest of the current line, without its end, and continues with the next line.
   std::string_view rest_of_line();
-  // Returns this many bytes from the present place; fewer if the text ends before.
+  // Returns the next bytes of the text, as many as asked for; fewer if the text ends before.
   std::string_view take_bytes(std::size_t count);
   // Writes the words of the next line to `words`, whose memory is used again for each line.
   void next_line(std::vector<word>& words);

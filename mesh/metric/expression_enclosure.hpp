@@ -26,7 +26,8 @@ class expression_enclosure {
   // Reads the formula; returns nothing where it has other parts, or is no formula.
   static std::optional<expression_enclosure> parse(const std::string& text);
 
-  // Returns the enclosure. In a floating_point_scope(rounding::upward); several threads may ask.
+  // Returns the enclosure. Requires a floating_point_scope(rounding::upward); several threads may
+  // call it.
   interval_jet over(const plane_jet& at) const;
 
  private:

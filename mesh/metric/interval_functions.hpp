@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Encloses elementary functions of rounded intervals, and their quotients by any numbers. The
-// caller stands in a floating_point_scope(rounding::upward). Where a function has no value, or no
+// Encloses elementary functions of rounded intervals, and their quotients by any numbers. All
+// functions require a floating_point_scope(rounding::upward). Where a function has no value, or no
 // bound, on a part of the argument, the enclosure is infinite on that side.
 //
 // Values come from core/elementary, which is off by at most six units in the last place where it

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Encloses a function of the plane and its derivatives over a box: interval arithmetic by the rules
-// of differentiation. The caller stands in a floating_point_scope(rounding::upward).
+// of differentiation. All functions require a floating_point_scope(rounding::upward).
 //
 // For a function with kinks (absolute values, the lesser of two) the derivatives are those on each
 // side, and all between: along any segment the function's derivative is in x du + y dv wherever it

@@ -49,9 +49,9 @@ struct domain_cut {
   int marker = 0;  // of cuts: greater than all of the domain's
 };
 
-// Cuts a domain, accepted by check_domain, into so many pieces. Cuts curves along their chords.
-// Fails where the field does, for less than about six triangles a piece, and if the coarse mesh is
-// no triangulation of the domain or was stopped. The same for any number of threads.
+// Cuts a domain, accepted by check_domain, into this number of pieces. Cuts curves along their
+// chords. Fails where the field does, for less than about six triangles a piece, and if the coarse
+// mesh is no triangulation of the domain or was stopped. The same for any number of threads.
 result<domain_cut> cut_domain(const domain& d, const metric_field& field, const cut_wishes& wishes);
 
 // Returns the cut along the edges of a mesh of the domain, between triangles of different pieces.

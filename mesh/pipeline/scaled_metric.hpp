@@ -47,7 +47,7 @@ struct scaled_metric {
   std::optional<std::uint64_t> background_fingerprint;
 };
 
-// Returns the complexity for this many vertices.
+// Returns the complexity for this number of vertices.
 ASTERISM_EXPORT double complexity_of_vertices(std::size_t vertices);
 
 // Makes the metric, refines it where local sizes are given (metric/local_sizes.hpp), then grades

@@ -36,7 +36,7 @@ class byte_reader {
     const std::int32_t a = signed_number();
     return {a, signed_number()};
   }
-  // True if so many rows of so many bytes each are left.
+  // True if `rows` rows of `size` bytes each are left.
   bool holds(std::size_t rows, std::size_t size) const {
     return rows <= (bytes_.size() - at_) / size;
   }

@@ -53,7 +53,7 @@ class refine_state {
   bool is_full() const { return sites_->is_full(); }
   // Frees the index of sites and subsegments. The mesh must not be changed from then on.
   void forget_index() { sites_->forget_index(); }
-  // Lowers the limit on sites to this many.
+  // Lowers the limit on sites to this number.
   void limit_sites(std::size_t most_sites) { sites_->limit(most_sites); }
 
   // True if the work limit for the number of sites was reached (stars/work_limit.hpp). Work is

@@ -28,7 +28,7 @@ class site_set {
   // True if all sites have the same tensor, bit for bit.
   bool has_one_metric() const { return has_one_metric_; }
   bool is_full() const { return sites_.size() >= most_sites_; }
-  // Lowers the limit on sites to this many.
+  // Lowers the limit on sites to this number.
   void limit(std::size_t most_sites) { most_sites_ = std::min(most_sites_, most_sites); }
   // Returns the index of sites and subsegments by place. The boundary, which splits subsegments,
   // updates it.

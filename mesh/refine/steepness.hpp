@@ -31,7 +31,7 @@ class steepness {
   // across a jump of the metric.
   bool jump_disagrees() const { return jump_disagrees_; }
   // True if another metric is to be delivered for such a triangle, and the whole domain meshed anew
-  // (delivery/metric_delivery.hpp): then refinement elsewhere is in vain.
+  // (delivery/metric_delivery.hpp): then refinement elsewhere is useless.
   bool awaits_other_metric() const { return options_.metric_tolerance != 0.0 && jump_disagrees_; }
   // True if enough sites were inserted since the first triangle was given up. The mesh cannot
   // become complete any more, and beside a jump of the metric stars with thousands of neighbours

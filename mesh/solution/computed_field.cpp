@@ -25,8 +25,8 @@ double part_of_sorted(std::vector<double> all, double part) {
   return *at;
 }
 
-// Returns how far `own` is from the value at v of the linear function that fits its neighbours'
-// best; none where they do not determine one.
+// Returns the absolute difference of `own` from the value at v of the linear function that fits its
+// neighbours' best; none where they do not determine one.
 template <class Value>
 std::optional<double> off_linear(const mesh& m, const mesh_links& links, vertex_index v, double own,
                                  const Value& value) {
@@ -66,8 +66,8 @@ std::vector<vertex_index> inner_vertices(const mesh_links& links) {
   return found;
 }
 
-// Inner vertices at which second derivatives are at least a tenth of what all but one in twenty
-// have at most; evenly taken from these where they are more than wanted.
+// Inner vertices at which second derivatives are at least a tenth of their 95 % quantile; a subset
+// at even steps if there are more than wanted.
 std::vector<vertex_index> strong_vertices(const mesh_links& links,
                                           const std::vector<metric_tensor>& weak) {
   constexpr double high = 0.95, strong = 0.1;
@@ -108,7 +108,7 @@ std::optional<roughness> roughnesses_at(const mesh& m, const mesh_links& links,
   return roughness{*of_weak / unit, *of_fit / unit};
 }
 
-// Returns 1 up to `all`, 0 from `none` on, and between them what falls in logarithms.
+// Returns 1 up to `all`, 0 from `none` on, and between them a share that falls linearly in ln x.
 double part_below(double x, double all, double none) {
   if (x <= all) return 1;
   return x < none ? elementary::log(none / x) / elementary::log(none / all) : 0;

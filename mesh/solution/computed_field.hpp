@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells values that a method of finite elements computed from values of a function, and bounds how
-// stretched triangles along the layers of the former may be.
+// Distinguishes values that a finite element method computed from values of a function, and bounds
+// the aspect of triangles along the layers of computed ones.
 //
 // A solution in linear elements fulfils its equation vertex by vertex, and so its weak Laplacian
 // there is made of the right-hand side and of first derivatives: it varies smoothly over the mesh.
-// Its values, and a quadratic fitted to them, carry the errors of the method. Values of a function
-// are the other way round: quadratics fit them smoothly, and the weak form, which is not consistent
-// on irregular meshes, varies from vertex to vertex. So the one roughness over the other tells
-// which of both a field is, whatever the equation: 0.09 to 0.48 in solutions of advection and
-// diffusion, of reaction and diffusion, and of Poisson's equation with layers of a hundredth and a
-// thousandth, and 1.0 and more in fifteen functions on grids and in loops of 500 and 2,000 vertices
-// (docs/results/adaptation.md).
+// Its values, and a quadratic fitted to them, carry the errors of the method. For values of a
+// function the reverse holds: quadratics fit them smoothly, and the weak form, which is not
+// consistent on irregular meshes, varies from vertex to vertex. So the ratio of the two roughnesses
+// distinguishes both kinds of fields, whatever the equation: 0.09 to 0.48 in solutions of advection
+// and diffusion, of reaction and diffusion, and of Poisson's equation with layers of a hundredth
+// and a thousandth, and 1.0 and more in fifteen functions on grids and in loops of 500 and 2,000
+// vertices (docs/results/adaptation.md).
 #pragma once
 
 #include <optional>
@@ -23,30 +23,31 @@
 
 namespace asterism::internal {
 
-// Below the first of these ratios a field is taken for computed, above the second for a function.
+// Below the first of these ratios a field counts as computed, above the second as a function's.
 inline constexpr double ratio_of_computed = 0.6, ratio_of_function = 0.95;
 // Below the first roughness of its quadratics a field is resolved, above the second it is not, and
 // both roughnesses are made of the function's own higher derivatives. Loops leave 0.02 to 0.04 of a
 // solution; layers of a third of a grid's spacing have 0.9.
 inline constexpr double roughness_of_resolved = 0.1, roughness_of_unresolved = 0.2;
-// Least bound of the aspect, and the bound over the steepness. By experiment: layers of a hundredth
-// (steepness 75) want 20 to 40, layers of a thousandth (713) 150 to 400.
+// Least bound of the aspect, and the ratio of the bound to the steepness. By experiment: layers of
+// a hundredth (steepness 75) want 20 to 40, layers of a thousandth (713) 150 to 400.
 inline constexpr double least_aspect_bound = 20, aspect_of_steepness = 0.27;
 
-// How far second derivatives at a vertex are from the linear function that fits its neighbours'
-// best, in parts of the second derivatives there.
+// Distance of second derivatives at a vertex from the linear function that fits its neighbours'
+// best, as a part of the second derivatives there.
 struct roughness {
   double weak = 0;    // of the Laplacian in the weak form
   double fitted = 0;  // of that of fitted quadratics
-  // Returns the one over the other; what is nothing beside a method's errors counts as alike.
+  // Returns the ratio of the two; values that are negligible beside a method's errors count as
+  // equal.
   double ratio() const {
     constexpr double nothing = 1.0 / 512;
     return (weak + nothing) / (fitted + nothing);
   }
 };
 
-// Returns medians over vertices where second derivatives are strong, a thousand or so of them. None
-// where fewer than sixteen vertices could tell.
+// Returns medians over about a thousand vertices where second derivatives are strong. None where
+// fewer than sixteen vertices can be judged.
 std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
                                       const std::vector<double>& values);
 

@@ -13,7 +13,7 @@ constexpr std::size_t unknowns = 5;  // two of the gradient, three of the Hessia
 constexpr std::size_t most_points = 96;
 using row = std::array<double, unknowns + 1>;  // the last is the right-hand side
 
-// Lists the vertices within this many edges of v, without v itself.
+// Lists the vertices within this number of edges of v, without v itself.
 std::vector<vertex_index> rings(const mesh_links& links, vertex_index v, int count) {
   std::vector<vertex_index> found, last{v};
   for (int ring = 0; ring < count && found.size() < most_points; ++ring) {

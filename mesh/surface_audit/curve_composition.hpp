@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes curves on a patch as curves in space, in Bernstein's form, and the difference of two.
-// Everything is enclosed by intervals and stands in a floating_point_scope(rounding::upward).
+// Everything is enclosed by intervals, which require a floating_point_scope(rounding::upward).
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds distances by control points. Everything stands in a
+// Bounds distances by control points. All functions require a
 // floating_point_scope(rounding::upward).
 #pragma once
 

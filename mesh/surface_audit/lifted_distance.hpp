@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds how far parts of a shell's triangles are from their parts of the surface. In a
+// Bounds how far parts of a shell's triangles are from their parts of the surface. Requires a
 // floating_point_scope(rounding::upward).
 #pragma once
 

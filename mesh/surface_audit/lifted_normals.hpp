@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds how much the normals of parts of a shell's triangles differ from the surface's. In a
+// Bounds how much the normals of parts of a shell's triangles differ from the surface's. Requires a
 // floating_point_scope(rounding::upward).
 #pragma once
 

@@ -37,7 +37,7 @@ struct two_directions {
 
 // Returns the derivatives along the part's own sides, times n and w: differences of the net and,
 // for a quotient, these less r w'. None where numbers leave the range of doubles, or a weight may
-// not be positive. Stands in a floating_point_scope(rounding::upward).
+// not be positive. Requires a floating_point_scope(rounding::upward).
 std::optional<two_directions> along_sides(const triangle_frame& frame, const triangle_net& net,
                                           bool is_rational);
 

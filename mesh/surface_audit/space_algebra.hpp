@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Defines vectors of three numbers and points with weights, in doubles, in intervals and exactly.
-// Intervals stand in a floating_point_scope(rounding::upward).
+// Intervals require a floating_point_scope(rounding::upward).
 #pragma once
 
 #include <algorithm>

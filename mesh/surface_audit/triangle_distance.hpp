@@ -34,7 +34,7 @@ struct measured_triangle {
 nearest_place nearest_in(const measured_triangle& triangle, const plain_vector& p);
 
 // Bounds squared distances from one triangle, of every point of an interval or projective point.
-// In a floating_point_scope(rounding::upward).
+// Requires a floating_point_scope(rounding::upward).
 class distances_above {
  public:
   explicit distances_above(const plain_triangle& triangle);
@@ -52,8 +52,8 @@ inline double squared_distance_above(const weighted_point& p, const plain_triang
 }
 
 // True if the point p / w, w > 0, is certainly farther than sqrt(squared) from the triangle.
-// Numbers are intervals, in an upward scope, or dyadics, for which the answer is exact.
-// Divides nothing: all is multiplied by w^2 and the lengths of edges.
+// Numbers are intervals, which require a floating_point_scope(rounding::upward), or dyadics, for
+// which the answer is exact. Divides nothing: all is multiplied by w^2 and the lengths of edges.
 template <class Number>
 bool is_farther(const space_vector<Number>& p, const Number& w, const plain_triangle& triangle,
                 const Number& squared);

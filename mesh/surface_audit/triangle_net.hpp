@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes a Bezier piece over a triangle of its parameters in Bernstein form: the piece over the
-// triangle lies in the convex hull of the net's points. Everything is enclosed by intervals and
-// stands in a floating_point_scope(rounding::upward).
+// triangle lies in the convex hull of the net's points. Everything is enclosed by intervals, which
+// require a floating_point_scope(rounding::upward).
 #pragma once
 
 #include "asterism/mesh/surface_audit/net_layout.hpp"
