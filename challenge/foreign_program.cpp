@@ -57,7 +57,7 @@ class answer_reader {
     }
     return true;
   }
-  // Takes a last line that has no end of line.
+  // Adds the last line of the output if it has no end of line.
   bool finish() { return line_.empty() || take_line(); }
   double silence() const { return seconds_since(last_); }
 

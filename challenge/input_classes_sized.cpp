@@ -88,8 +88,8 @@ scene mixed_sizes(random_source& random) {
   });
 }
 
-// Makes subnormal numbers: a processor that flushes takes them for zero, and then finds metrics
-// equal and points ordered that are not.
+// Makes subnormal numbers: a processor that flushes treats them as zero, so that different metrics
+// are equal for it, and the order of points is another one.
 scene subnormal(random_source& random) {
   scene s = random.chance(2) ? degenerate(random) : grid(random);
   const auto tiny = [&] { return std::ldexp(small_integer(random, 7), -1074 + 3); };

@@ -14,7 +14,7 @@
 
 namespace asterism::challenge {
 
-// Reply to one question, or the failure in its place.
+// Reply to one question, or the failure that took its place.
 struct reply {
   std::optional<std::string> answer;  // empty: it failed there, or was not asked
   std::optional<run_end> failure;     // how it failed, if it did

@@ -142,7 +142,7 @@ class integer {
     size_ = std::exchange(other.size_, 0);
     negative_ = other.negative_;
   }
-  // Returns limbs to be overwritten: their old values are lost when there was no room.
+  // Returns limbs to be overwritten; their old values are lost if new memory was needed.
   limb* room_for(std::size_t limbs) {
     if (limbs <= inline_limbs) return data();  // an array has more
     return room_on_heap(limbs);

@@ -17,7 +17,7 @@ std::string quoted_token(std::string_view token) {
   return text + (token.size() > longest ? "...'" : "'");
 }
 
-// Returns words for infinity and NaN, which come from numbers that are too large.
+// Returns words in place of infinity and NaN, which come from numbers that are too large.
 std::string format_number(double value) {
   if (std::isnan(value)) return "unknown";
   if (std::isinf(value)) return value > 0 ? "too large" : "too far below 0";

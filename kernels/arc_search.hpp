@@ -26,8 +26,8 @@ namespace asterism::internal {
 template <class Number, class PointOnArc, class Source = Number>
 class arc_search {
  public:
-  // `source` is the same question, whose polynomials are used. Hints may be anything; they decide
-  // how soon the search ends, never how.
+  // `source` is the same question, whose polynomials are used. Hints may have any values: they
+  // affect how long the search takes, never its result.
   arc_search(const insertion_question<Number>& question, const insertion_question<Source>& source,
              const numeric::search_hints& hints, int budget)
       : question_(question),

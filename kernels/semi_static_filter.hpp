@@ -105,7 +105,7 @@ inline two_lengths squared_lengths(const two_metrics& m, const two_displacements
 }
 
 // Tests that operands are in range: by sums, so that one comparison serves several. Squares of
-// displacements may stand for them.
+// displacements may take the place of displacements.
 inline two_doubles extent(const two_metrics& m) { return m.m11 + m.m22; }
 inline two_doubles extent(const two_displacements& u) { return absolute(u.x) + absolute(u.y); }
 inline bool in_range(two_doubles extents) {

@@ -260,7 +260,7 @@ struct star_gap::upper_bound {
   double turned = 0, bulge = 0, magnitude = 0;
 };
 
-// Bounds w's parameter from above; empty where its error is too large.
+// Bounds w's parameter from above; empty if the bound's error is too large.
 std::optional<star_gap::upper_bound> star_gap::bound_above(const candidate& w) const {
   const auto& d = w.site.offset;
   const double extent = w.site.extent, trace = w.site.trace, rho = frame_.rho();

@@ -91,8 +91,8 @@ void consistency_repair::find_due_faces() {
     if (m_.faces()[t].exists() && is_active(t)) add_due_face(t);
 }
 
-// Marks the edges that agree: nearly all of them, and most of a round's time. Several threads do
-// it, as nothing changes meanwhile.
+// Marks the edges that agree, which are nearly all edges and take most of a round's time. Works in
+// several threads, as no node or face changes meanwhile.
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
   centres_.resize(m_.faces().size());

@@ -77,8 +77,8 @@ class consistency_repair {
   local_tests tests_;
   double aim_;  // cotangent of the angle aimed at
   std::vector<char> active_, next_;
-  // Faces with an active node, and those beside one, as they are and as changes of the round have
-  // made them. Nothing in the others is to be checked.
+  // Faces with an active node, and the faces beside these, as before the round and as changed by
+  // it. No other face needs a test.
   std::vector<char> is_due_;
   std::vector<face_centre> centres_;  // of these, as they are when the round begins
   // Test results of each face before the round changes it: one bit for each edge that agrees, and a

@@ -40,7 +40,7 @@ class present_centres {
     }
     return centres_[t];
   }
-  // Forgets those of faces that have changed.
+  // Forgets the Voronoi vertices of these faces, which have changed.
   void forget(const face_list& faces) {
     for (const vertex_index t : faces) is_known_[t] = 0;
   }

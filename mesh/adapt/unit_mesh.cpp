@@ -198,8 +198,8 @@ void unit_mesher::refit(metric_at field) {
   m_.each_node([this](vertex_index v) { measure(v); });
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists()) note_change(t);
-  // Takes the square root of the correction: a fitted mesh needs about that when it is fitted
-  // again.
+  // Takes the square root of the correction: a mesh that is fitted again needs about that
+  // factor.
   crowding_ = std::sqrt(crowding_);
   constexpr double tolerable = 0.015;
   fit(tolerable);

@@ -32,8 +32,8 @@ constexpr std::array<point, 8> directions = {{{1, 0},
                                               {0, -1},
                                               {slant, -slant}}};
 
-// Returns the defect of a quantity that exceeds its limit by this much. It saturates: a quantity
-// far beyond its limit will stay so.
+// Returns the defect of a quantity that exceeds its limit by this amount. The defect is bounded:
+// moves do not help a quantity far beyond its limit.
 double defect(double beyond) {
   constexpr double most = 1, of_any = 0.1;
   return beyond > 0 ? std::min(most, beyond) + of_any : 0;
@@ -101,8 +101,8 @@ void vertex_smoothing::run(const cancellation& stop) {
   }
 }
 
-// Marks the nodes without a defect. They are most nodes, and take most of the time: several threads
-// do it, as nothing moves meanwhile.
+// Marks the nodes without a defect. These are most nodes, and take most of the time: several
+// threads work, as no node moves meanwhile.
 void vertex_smoothing::find_calm() {
   constexpr std::size_t nodes_at_once = 1024;
   const std::size_t count = m_.nodes().size();

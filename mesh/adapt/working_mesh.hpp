@@ -157,8 +157,8 @@ class working_mesh {
   // Returns the place on the segment of a sliding node that is nearest to `where`, or on the curve
   // of which the segment is a chord; the node's present place if an end of the chord is nearest.
   point on_segment(vertex_index v, const point& where) const;
-  // Returns the place to split an edge at, near a point of it: on the curve that it is a part of,
-  // else the point itself. Nothing where the curve has no such place.
+  // Returns the place at which to split an edge near one of its points: a point of the curve that
+  // the edge is a chord of, else the point itself. Nothing where the curve has no such place.
   std::optional<point> place_on_edge(vertex_index t, std::size_t edge, const point& where) const;
 
   // Nodes and faces of a mesh, or of a part of one.

@@ -33,7 +33,7 @@ struct second_order_report {
   std::vector<vertex_index> folded;     // triangles with a point at which it is not positive
   std::vector<vertex_index> undecided;  // triangles of which neither is proved
 
-  // True if every triangle is proved, and there is one.
+  // True if there is a triangle, and every triangle is proved.
   bool proved() const { return triangles > 0 && folded.empty() && undecided.empty(); }
 };
 

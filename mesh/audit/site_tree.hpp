@@ -55,7 +55,7 @@ class site_tree {
   bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
               std::size_t from = 0) const;
   // Visits the sites that visit_near without leaves would visit for one of the stars for which the
-  // leaves were gathered, limited to those from number `from` in the order on.
+  // leaves were gathered, limited to sites from position `from` of the order on.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit, std::size_t from = 0) const;

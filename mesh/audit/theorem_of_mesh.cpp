@@ -125,8 +125,8 @@ double radius_that_matters(const mesh& m, double covering_radius) {
   return std::min(covering_radius, 0.5 * shortest);
 }
 
-// Returns a clause that names the bound of the ratio of lengths in two metrics, or says that
-// doubles do not hold it, where products of their entries leave the range.
+// Returns a clause that names the bound of the ratio of lengths in two metrics, or states that no
+// double holds the bound, if products of entries leave the range.
 std::string difference_text(double distortion) {
   if (!(distortion < std::numeric_limits<double>::infinity()))
     return "differ by a factor that doubles do not tell";

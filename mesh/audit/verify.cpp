@@ -89,7 +89,8 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
     return;
   }
   if (is_unmeasured(*claim)) {
-    // Accepts a certificate whose measurement was ended early, if it has that reason and no numbers.
+    // Accepts a certificate whose measurement was ended early, if it has that reason and no
+    // numbers.
     theorem_hypotheses nothing;
     nothing.reason = claim->reason;
     compare_measures(all, *claim, nothing);
@@ -133,8 +134,8 @@ void compare_guarantee(contradictions& all, const certificate& claim,
             ": their product is not " + text_of(guaranteed_covering) + " at most");
 }
 
-// Compares the areas of regions. Those of the domain are compared where it is the claimed one;
-// those before an adaptation can only be compared with the mesh that was adapted.
+// Compares the areas of regions. Areas in the domain are compared if the domain is the claimed one;
+// areas before an adaptation could only be compared with the mesh that was adapted.
 void compare_regions(contradictions& all, const certificate& claim, const certificate& found,
                      bool as_claimed) {
   std::map<int, std::array<region_area, 2>> regions;
@@ -379,7 +380,7 @@ void compare_former(contradictions& all, const mesh& subject, const certificate&
             " away from the former one, and " + text_of(*allowed) + " was asked for");
 }
 
-// Repeats the match of the sides that were to have the same points, and compares it.
+// Matches the pairs of periodic sides again, and compares the outcome with the certificate's.
 void compare_periodic(contradictions& all, const mesh& subject, const certificate& claim,
                       verify_report& report) {
   for (const periodic_pair& sides : claim.periodic_asked) {
@@ -421,7 +422,8 @@ std::vector<std::string> contradictions_of(const certificate& claim, const certi
   all.compare_count("boundary edges", claim.boundary_subsegments, audited.boundary_subsegments);
   if (all.none() && claim.fingerprint != found.fingerprint)
     all.add("the certificate is of another mesh: the fingerprints differ");
-  // Compares further numbers only if nothing differs so far: those of another mesh mean nothing.
+  // Compares further numbers only if nothing differs so far: numbers of another mesh cannot be
+  // compared.
   if (all.none()) {
     compare_regions(all, claim, found, as_claimed);
     if (as_claimed) compare_audit(all, claim, found);

@@ -70,7 +70,8 @@ class arc_check {
     if (!edge.has_ends) return;
     order_ = question_.order_of_ends();
     if (order_ == sign::negative) report_order();
-    // Encloses no arc that is a single point: it is an end of other arcs, and is tested there.
+    // Encloses no arc that is a single point: the point is an end of other arcs, and is tested with
+    // these.
     if (order_ == sign::positive) enclosed_.emplace(at(edge.v), at(edge.u), edge.from, edge.to);
   }
 

@@ -276,7 +276,7 @@ uncertain_bool enclosed_arc::is_nearer(const site& w, bool tied_from, bool tied_
 // For e0, e1 > 0 it is positive if k < e0 + e1 + 2 sqrt(e0 e1).
 uncertain_bool enclosed_arc::is_nearer(const difference_of_distances& w, const span& s,
                                        bool tied_from, bool tied_to, int depth) const {
-  // Makes a zero without the least error that `bounded` gives to all other zeros.
+  // Makes an exact zero, whereas `bounded` gives all other zeros a least error.
   const bounded zero = bounded::within(0, 0);
   const bounded from = tied_from ? zero : -w.at(s.from), to = tied_to ? zero : -w.at(s.to);
   if (from.certainly_negative() || to.certainly_negative()) return true;

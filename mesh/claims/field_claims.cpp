@@ -108,7 +108,7 @@ bool is_shaped_piece(const certificate& claim) {
          (option_of(claim, "gradation") != "none" || option_of(claim, "sizes") != "none");
 }
 
-// Computes the field's upper bound of variation again, where a guarantee claims one.
+// Computes the upper bound of the field's variation again, if the certificate claims a guarantee.
 void check_variation(const certificate& claim, const metric_field& wanted, field_check& check) {
   if (!claim.guarantee || !claim.guarantee->field_variation_bound || !claim.original) return;
   const variation_bounds found = bound_variation(*claim.original, wanted);

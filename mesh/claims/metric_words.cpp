@@ -90,7 +90,7 @@ words words_of(const metric_request& request) {
                {"gradation-space", w.gradation_keeps_shape ? "metric" : "mixed"},
                {"isotropic", yes_or_no(w.isotropic)},
                {"step", optional_text(w.step)}};
-  // Adds words for options that few runs have; unset ones are left out.
+  // Adds words for rarely used options; options that are not set are left out.
   if (!request.hessians.empty()) all["given-hessian"] = request.hessians;
   if (w.relative) all["relative"] = "yes";
   if (w.cutoff) all["cutoff"] = number_text(*w.cutoff);

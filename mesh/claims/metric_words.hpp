@@ -13,7 +13,7 @@ namespace asterism::internal {
 
 // Returns the request in words, by names that begin with "adapt-"; empty words are "none".
 std::map<std::string, std::string> words_of(const metric_request& request);
-// Returns the request that has these words. Fails for words that no request has.
+// Returns the request that has these words. Fails for words that belong to no request.
 result<metric_request> request_of(const std::map<std::string, std::string>& words);
 
 // Returns the report in words, by names that begin with "metric-": numbers read back as they were.

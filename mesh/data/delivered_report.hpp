@@ -21,7 +21,7 @@ struct delivered_report {
   double median = 0, ninetieth = 0, greatest = 0;  // distances, of all sites
   // Area of the domain in either metric, from the tensors at the vertices.
   double complexity_wanted = 0, complexity_delivered = 0;
-  // Factor by which edges are longer than one, to have the number of sites
+  // Factor by which edges are longer than 1, so that the mesh has the number of sites
   // wanted.
   double length_factor = 1;
   // Least angle, in degrees, and triangles below the bound, ascending, by the metric wanted, away

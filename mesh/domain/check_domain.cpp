@@ -26,7 +26,7 @@ struct kept_edge {
 };
 
 // Returns the edges of the boundary, turned so that the domain is on their left, and the internal
-// ones; the others are counted.
+// ones; all other edges are counted.
 std::vector<kept_edge> kept_edges(const domain& d, const plane_graph& graph, const face_map& faces,
                                   const domain_parts& parts, domain_repairs& repairs) {
   const domain_names names(d);

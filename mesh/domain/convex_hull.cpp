@@ -21,7 +21,7 @@ using ends = std::array<vertex_index, 2>;
 
 ends sorted(vertex_index a, vertex_index b) { return {std::min(a, b), std::max(a, b)}; }
 
-// Returns the vertices from left to right, those at one place once.
+// Returns the vertices from left to right; of vertices at one place only the first.
 std::vector<vertex_index> from_left(const domain& d) {
   std::vector<vertex_index> order(d.vertices.size());
   std::iota(order.begin(), order.end(), vertex_index{0});

@@ -19,7 +19,7 @@
 
 namespace asterism::internal {
 
-// A ring, by the number of its polygon and its own there, from 0.
+// A ring: the number of its polygon, and its number within the polygon, from 0.
 struct ring_place {
   std::size_t polygon = 0, ring = 0;
 };

@@ -97,7 +97,7 @@ void fill_triangles(canvas& on, const page& p, const mesh& m, double angle_bound
   }
   on.set_hard_edges(false);
   on.use(disagreeing_fill);
-  // Draws the triangles one by one: they may overlap, and shades add up.
+  // Draws the triangles one by one: triangles may overlap, and their colours are mixed there.
   for (const triangle& t : m.disagreeing) {
     trace(on, p, m, t);
     on.fill();

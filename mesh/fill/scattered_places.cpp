@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t deepest = 30;
 
-// A cell of a quadtree; its sides are those of the box divided by 2^level.
+// A cell of a quadtree; the sides are those of the box divided by 2^level.
 struct quadtree_cell {
   std::uint32_t column, row, level;
 };

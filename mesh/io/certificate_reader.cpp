@@ -52,7 +52,8 @@ T read(const json& object, const std::string& key) {
   }
 }
 
-// Reads an angle. Older certificates have the number itself where there was none to judge.
+// Reads an angle, which is null if there was no angle to judge; older certificates have a number in
+// that case.
 double worst_angle_of(const json& object, const std::string& key) {
   return member(object, key).is_null() ? no_angle_to_judge : read<double>(object, key);
 }
@@ -316,7 +317,8 @@ void read_audit(const json& object, certificate& c) {
               count_of(curves, "vertices_off"), bound_of(curves, "largest_distance")};
 }
 
-// Reads the proof of second-order triangles: a certificate has one only if it proves all.
+// Reads the proof of second-order triangles: a certificate has such a proof only if all triangles
+// are proved.
 second_order_report second_order_of(const json& object) {
   second_order_report r;
   r.triangles = count_of(object, "triangles");
@@ -390,7 +392,8 @@ std::string joined(const std::string& name, const std::string& member) {
   return name.empty() ? member : name + "." + member;
 }
 
-// Returns the first field of `read` that is not one of `written`, the reverse, or another value.
+// Returns the first field that only one of `read` and `written` has, or that has different values
+// in the two.
 std::optional<difference> first_difference(const json& read, const json& written,
                                            const std::string& name) {
   if (read.is_object() && written.is_object()) {

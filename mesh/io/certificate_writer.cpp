@@ -106,7 +106,7 @@ json worst_angle_json(double degrees) {
   return degrees < no_angle_to_judge ? json(degrees) : json(nullptr);
 }
 
-// Writes the metric of the mesh against the one wanted.
+// Writes the distance between the metric of the mesh and the one wanted.
 json delivered_json(const certificate& c) {
   if (!c.delivered) return nullptr;
   const delivered_report& r = *c.delivered;

@@ -230,7 +230,7 @@ using ends = std::array<vertex_index, 2>;
 // Numbers of markers for edges that are in several strings of a solver.
 class shared_markers {
  public:
-  // Gives the edge the number for its own marker together with another's, and both names.
+  // Gives the edge a number that stands for its own marker and another one, with the names of both.
   void join(listed_mesh& m, boundary_edge& e, const boundary_edge& other) {
     ++edges_;
     const auto [at, is_new] = together_.emplace(std::pair(e.marker, other.marker), 0);
@@ -403,7 +403,8 @@ void find_segments(listed_mesh& from) {
   edge_marks marks{std::vector<char>(m.boundary.size(), 0), from.all_edges};
   for (const std::size_t e : from.required_edges) marks.required[e] = 1;
   keep_segments(m, marks);
-  // Adds missing sides, except for files that list all of them: there a missing side was removed.
+  // Adds missing sides, except for files that list all sides: in such a file a missing side was
+  // removed on purpose.
   if (!from.lists_sides) list_sides(m);
 }
 

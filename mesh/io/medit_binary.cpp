@@ -145,7 +145,7 @@ std::optional<error> decoder::read_section(bool& ended) {
   return {};
 }
 
-// Reads the types of a solution, which follow its count.
+// Reads the types of a solution's fields, which follow the count.
 std::optional<error> decoder::read_types(std::size_t& reals) {
   if (!has(4)) return fail("the file ends within SolAtVertices");
   const std::int64_t types = integer(4);

@@ -365,8 +365,8 @@ failure medit_reader::check_vertices() {
   return {};
 }
 
-// Takes the numbers in comments if they fit: one number from 1 for every edge. Returns whether they
-// exist and fit.
+// Takes the segment numbers in comments if there is one for every edge, each at least 1. Returns
+// whether that holds.
 bool medit_reader::take_segment_numbers() {
   constexpr std::string_view mark = "segments";
   std::vector<vertex_index> numbers;
@@ -387,8 +387,8 @@ bool medit_reader::take_segment_numbers() {
   return true;
 }
 
-// Takes the number of given vertices from a comment, if there is one and it fits: at least the
-// number required, these among them.
+// Takes the number of given vertices from a comment, if there is one and it is valid: the given
+// vertices include the required ones.
 bool medit_reader::take_given_number() {
   constexpr std::string_view mark = "given ";
   for (const std::string_view comment : source_.comments()) {

@@ -251,8 +251,8 @@ failure vtk_reader::read_points() {
   return {};
 }
 
-// Reads lists of points. Until version 5 each list begins with its length; from then on all ends of
-// lists come first.
+// Reads lists of points. Before version 5 each list begins with its length; from version 5 on the
+// ends of all lists come first.
 result<vtk_reader::cell_lists> vtk_reader::read_lists(const word& head) {
   const auto first = count("number of cells"), second = count("size of the list of cells");
   if (!first) return first.failure();

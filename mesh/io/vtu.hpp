@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes VTK unstructured grids (.vtu) for ParaView and VTK: markup, and in it the numbers in
-// base64
-// ("binary"), little-endian, each array behind the count of its bytes in 64 bits. Raw bytes after
-// the markup ("appended") would be a quarter less. But VTK cannot read those where expat puts off
-// what is unfinished, from its version 2.6 on and in Debian 12's update of 2.5: seen with ParaView
-// 5.11, of Debian.
+// Writes VTK unstructured grids (.vtu) for ParaView and VTK: markup, and in it the
+// numbers in base64 ("binary"), little-endian, each array behind the count of its bytes
+// in 64 bits. Raw bytes after the markup ("appended") would be a quarter less. But VTK
+// cannot read them with an expat that defers the parsing of unfinished tokens, as it
+// does from version 2.6 on and in Debian 12's update of 2.5: seen with Debian's ParaView
+// 5.11.
 //
 // Cells: the triangles, then the disagreeing triangles, of second order (type 22) with nodes for
 // their sides after the vertices, if they are given. Point data: `metric` (m11 m12 m22),

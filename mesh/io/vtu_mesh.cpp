@@ -226,7 +226,7 @@ failure vtu_mesh_reader::read_metric() {
   return {};
 }
 
-// Counts the vertices of the domain, if these are the first ones.
+// Counts the vertices of the domain, if they are the first ones of the mesh.
 failure vtu_mesh_reader::read_given() {
   const vtu_array* const a = from_.find("PointData", "given");
   if (a == nullptr || !holds_integers(*a)) return {};

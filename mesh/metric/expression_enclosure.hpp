@@ -23,7 +23,8 @@ namespace asterism::internal {
 
 class expression_enclosure {
  public:
-  // Reads the formula; returns nothing where it has other parts, or is no formula.
+  // Reads the formula; returns nothing if the formula has parts outside this language, or is
+  // invalid.
   static std::optional<expression_enclosure> parse(const std::string& text);
 
   // Returns the enclosure. Requires a floating_point_scope(rounding::upward); several threads may

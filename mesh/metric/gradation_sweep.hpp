@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the metrics at the nodes of a gradation grid and sweeps over them until none has to take
-// over more from its neighbours.
+// Holds the metrics at the nodes of a gradation grid and sweeps over them until no node has to be
+// refined for its neighbours any more.
 #pragma once
 
 #include <cstdint>

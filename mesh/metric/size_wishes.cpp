@@ -155,7 +155,7 @@ std::optional<error> add_kind(size_wishes& all, std::string_view kind, std::stri
   return error{quoted_token(kind) + " is no kind of size", error_code::bad_option};
 }
 
-// Returns how a wish of a kind is written; empty where it is one number.
+// Returns the syntax of the values of a kind of wish; empty if the value is one number.
 std::string_view form_of(std::string_view kind) {
   if (kind == "at") return "X,Y,R:H[,GROWTH]";
   if (kind == "box") return "X0,Y0,X1,Y1:H[,GROWTH]";

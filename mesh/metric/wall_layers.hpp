@@ -25,7 +25,7 @@
 
 namespace asterism::internal {
 
-// A segment with layers, in the direction that has the domain on its left.
+// A segment with layers, directed with the domain on its left.
 struct wall_side {
   vertex_index a = 0, b = 0;
   std::size_t segment = 0;  // of the domain

@@ -46,7 +46,7 @@ triangle_sites in_round_coordinates(triangle_sites t);
 // for any.
 double smallest_angle(const triangle_sites& t);
 
-// An angle, in degrees, that others are compared with, and its cotangent.
+// An angle in degrees, used as a threshold, and its cotangent.
 struct angle_threshold {
   explicit angle_threshold(double degrees);
 

@@ -40,8 +40,8 @@ std::string line_of(Integers... numbers) {
   return text;
 }
 
-// Returns the vertices that several pieces have, for their tags; 0 before a tag is given. The ends
-// of a seam are among them, for all pieces around.
+// Returns the vertices that several pieces have, for their tags; 0 before a tag is given. They
+// include the ends of seams, which all pieces around these have.
 std::map<place, std::size_t> shared_vertices(const pieces_index& index) {
   std::map<place, std::size_t> shared;
   for (std::size_t e = 0; e < index.cut.edges.size(); ++e) {

@@ -44,7 +44,8 @@ bool are_among(const std::vector<point>& few, const std::vector<point>& many) {
   return i == few.size();
 }
 
-// Returns the present points with those new ones that lie between two where there are none yet.
+// Returns the points of `now`, with those of `asked` between two points of `before` that have none
+// of `now` between them.
 std::vector<point> united(const std::vector<point>& before, const std::vector<point>& now,
                           const std::vector<point>& asked) {
   std::vector<point> all;

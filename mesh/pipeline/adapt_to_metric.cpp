@@ -21,7 +21,7 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Returns the mesh as one of the domain found, if the domain's vertices are its first ones.
+// Returns the mesh with the domain's vertices as the given ones, if these are its first ones.
 std::optional<mesh> as_mesh_of(const mesh& m, const mesh_outline& outline) {
   if (outline.segment_of_edge.empty()) return std::nullopt;
   mesh same = m;

@@ -30,7 +30,7 @@ namespace asterism {
 // is certified in the metric, whatever the lengths of its edges.
 enum class keep_rule { automatic, never, always };
 
-// Largest limit on sites that a run gets without a limit of its own.
+// Largest limit on sites of a run for which no limit was given.
 inline constexpr std::size_t most_sites_unasked = 10000000;
 
 // Demands of an adaptation other than its metric.

@@ -50,7 +50,7 @@ bool is_better(const standing& before, const standing& after) {
          (after.sites < before.sites || after.mean_quality > before.mean_quality);
 }
 
-// Sites that local changes propose, and how they follow from those of the mesh.
+// Sites that local changes propose, and the proposed place of each site of the mesh.
 struct proposed_sites {
   filled_domain filling;
   // Proposed place of each site of the mesh, its own if it stays, and a flag that is 1 if the site

@@ -19,7 +19,7 @@ class shorter_field : public metric_field {
   // `field` must outlive it. The factor must be at least 1.
   shorter_field(const metric_field& field, double factor) : field_(&field), factor_(factor) {}
   // Fails where the field does, and where the product is no metric: its numbers leave the range of
-  // doubles, or it is definite by less than its rounding.
+  // doubles, or rounding makes it indefinite.
   result<metric_tensor> at(const point& q) const override;
   void expect(const std::function<std::vector<point>()>& places) const override {
     field_->expect(places);

@@ -13,7 +13,7 @@ namespace asterism::internal {
 namespace {
 
 // True if the segments of a wedge are to be split at equal distances from its corner. Wider wedges,
-// and those without an internal segment, have room to mend their triangles.
+// and those without an internal segment, have room for sites that mend their triangles.
 bool is_mirrored_in(const domain_wedge& w) {
   constexpr double mirrored_angle = 10;
   return w.internal && w.corner.angle < mirrored_angle;

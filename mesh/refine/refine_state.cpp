@@ -77,7 +77,8 @@ void refine_state::divide(const domain& d, const filled_domain& filling, numbere
 }
 
 // Returns for each of a few sites near each other whether it is strictly inside and encroaches on
-// nothing. Mostly no subsegment meets their box: then all are on the same side.
+// nothing. Mostly no subsegment meets their common box: then all sites are on the same side of the
+// boundary.
 void refine_state::ask_of_few(const star_predicates& kernel, std::span<const site> few,
                               std::vector<char>& out) const {
   bounding_box box{few[0].position, few[0].position};

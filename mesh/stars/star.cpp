@@ -54,8 +54,8 @@ placement locate(const site_oracle& oracle, vertex_index v, const sector& s, ver
   const vertex_index first = s.neighbours.front();
   const half half_of_w = half_of(oracle, v, first, w);
   if (half_of_w == half::on_first_ray) return {placement_kind::on_ray, 0};
-  // Keeps the neighbours before w by `low` and after it by `high`. The last neighbour of a slit,
-  // which is the first one again, comes after everything.
+  // Keeps neighbour `low` before w and neighbour `high` after it. The last neighbour of a slit,
+  // which is the first one again, is after every direction.
   std::size_t low = 0, high = s.is_slit() ? s.size() - 1 : s.size();
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;

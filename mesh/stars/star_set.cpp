@@ -283,7 +283,7 @@ std::vector<vertex_index> star_set::exchange(const site_oracle& oracle,
   return changed;
 }
 
-// True if the settled star of v is final against all sites; notes it.
+// True if the settled star of v is final against all sites; records that.
 bool star_set::confirm(const site_oracle& oracle, vertex_index v, const site_index& latest) {
   if (is_still_final(oracle, v, latest))
     final_[v].against = oracle.size();

@@ -39,7 +39,8 @@ class box_tree {
   // Halves the items at the median of their middles along the longest side, equal ones by number.
   explicit box_tree(const std::vector<space_box>& boxes);
 
-  // Calls visit(item) for the items of leaves whose box is no farther than `limit()`, squared, from
+  // Calls visit(item) for the items of leaves whose box is within the squared distance `limit()` of
+  // p.
   template <class Limit, class Visit>
   void visit_near(const plain_vector& p, const Limit& limit, const Visit& visit) const {
     std::array<std::uint32_t, 128> stack;

@@ -35,7 +35,8 @@ struct shell_triangle {
 // Lists the triangles. Requires that every index is in range.
 std::vector<shell_triangle> triangles_of(const surface_shell& shell);
 
-// Returns the triangles in space, each as its face has it, turned if that is reversed.
+// Returns the triangles in space, with their corners in the order of the face, or in the opposite
+// order if the face is reversed.
 space_mesh mesh_of(const surface_shell& shell, const std::vector<shell_triangle>& triangles);
 
 }  // namespace asterism::internal

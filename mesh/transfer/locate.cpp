@@ -144,7 +144,8 @@ class locator {
     return best;
   }
 
-  // Gives vertices outside a triangle near a neighbour's, those beside located ones first.
+  // Assigns to each vertex outside the mesh a triangle near that of a neighbour, beginning with
+  // vertices beside located ones.
   std::optional<error> follow_neighbours() {
     std::vector<vertex_index> waiting = outside_;
     while (!waiting.empty()) {
