@@ -22,7 +22,7 @@ namespace {
 
 using namespace asterism::apps;
 
-// A subcommand by its name. help, completion and man describe all others.
+// A subcommand by its name. The commands help, completion and man describe all other ones.
 struct known_command {
   std::string_view name;
   void (*add)(CLI::App& program, command& chosen);

@@ -84,8 +84,7 @@ shadowed_interval::shadowed_interval(const char* operation, const enclosure& box
 
 void shadowed_interval::check(const char* operation) const {
   if (!shadow_) return;
-  // Checks an end: an infinite end encloses all numbers on its side; a NaN encloses
-  // none.
+  // Checks an end: an infinite end encloses all numbers on its side; a NaN encloses none.
   const bool below = !is_number(inf()) || !(shadow_->least.high < dyadic(inf()));
   const bool above = !is_number(sup()) || !(dyadic(sup()) < shadow_->greatest.low);
   if (below && above) return;

@@ -36,9 +36,9 @@ template <class Ask>
   return exact;
 }
 
-// Decides in the same way for predicates that take no longer than a call. Exact integers of a fixed
-// width cost less than intervals where they fit, so they come first. Arguments stay in registers on
-// the way to the other tiers, and nothing is stored for a call that is not made.
+// Decides likewise, tier by tier, for predicates that take no longer than a call. Exact integers of
+// a fixed width cost less than intervals where they fit, so they come first. Arguments stay in
+// registers on the way to the other tiers, and nothing is stored for a call that is not made.
 template <predicate Which, auto OfShort, auto OfIntervals, auto OfExact, class... Arguments>
 [[gnu::noinline]] auto decide_slowly(tier_counters* decided, const Arguments&... arguments) {
   auto answer = OfShort(arguments...);

@@ -79,8 +79,8 @@ result<std::vector<record_source>> chosen_sources(const challenge_options& optio
   return chosen;
 }
 
-// Takes questions from files alone where files are named: a predicate that they do not contain is
-// not tried.
+// Takes questions only from the files named, if any: a predicate that no file contains is not
+// tried.
 void drop_unasked(challenge_plan& plan) {
   std::erase_if(plan.questions, [&](const question& q) {
     return std::none_of(plan.sources.begin(), plan.sources.end(), [&](const record_source& s) {

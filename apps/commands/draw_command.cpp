@@ -129,7 +129,7 @@ std::string listed(const solution& fields) {
   return names.empty() ? "and there are no fields" : "and fields: " + names;
 }
 
-// Takes what --colour names: one of the words, or a scalar field.
+// Takes the value of --colour: one of the known words, or the name of a scalar field.
 std::optional<error> take_colours(const draw_options& options, const drawn_thing& thing,
                                   picture_options& style) {
   if (options.colours.empty()) return std::nullopt;
@@ -156,7 +156,8 @@ std::optional<error> take_colours(const draw_options& options, const drawn_thing
   return std::nullopt;
 }
 
-// Puts all meshes onto the page: it is about the last one; the others are shown before it.
+// Puts all meshes onto the page: the page describes the last one, and shows the others as earlier
+// states.
 result<report_facts> facts_of_things(const draw_options& options,
                                      std::vector<drawn_thing>& things) {
   auto facts = facts_of_page(options, options.things.back());

@@ -47,7 +47,8 @@ result<field_in_box> metric_of(const mesh_job& job) {
       });
 }
 
-// Adds to a refusal the option that mends or may mend it, if there is one.
+// Adds to the message of a refusal the option that mends the input, or may mend it, if there is
+// one.
 error with_remedy(const error& refusal, const domain& d) {
   const repair_hint hint = try_repair(d);
   switch (hint.answer) {

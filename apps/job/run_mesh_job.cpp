@@ -116,8 +116,8 @@ write_options how_to_write(const mesh_job& job, const fs::path& certificate_path
   return how;
 }
 
-// Writes the number of vertices and, if it is not near the one wanted, that no nearer one was
-// found.
+// Writes the number of vertices and, if it is not near the one wanted, that no mesh with a nearer
+// number was found.
 std::string vertex_count_text(std::size_t wanted, std::size_t delivered) {
   const double more = 100 * (static_cast<double>(delivered) / static_cast<double>(wanted) - 1);
   return fmt::format("vertices: {} wanted, {} delivered ({:+.1f} %{})", wanted, delivered, more,

@@ -32,7 +32,7 @@ constexpr described_size described[] = {
      "Layers along the segments with a marker: the first cells are H0 high, each layer G times as "
      "high as the one before, N of them (default: until they are as high as long)"}};
 
-// Returns the number of a name of a region or marker; fails unless exactly one group has it.
+// Returns the number that has this name, of a region or marker; none if there is none.
 std::optional<int> number_of(const std::map<int, std::string>& names, const std::string& name) {
   const auto at =
       std::find_if(names.begin(), names.end(), [&](const auto& one) { return one.second == name; });

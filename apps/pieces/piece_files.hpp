@@ -46,7 +46,7 @@ class piece_files {
   std::optional<error> prepare_folder() const;
   // Writes all files of a piece, together or not at all. Returns the digest of its certificate.
   result<std::uint64_t> write_piece(internal::piece_index p, const certified_mesh& made) const;
-  // Returns the piece if all its files exist, belong together and answer this question.
+  // Returns the piece if all its files exist, belong together and were made for this job.
   std::optional<stored_piece> read_piece(internal::piece_index p,
                                          const std::string& question) const;
   std::optional<error> write_rounds(const internal::rounds_done& done) const;

@@ -39,9 +39,9 @@ std::string cracks_text(const crack_markers& cracks);
 // Returns one line on the distance of the mesh's metric from the one wanted.
 std::string text_of(const delivered_report& done);
 
-// Writes the line that a mesh job is judged by, its verdict first, to standard output or as if to
-// it, and a line of the regions' areas where there are several. `unit_edges` is their share of all
-// edges, where that is to be shown.
+// Writes the line that a mesh job is judged by, its verdict first, to standard output or a given
+// stream, and a line of the regions' areas where there are several. `unit_edges` is their share of
+// all edges, where that is to be shown.
 void write_summary(std::ostream& out, const certified_mesh& made, std::optional<double> unit_edges);
 
 // Writes the names of the files written, and the seconds of wall time since `start`.

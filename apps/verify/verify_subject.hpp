@@ -23,8 +23,8 @@ std::optional<error> take_frozen(const std::optional<certificate>& claim, judged
 // that.
 void number_segments(const verify_options& options, const domain& shape, judged_mesh& m);
 
-// Judges the triangles of second order in the file, and the certificate's claims about them.
-// Nothing where the file has none.
+// Judges the triangles of second order in the file, and the certificate's claims about them. Does
+// nothing if the file has none.
 std::optional<second_order_report> judge_second_order(const judged_mesh& subject,
                                                       const std::optional<certificate>& claim,
                                                       const domain* shape,

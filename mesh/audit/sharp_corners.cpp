@@ -75,8 +75,8 @@ std::vector<vertex_index> corners_to_prove(const audit_context& context) {
 }
 
 // Returns the boundary edges from `corner` towards `next`, as far as the next given vertex. `edges`
-// are the sides that leave a vertex, or those that reach it, reversed. Empty if some vertex on the
-// way has no edge on, or several: another check reports that.
+// are the sides that leave a vertex, or those that reach it, reversed. Empty if the boundary ends
+// or branches at a vertex on the way, which another check reports.
 std::vector<vertex_index> follow(const audit_context& context,
                                  const std::vector<directed_subsegment>& edges,
                                  const std::vector<std::size_t>& start, vertex_index corner,

@@ -43,8 +43,8 @@ result<metric_wording> wording_in(const certificate& claim);
 // domain.
 std::optional<domain> placed_in(const certificate& claim);
 
-// Makes the metric that a mesh has by its certificate, if that is the one asked for. Fails, with
-// half a sentence, if the mesh is delivered in another one, the metric was given as numbers, or it
+// Makes the metric that a mesh's certificate names, if the mesh is delivered in it. Fails, with
+// half a sentence, if the mesh is delivered in another metric, the metric was given as numbers, or
 // cannot be made again.
 result<std::unique_ptr<metric_field>> field_in(const certificate& claim);
 

@@ -4,8 +4,8 @@
 //
 // A chain of segments that ends alone is no ring. Inside the domain it is an internal segment; in a
 // face that is removed it can only be a ring that was meant to be closed, so that its hole or its
-// inside is joined to the outside. It is refused by both its ends: where it ends alone, and where
-// it ends alone too or joins other segments.
+// inside is joined to the outside. The error names both ends of the chain: the one that is alone,
+// and the other, which is alone as well or joins other segments.
 #pragma once
 
 #include <optional>

@@ -46,7 +46,7 @@ class approximate_star_store {
   void follow_moves(const std::vector<vertex_index>& order);
   // Makes the disagreeing stars anew, each from its neighbours and from the sites that have it as a
   // neighbour; most agree then. Returns one flag for each star: whether it agrees. Requires that no
-  // more sites come, and an order in which near sites follow each other.
+  // more sites are added, and an `order` in which near sites follow each other.
   std::vector<char> mend_disagreeing(const std::vector<vertex_index>& order);
   // Returns the stars that the last renewal made anew, or all after mark_all_changed(): only these
   // can have new room for sites.

@@ -15,8 +15,8 @@ namespace asterism {
 ASTERISM_EXPORT std::string ending_text(const refinement_ending& ended);
 
 // Returns the text for a whole run. For a mesh in one metric for all sites it adds why there is no
-// other, the distance of that metric from the one given, and what that one measures. Certificates
-// hold this text as their reason. For programs there is mesh_outcome::how().
+// other mesh, the distance of that metric from the given one, and the measures by the given one.
+// Certificates hold this text as their reason. For programs there is mesh_outcome::how().
 ASTERISM_EXPORT std::string ending_text(const mesh_outcome& outcome);
 
 }  // namespace asterism

@@ -278,9 +278,9 @@ void bad_triangle_queue::remember(const refine_state& state, vertex_index v, rec
 }
 
 // Returns the stars to be examined: the changed ones and those that have a changed one as a
-// neighbour, or all the first time. Findings of a star depend on itself and on the stars of its
-// neighbours. Stars that have a changed star as a neighbour are its own neighbours, now or before,
-// or claim it one-sidedly.
+// neighbour, or all stars in the first call. Findings of a star depend on itself and on the stars
+// of its neighbours. A star that has a changed star as a neighbour is a neighbour of it, now or
+// before the change, or has it on one side only.
 std::vector<vertex_index> bad_triangle_queue::dependents(refine_state& state) {
   auto [changed, all] = state.stars().take_touched();
   if (std::exchange(first_, false)) {

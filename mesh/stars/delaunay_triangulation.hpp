@@ -71,7 +71,7 @@ class delaunay_triangulation {
   };
   std::optional<location> locate_near(const point& q, std::uint32_t from) const;
   // Inserts one more site at a place found for it, and flips edges around it as flip_towards()
-  // does, at most so many times: all faces that are new or changed have it as a corner. Returns its
+  // does, at most `most` times: all faces that are new or changed have it as a corner. Returns its
   // number, which is not the next one: the frame's corners are numbered in between. Requires that
   // it is on no edge that stays.
   vertex_index insert_towards(const site& s, const location& at, const comparison& is_better,

@@ -33,7 +33,7 @@ class shared_count {
   ~shared_count() = default;
 
   void add(std::size_t more) {
-    // One thread needs no locked addition, which takes as long as looking at a face.
+    // A process with one thread needs no locked addition, which takes as long as visiting a face.
     if (is_single_threaded())
       count_.store(count_.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
     else if (more > 0)

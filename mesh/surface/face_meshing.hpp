@@ -55,13 +55,13 @@ class face_meshing {
   // as the loops, as far as a test shows: no two segments meet.
   bool is_simple(const side_places& places) const;
   // Makes the mesh with these places on its sides. Returns the reason if it is not complete, else
-  // nothing. If vertices are to be kept, those of the mesh before that were not freed are in it,
-  // unless it would not be complete with them.
+  // nothing. If vertices are to be kept, the vertices of the present mesh that were not freed are
+  // in the new one, unless it would not be complete with them.
   result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
   void keep_vertices(bool kept) { keeps_ = kept; }
-  // Frees the corners of the triangles of the present mesh that are marked, and those beside them
-  // across their edges.
+  // Frees the corners of the marked triangles of the present mesh, and of the triangles across the
+  // edges of these.
   void free_around(const std::vector<unsigned char>& marked);
   // Returns the side that a site is on, and its place; none for sites inside and at corners.
   std::optional<on_side> side_of(vertex_index site) const;

@@ -41,9 +41,10 @@ class surface_chart {
   // Returns the point of the surface at a point of the chart; at a side the point on the side
   // itself.
   space_point lift(const point& p) const;
-  // Returns the metric that the curvature at the point alone requires. At a side that is one point
-  // it is that a little beside it. `first` and `second` are the directions of the curvatures, as
-  // displacements in the chart that are 1 long in space; none where there is no normal.
+  // Returns the metric that the curvature at the point alone requires. At a side that is one point,
+  // returns the metric at a point near it. `first` and `second` are the directions of the
+  // curvatures, as displacements in the chart that are 1 long in space; none where there is no
+  // normal.
   struct local_metric {
     metric_tensor metric{0, 0, 0};
     std::array<point, 2> directions;

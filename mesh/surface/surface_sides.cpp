@@ -49,8 +49,8 @@ curve_key reversed_key(const surface_patch& p, int side) {
 }
 
 // Returns the patches in an order that does not depend on the file: by degrees, control points and
-// knots. Curves run as on the first of their patches in it, so that the same patches in another
-// order give the same triangles.
+// knots. Curves have the direction that they have on the first of their patches in this order, so
+// that the same patches in another order give the same triangles.
 std::vector<std::size_t> order_by_content(const surface& s) {
   std::vector<std::vector<double>> keys;
   for (const surface_patch& p : s.patches) {
@@ -204,8 +204,9 @@ int direction_of(const patch_side& s, const std::vector<face_border>& borders) {
   return s.backward ? -around : around;
 }
 
-// Gives all patches connected with one their signs of orientation, +1 for that one; zero means none
-// yet. Neighbours go along their common curve in opposite directions. Returns those patches.
+// Assigns signs of orientation to all patches connected with a given one, whose sign is +1; zero
+// means none yet. Neighbours run along their common curve in opposite directions. Returns the
+// connected patches.
 result<std::vector<std::size_t>> turn_from(const side_graph& g,
                                            const std::vector<face_border>& borders,
                                            std::size_t first, std::vector<int>& sign) {

@@ -47,8 +47,8 @@ profile with_inner(std::array<std::array<double, 2>, 4> points, double ratio) {
   return p;
 }
 
-// A point of half a section of handle or spout: its inner and its outer end lie in the plane of
-// symmetry, the two between them at a distance from it.
+// A point of half a section of handle or spout. The inner and the outer end lie in the plane of
+// symmetry, the two points between them beside it.
 struct section {
   double inner_x, inner_z, outer_x, outer_z, half_width;
 };

@@ -34,7 +34,8 @@ struct narrowed {
 };
 
 // A Cell has squared distances `above` and `below`. divide(cell) returns its parts with their
-// distances, or none where it gives up; give_up(cell) is then called, in order.
+// distances, or none if the cell cannot be divided further; give_up(cell) is then called, for one
+// cell after the other.
 template <class Cell, class Divide, class GiveUp>
 narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, const Divide& divide,
                       const GiveUp& give_up) {

@@ -82,8 +82,8 @@ class locator {
     return false;
   }
 
-  // Locates vertices on a slit again, both sides of which have the same place: chooses the side of
-  // their own triangles.
+  // Locates vertices on a slit again: both sides of the slit are at the same place, so the side of
+  // the vertex's own triangles is chosen.
   void choose_sides() {
     std::vector<char> is_wrong(of_.sites.size(), 0);
     for_each_node(of_.sites.size(), [&](std::size_t i) {
