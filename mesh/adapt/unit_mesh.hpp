@@ -99,7 +99,7 @@ class unit_mesher {
   // Forgets all computed energies. Must be called after a change of the mesh from outside.
   void forget_shapes() { shapes_.clear(); }
 
-  // Defined in unit_mesh_blocks.cpp.
+  // Functions defined in unit_mesh_blocks.cpp.
   struct block_state;
   void begin_block(const unit_mesher& whole, const mesh_blocks::block& part);
   block_state end_block(const unit_mesher& whole, const mesh_blocks::block& part, std::size_t done);
@@ -113,18 +113,18 @@ class unit_mesher {
   // True if the node was inside a block of some cut so far: changes on the frames skip it.
   bool was_inside(vertex_index v) const { return v < is_inside_.size() && is_inside_[v] != 0; }
 
-  // Defined in unit_mesh_seeds.cpp.
+  // Functions defined in unit_mesh_seeds.cpp.
   void seed(const std::vector<point>& seeds);
   std::vector<point> insert_seeds(std::span<const point> seeds);
   std::vector<point> insert_in_blocks(const std::vector<point>& seeds);
 
-  // Defined in unit_mesh_improvement.cpp.
+  // Functions defined in unit_mesh_improvement.cpp.
   struct worthwhile_merge;
   std::optional<worthwhile_merge> best_merge(vertex_index v, double mean);
   double mean_energy();
   std::size_t merge_where_better();
 
-  // Defined in unit_mesh_changes.cpp.
+  // Functions defined in unit_mesh_changes.cpp.
   std::size_t split_long(double longest, std::size_t most = no_limit);
   std::size_t merge_short(double shortest, std::size_t most = no_limit);
   bool merge_if_good(vertex_index v, vertex_index w, double longest);

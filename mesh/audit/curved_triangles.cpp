@@ -30,7 +30,8 @@ constexpr std::size_t most_parts = 10'000;
 // Control points of a quadratic triangle: of the corners 0, 1, 2, and of the sides 01, 12, 20.
 using net = std::array<point, 6>;
 
-// Bernstein coefficients of a quadratic polynomial over a triangle, in the same order.
+// Bernstein coefficients of a quadratic polynomial over a triangle, in the order of the control
+// points.
 template <class Number>
 using coefficients = std::array<Number, 6>;
 

@@ -18,7 +18,7 @@ using rational_point = vector2<rational>;
 // three.
 constexpr double units_off = 16;
 // Largest distance of an arc's last vertex from its circle, as a part of the radius: domains are
-// accepted with that (domain/divide_curves.hpp).
+// accepted up to that distance (domain/divide_curves.hpp).
 constexpr double digits_off = 1e-6;
 
 rational_point exact(const point& p) { return {rational(p.x), rational(p.y)}; }

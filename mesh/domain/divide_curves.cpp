@@ -32,10 +32,11 @@ using parameters_of_curves = std::vector<std::vector<double>>;
 // Least share of a curve that a piece may be: shorter pieces mean that the curve cannot be divided.
 constexpr double finest_part = 0x1p-22;
 constexpr double part_of_chord = 1.0 / 50;
-// Largest distance of a curve from its chord, as a part of the size across. For a formula it is the
-// same as relative to a chord, so that it adds nothing where the metric is isotropic. A metric on a
-// mesh is mostly a solution's, and the boundary's distance adds to the solution's error: with 1/100
-// the drag of a cylinder is off by less than 3e-4 at 3,000 vertices (docs/results/adaptation.md).
+// Largest distance of a curve from its chord, as a part of the size across. For a formula it equals
+// the part of the chord's length that is allowed without a metric, so that it demands no more where
+// the metric is isotropic. A metric on a mesh is mostly a solution's, and the boundary's distance
+// adds to the solution's error: with 1/100 the drag of a cylinder is off by less than 3e-4 at 3,000
+// vertices (docs/results/adaptation.md).
 constexpr double part_of_size = 1.0 / 50, part_of_size_on_mesh = 1.0 / 100;
 // Least metric length of a piece that is halved for the size across. Where pieces are much shorter
 // than edges of the metric, triangles at them have low angles in it: with half a unit all around,

@@ -74,8 +74,8 @@ std::optional<std::array<point, 2>> outline_curves::control(const vertex_index* 
   const double at_start = dot(*start, c), at_end = -dot(*end, c);
   constexpr double least = 0.5;  // the cosine of 60 degrees
   if (!(at_start > least && at_end > least)) return std::nullopt;
-  // Takes the distance of an arc's control points: that of an arc which turns by twice the angle
-  // from its chord.
+  // Computes the distance of the control points from the ends as for an arc whose tangents at the
+  // ends make this angle with the chord.
   const double from_a = 2 * whole / (3 * (1 + at_start)), from_b = 2 * whole / (3 * (1 + at_end));
   return std::array<point, 2>{{{where(a).x + from_a * start->x, where(a).y + from_a * start->y},
                                {where(b).x + from_b * end->x, where(b).y + from_b * end->y}}};
