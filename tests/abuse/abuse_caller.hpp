@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A caller of the predicates: one translation unit (abuse_caller.cpp) compiled many times, with
-// other compilers and options than the library's.
+// Declares a caller of the predicates: one translation unit (abuse_caller.cpp) that is compiled
+// many times, with compilers and options that differ from the library's.
 #pragma once
 
 #include "asterism/kernels/batch_question.hpp"
@@ -20,7 +20,7 @@ struct caller_answer {
   bool kept_by_first_tier = true;
 };
 
-// Asks under the environment that is set.
+// Evaluates under the floating-point environment that is set.
 using caller = caller_answer (*)(const batch_record&);
 
 struct named_caller {

@@ -77,8 +77,8 @@ constexpr std::array<environment, 8> environments = {{{FE_TONEAREST, false},
                                                       {FE_DOWNWARD, true},
                                                       {FE_TOWARDZERO, false}}};
 
-// Costly questions are put to each caller in one environment, another one for the next question and
-// the next caller; all others in all.
+// Puts costly questions to each caller in one environment, which changes from question to question
+// and from caller to caller; puts all others in all environments.
 bool is_put(const question& q, std::size_t index, std::size_t caller, std::size_t environment) {
   return !q.costly || (index + caller) % environments.size() == environment;
 }
@@ -192,7 +192,7 @@ void print_heading() {
   std::printf(" %9s\n", "p");
 }
 
-// put(question, environment) of every question that is put to this caller.
+// Calls put(question, environment) for every question that is put to this caller.
 template <class Put>
 tally in_all_environments(const std::vector<question>& questions, std::size_t caller,
                           const Put& put) {

@@ -14,7 +14,7 @@ struct caller_environment {
   friend bool operator==(const caller_environment&, const caller_environment&) = default;
 };
 
-// The environment that programs start with comes first, then the other two.
+// Environments of a caller, the one that programs start with first.
 void set_default_environment();
 void set_environment(int rounding, bool flushes);
 caller_environment current_environment();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The kernel checker: it finds what plain doubles get wrong, finds nothing where nothing is wrong,
-// answers with the first kernel's answer, and its reports are tests that reproduce the difference.
+// Tests the kernel checker: it finds the errors of plain doubles and no others, returns the first
+// kernel's answer, and its reports are tests that reproduce the difference.
 #include "asterism/kernels/checked_kernel.hpp"
 
 #include <catch2/catch.hpp>

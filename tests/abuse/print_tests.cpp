@@ -16,7 +16,7 @@ namespace {
 
 using namespace asterism;
 
-// -2 is no answer of any predicate.
+// Uses -2, which is no answer of any predicate.
 void print_all(std::ostream& out) {
   constexpr const char* kernels[] = {"asterism::filtered_kernel", "asterism::interval_kernel",
                                      "asterism::exact_kernel"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Interval arithmetic in the wrong rounding mode: the self-check build must abort here, and the
-// abort is this program's success. Exit status 1 when nothing is noticed.
+// Does interval arithmetic in the wrong rounding mode: the self-check build must abort here, and
+// the abort is this program's success. Exit status 1 if no violation is noticed.
 #include <csignal>
 #include <cstdlib>
 

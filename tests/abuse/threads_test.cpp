@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Eight threads put the same questions at the same time, to the C functions and to kernels that
-// they share. All answers are those of one thread, and counts of kernels of their own add up.
+// Eight threads put the same questions at the same time, to the C functions and to shared kernels.
+// All answers equal those of one thread, and the counts of each thread's own kernels add up.
 #include <array>
 #include <catch2/catch.hpp>
 #include <thread>

@@ -48,7 +48,7 @@ class random_configurations {
  public:
   random_configurations(double variation, double ratio) : s_(variation), ratio_(ratio) {}
 
-  // One that meets the hypotheses of the theorem.
+  // Draws a configuration that meets the hypotheses of the theorem.
   configuration next() {
     while (true) {
       const configuration c = any();
@@ -61,7 +61,7 @@ class random_configurations {
     return low + (high - low) * static_cast<double>(draw_() >> 11) * 0x1p-53;
   }
 
-  // Often at the ends of what is allowed, where the theorem is nearest to being false.
+  // Draws often at the limits of the hypotheses, where the theorem is nearest to failing.
   double eigenvalue() {
     const double most = -2 * std::log(1 - s_);
     const double kind = uniform(0, 3);
@@ -205,8 +205,8 @@ TEST_CASE("no box around a configuration that the hypotheses allow is excluded")
 }
 
 TEST_CASE("the bound of a length through the metric is met by metrics and by none exceeded") {
-  // A box excluded because a site would be too near must hold no site: the same configurations, one
-  // site moved towards another until they are too near.
+  // Checks that a box excluded because a site would be too near contains no valid configuration:
+  // takes the same configurations, with one site moved towards another until they are too near.
   random_configurations configurations(0.068, 1);
   for (int k = 0; k < 2000; ++k) {
     configuration c = configurations.next();

@@ -45,7 +45,7 @@ class generator {
 
 using exact_function = std::function<void(mpfr_ptr, mpfr_srcptr, mpfr_srcptr)>;
 
-// How far `value` is from the exact result, in units of its last place.
+// Returns the distance of `value` from the exact result, in units in the last place.
 double units_off(double value, double x, double y, const exact_function& exact) {
   mpfr_t a, b, r;
   mpfr_inits2(400, a, b, r, static_cast<mpfr_ptr>(nullptr));
@@ -177,7 +177,7 @@ TEST_CASE("circular functions are within their bounds, however large the argumen
   generator random;
   worst_case sin, cos, tan, atan2, hypot;
   for (int k = 0; k < cases; ++k) {
-    // Doubles next to multiples of pi / 2 lose the most.
+    // Doubles next to multiples of pi / 2 lose most digits.
     const double multiple = std::round(random.between(-3e5, 3e5)) * 1.5707963267948966;
     for (const double x : {random.between(-7, 7), random.of_any_size(-30, 20), multiple,
                            random.of_any_size(19, 1023)}) {
@@ -252,7 +252,7 @@ TEST_CASE("special arguments are answered as by the C library") {
 }
 
 TEST_CASE("elementary functions return the same bits everywhere") {
-  // One number for many results: what any machine must get.
+  // Computes one number from many results, which must be the same on every machine.
   generator random;
   std::uint64_t all = 0;
   const auto add = [&](double value) {

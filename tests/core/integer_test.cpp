@@ -19,7 +19,7 @@ namespace {
 
 using sequence = splitmix64;
 
-// GMP's number, by its own functions alone.
+// An integer of GMP, with GMP's functions alone.
 struct reference {
   mpz_t value;
   reference() { mpz_init(value); }
@@ -53,7 +53,7 @@ integer::limb draw_limb(sequence& random) {
   }
 }
 
-// Made of limbs by sums and shifts, which are tested on the way.
+// Makes the integer of limbs by sums and shifts, which are tested this way, too.
 integer draw(sequence& random, std::size_t most_limbs) {
   integer x;
   for (std::size_t k = random.below(most_limbs + 1); k-- > 0;) {
@@ -67,7 +67,7 @@ integer draw(sequence& random, std::size_t most_limbs) {
 
 constexpr std::size_t longest = integer::inline_limbs + 15;
 
-// Short ones often: their paths are their own.
+// Draws short integers often, as these have code of their own.
 integer draw(sequence& random) {
   constexpr std::size_t lengths[] = {1, 2, 3, integer::inline_limbs, longest};
   return draw(random, lengths[random.below(5)]);

@@ -28,7 +28,7 @@ std::string digits(generator& random, const char* alphabet, int base, int most) 
   return text;
 }
 
-// Any magnitude, some of it out of range, some exactly between two doubles.
+// Draws numbers of any magnitude, some out of range, and some exactly between two doubles.
 std::string random_number(generator& random) {
   const bool hexadecimal = random.below(2) == 1;
   std::string text = random.below(2) == 1 ? "-" : "";

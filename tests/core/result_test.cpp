@@ -20,7 +20,7 @@ struct ending {
   std::string said;
 };
 
-// Runs `fault` in a process of its own and collects what it says on standard error.
+// Runs `fault` in a process of its own, and returns the text that it writes to standard error.
 template <class Fault>
 ending end_of(const Fault& fault) {
   std::array<int, 2> ends{};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Interval arithmetic against exact numbers: every operation encloses, and no double would do
-// better at either end. Ends include zeros of both signs, subnormals, the largest doubles and
-// infinities.
+// Tests interval arithmetic against exact numbers: every operation encloses the exact result, and
+// no double would be a sharper end. Ends include zeros of both signs, subnormals, the largest
+// doubles and infinities.
 #include "asterism/core/rounded_interval.hpp"
 
 #include <catch2/catch.hpp>
@@ -56,7 +56,7 @@ bool is_rounded_up(double end, const dyadic& x) { return is_rounded_down(-end, -
 const dyadic& least(const dyadic& a, const dyadic& b) { return b < a ? b : a; }
 const dyadic& greatest(const dyadic& a, const dyadic& b) { return a < b ? b : a; }
 
-// The arithmetic, out of sight of the function that sets the rounding mode.
+// Does the arithmetic out of line of the function that sets the rounding mode.
 [[gnu::noinline]] rounded_interval sum(const ends& a, const ends& b) { return a.box() + b.box(); }
 [[gnu::noinline]] rounded_interval difference(const ends& a, const ends& b) {
   return a.box() - b.box();
@@ -117,7 +117,7 @@ TEST_CASE("the square root of a square is a point", "[interval]") {
   }
 }
 
-// An infinite end means "no bound": whatever number stands behind it, the result encloses.
+// An infinite end means "no bound": the result encloses that of any number beyond it.
 TEST_CASE("an end without bound gives no NaN and loses nothing", "[interval]") {
   const floating_point_scope scope(rounding::upward);
   const std::vector<double> lows = {-infinity, -2, -0.0, 0, 3}, highs = {-2, -0.0, 0, 3, infinity};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Rounding upward by arithmetic that rounds to nearest, held against the processor's own rounding
-// upward: the same double for every pair of special numbers and for random ones of all sizes.
+// Compares upward rounding by arithmetic that rounds to nearest with the processor's own upward
+// rounding: the same double for all pairs of special numbers, and for random numbers of all sizes.
 #include "asterism/core/upward_arithmetic.hpp"
 
 #include <catch2/catch.hpp>
@@ -44,7 +44,8 @@ struct results {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-// Returns 1, the number of pairs compared. A check for each pair would take most of the time.
+// Returns 1, the number of pairs compared: a check of the test framework for each pair would take
+// most of the time.
 std::size_t check(double a, double b) {
   const results expected = of_processor(a, b), found = of_nearest(a, b);
   const bool alike = same(expected.sum, found.sum) && same(expected.product, found.product) &&

@@ -21,8 +21,8 @@ class byte_source {
   }
   double small_integer() { return static_cast<std::int8_t>(byte()); }
   int exponent() { return static_cast<std::int8_t>(byte()); }
-  // Any double; mostly of ordinary size, because exact arithmetic on numbers 2^1000 apart takes a
-  // thousand times longer and a fuzzer lives by its speed.
+  // Decodes any double, mostly one of ordinary size: exact arithmetic on numbers 2^1000 apart takes
+  // a thousand times longer, and a fuzzer needs many cases a second.
   double raw() {
     const bool any_size = byte() % 16 == 0;
     std::uint64_t bits = 0;
@@ -95,7 +95,7 @@ class decoder {
     }
   }
 
-  // Returns the metric of an earlier site; Euclidean for the first.
+  // Returns the metric of an earlier site; the Euclidean one for the first site.
   metric_tensor earlier_metric() {
     const std::size_t sites = count_ / 5, which = source_.byte();
     return sites == 0 ? metric_tensor{1, 0, 1} : metric_at(record_, 5 * (which % sites) + 2);
@@ -134,8 +134,8 @@ class decoder {
     }
   }
 
-  // Returns the one for which the origin is at squared distance beta, if that is exact: sites of
-  // one beta have bisectors through one point.
+  // Returns the site for which the origin is at squared distance beta, if that is exact: sites of
+  // equal beta have bisectors through one point.
   metric_tensor metric_through_origin() {
     const double x = record_.numbers[count_ - 2], y = record_.numbers[count_ - 1];
     const double beta = source_.byte(), m12 = source_.small_integer(), m = source_.small_integer();
@@ -163,7 +163,7 @@ bool is_accepted(const batch_record& record) {
   return true;
 }
 
-// How many binary orders of magnitude lie between the numbers that are not zero.
+// Returns the number of binary orders of magnitude between the numbers other than zero.
 int spread(const batch_record& record) {
   int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
   for (const double number : record.numbers) {
@@ -188,7 +188,8 @@ bool is_affordable(const batch_record& record, unsigned lot) {
 std::optional<batch_record> decode_record(std::span<const std::uint8_t> bytes) {
   byte_source source(bytes);
   const unsigned first = source.byte();
-  // The first byte means what it did before there was in_circle, which has the last sixteen values.
+  // The first byte keeps the meaning that it had before there was in_circle, which has the last
+  // sixteen values.
   constexpr unsigned others = static_cast<unsigned>(predicate::in_circle), of_in_circle = 240;
   batch_record record{static_cast<predicate>(first >= of_in_circle ? others : first % others), {}};
   decoder numbers(source, record);

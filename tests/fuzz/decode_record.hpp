@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes, as a fuzzer invents them, to records of the batch protocol: mostly coincidences, because
-// raw doubles from raw bytes almost never meet.
+// Decodes the bytes that a fuzzer makes to records of the batch protocol. Most records have
+// coincidences of numbers, because raw doubles from raw bytes almost never have any.
 #pragma once
 
 #include <cstddef>

@@ -30,7 +30,8 @@ namespace {
 using namespace asterism;
 using std::filesystem::path;
 
-// Above this the checks of a domain, which are quadratic at worst, take longer than the reader.
+// Largest size of a domain that is checked: beyond it the checks, quadratic in the worst case, take
+// longer than the reader.
 constexpr std::size_t most_segments = 300;
 
 [[noreturn]] void give_up(const std::string& what) {
@@ -38,7 +39,7 @@ constexpr std::size_t most_segments = 300;
   std::abort();
 }
 
-// A folder in memory, where there is one, gone at the end.
+// A folder, in memory where possible, that is removed at the end.
 class folder_of_files {
  public:
   folder_of_files() {
@@ -70,7 +71,7 @@ const folder_of_files& files() {
   return made;
 }
 
-// True for what was read; a refusal is looked at.
+// True if the reader accepted the text; checks the message of a refusal.
 template <class Value>
 bool is_read(const result<Value>& got) {
   if (got) return true;
@@ -88,7 +89,7 @@ bool same(const site& a, const site& b) {
          same(a.metric.m22, b.metric.m22);
 }
 
-// A mesh of four vertices and two triangles, which solutions and metrics are read on.
+// Returns a mesh of four vertices and two triangles, on which solutions and metrics are read.
 mesh small_mesh() {
   mesh m;
   for (const point p : {point{0, 0}, point{1, 0}, point{1, 1}, point{0, 1}})
@@ -139,7 +140,7 @@ bool read_a_mesh(const path& file) {
   (void)read_medit_marks(file);
   (void)names_in(file);
   if (!is_read(read)) return false;
-  // Edges alone are a domain.
+  // Reads edges without triangles as a domain.
   if (read.value().triangles.empty()) return true;
   expect_again(read.value(), files().of("again.mesh"));
   if (is_own(file)) return true;

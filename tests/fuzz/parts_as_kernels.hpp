@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Parts of the product as kernels of their own, so that a question can be put to a part alone where
-// the filtered kernel would have had another part answer. Undecided where the part is, and where a
-// question is not the part's own.
+// Makes kernels of parts of the filtered kernel, so that a question can be put to one part
+// alone. Undecided where the part is undecided, and for questions that the part does not
+// answer.
 #pragma once
 
 #include "asterism/core/sign.hpp"
@@ -36,7 +36,7 @@ class gap_of_v_kernel : public undecided_kernel {
  public:
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;
 };
-// Asks the question as seen from w.
+// Evaluates the question from the side of w.
 class gap_of_w_kernel : public undecided_kernel {
  public:
   uncertain_bool edge_test(const site& v, const site& w, const site& x, const site& y) const;

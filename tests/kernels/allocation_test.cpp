@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The exact tier asks nobody for memory on the questions a mesh generator puts: operator new and
-// GMP's allocator are counted. A program of its own, since it replaces operator new.
+// The exact tier allocates no memory for the questions that a mesh generator puts: calls of
+// operator new and of GMP's allocator are counted. A program of its own, since it replaces operator
+// new.
 #include <gmp.h>
 
 #include <array>
@@ -138,7 +139,7 @@ TEST_CASE("edge_test of equal metrics asks for no memory, ties included", "[allo
   CHECK(allocations_of([&](const four_sites& s) {
           const point &v = s[0].position, &w = s[1].position;
           const metric_tensor round{1, 0, 1};
-          // A square: every other site on one diagonal.
+          // The corners of a square: the two diagonals join every other site.
           const point x{v.x - (w.y - v.y), v.y + (w.x - v.x)},
               y{x.x + (w.x - v.x), x.y + (w.y - v.y)};
           used += static_cast<int>(exact.edge_test({v, round}, {y, round}, {w, round}, {x, round}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A batch answers what its rows would be answered one by one, for every length (whole vectors and
-// rests), kind of input and floating-point environment; and says so when its columns do not match.
+// A batch gives the same answers as single questions, for every length (whole vectors and rests),
+// kind of input and floating-point environment; and reports columns of different lengths.
 #include "asterism/kernels/batch.hpp"
 
 #include <catch2/catch.hpp>

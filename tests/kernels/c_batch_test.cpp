@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The batches of C beside the single calls: the same answers and the same refusals, in every
-// surroundings.
+// Compares the C batches with single calls: the same answers and refusals, in every floating-point
+// environment.
 #include "asterism/kernels/c_batch.h"
 
 #include <array>
@@ -23,7 +23,7 @@ class rows {
  public:
   explicit rows(std::uint64_t seed) : random_(seed) {}
 
-  // Four sites, sound unless `oddity` makes one of them less so.
+  // Makes four valid sites, one of which `oddity` may make invalid.
   row next(std::size_t oddity) {
     row r;
     for (std::size_t s = 0; s < 4; ++s) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The cover of all directions against the arithmetics that need no luck: what it refuses is
-// refused, in every floating-point environment and up to the border of what it knows, and among
-// neighbours stretched in directions of their own it refuses most that are.
+// Tests direction_cover against the exact arithmetics: whatever it refuses is refused, in every
+// floating-point environment and up to the limit of its bounds; among neighbours with metrics
+// stretched in different directions it decides most refusals.
 #include "asterism/kernels/direction_cover.hpp"
 
 #include <catch2/catch.hpp>
@@ -54,7 +54,7 @@ TEST_CASE("what the cover refuses is refused, in every family and at the border 
   }
 }
 
-// Nothing is required of where x and y are: the other predicate asks with any.
+// Draws x and y anywhere: insertion_test is defined for all places of these.
 TEST_CASE("what the cover refuses is refused wherever the neighbours are", "[star_gap]") {
   sequence random{42};
   int refused = 0, accepted = 0;
@@ -74,7 +74,7 @@ TEST_CASE("what the cover refuses is refused wherever the neighbours are", "[sta
   CHECK(accepted > 300);
 }
 
-// Small changes of one question each, so that bounds are sharp on many sides.
+// Changes each question a little many times, so that bounds are tested on many sides.
 TEST_CASE("no accepted site is refused by the cover, near the border of acceptance", "[star_gap]") {
   sequence random{43};
   int accepted = 0;

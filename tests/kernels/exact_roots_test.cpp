@@ -42,7 +42,7 @@ TEST_CASE("roots that differ by 2^-200 are told apart, equal ones are not", "[ro
   CHECK(compare(a[1], b[1]) == sign::positive);
 }
 
-// Thousands of halvings each, were there nothing but those.
+// Roots so near to each other that bisection alone would take thousands of halvings.
 TEST_CASE("roots are isolated and refined fast however close, small or large they are", "[roots]") {
   const dyadic tiny = dyadic(1).scaled(-9000), huge = dyadic(3).scaled(4000);
   // (x - 3)^2 - 2 * 2^-18000, (x - tiny)(x - huge) and (x + tiny)(x - tiny)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The predicates in integers of a fixed width against the same formulas in numbers of any size: on
-// ties, one unit from them, at the ends of every width, and where the numbers of a question do not
-// fit, which must be said.
+// Compares the predicates in integers of a fixed width with the same formulas in integers of any
+// size: on ties, one unit from them, at the limits of every width, and where the numbers do not
+// fit, which must be reported.
 #include "asterism/kernels/fixed_width.hpp"
 
 #include <array>

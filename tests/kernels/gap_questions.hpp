@@ -110,7 +110,7 @@ inline std::optional<question> draw(const family& f, sequence& random) {
   return q;
 }
 
-// By intervals, else exactly: neither shares anything with star_gap.
+// Decides by intervals, else exactly: neither shares code with star_gap.
 inline bool second_route(const question& q) {
   const uncertain_bool answer = interval_kernel().edge_test(q.v, q.w, q.x, q.y);
   return answer.certain() ? answer.value() : exact_kernel().edge_test(q.v, q.w, q.x, q.y);
@@ -133,8 +133,8 @@ question moved_to_border(const question& q, double known, double unknown, const 
   return at(known);
 }
 
-// Sets a rounding mode, and flushing of subnormal numbers where that is asked for, as long as it
-// lives.
+// Sets a rounding mode, and flushing of subnormal numbers if asked for, during its
+// lifetime.
 class hostile_environment {
  public:
   hostile_environment(int mode, [[maybe_unused]] bool flush) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An edge that is shown by the point in which it crosses the bisector of its ends is an edge by
-// every other way, in every floating-point environment; and on smooth input most edges are.
+// An edge accepted by the point in which it crosses the bisector of its ends is accepted by every
+// other method, in every floating-point environment; on smooth input most edges are accepted.
 #include "asterism/kernels/segment_witness.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Asks a gap of a star, and holds its answers against the arithmetics that need no luck.
+// Evaluates a gap of a star, and compares its answers with those of the exact arithmetics.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ namespace asterism::gap_questions {
 
 inline uncertain_bool ask(const question& q) { return star_gap(q.v, q.y, q.x).accepts(q.w); }
 
-// Moves w along its ray to the last place where the gap knows the answer, on either side.
+// Moves w along its ray to the last place where the gap decides the question, on either side.
 inline question at_the_border_of_knowledge(const question& q, bool from_yes) {
   const star_gap gap(q.v, q.y, q.x);
   return moved_to_border(q, from_yes ? 0.05 : 20, 1, [&](const question& moved) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A gap of a star against the arithmetics that need no luck: what it decides is right, in every
-// floating-point environment and wherever rounding could matter, and on smooth input it decides.
+// Tests a gap of a star against the exact arithmetics: whatever it decides is right, in every
+// floating-point environment and wherever rounding could matter; on smooth input it decides most
+// questions.
 #include <cmath>
 #include <limits>
 

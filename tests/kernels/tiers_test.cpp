@@ -190,12 +190,12 @@ TEST_CASE("in_circle: which tier decides", "[tiers]") {
   CHECK(kernel.in_circle(m, a, c, b, {0.25, 0.25}) == sign::negative);
   CHECK(kernel.in_circle(m, a, b, c, {5, 5}) == sign::negative);
   CHECK(decided_by(tier::semi_static) == 3);
-  // A tie, one unit inside and outside of it: integers of a fixed width.
+  // A tie, and one unit inside and outside of it: decided in integers of a fixed width.
   CHECK(kernel.in_circle(a, b, c, {1, 1}) == sign::zero);
   CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 0)}) == sign::positive);
   CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 2)}) == sign::negative);
   CHECK(decided_by(tier::exact) == 3);
-  // Too far apart for a fixed width, and for plain doubles: intervals.
+  // Numbers too far apart for a fixed width and for plain doubles: decided by intervals.
   CHECK(kernel.in_circle({1, 0, 1}, {0x1p-300, 0}, {0x1p300, 0}, {0, 0x1p300},
                          {0x1p299, 0x1p299}) == sign::positive);
   CHECK(decided_by(tier::interval) == 1);
@@ -219,7 +219,7 @@ TEST_CASE("magnitudes beyond the range of intervals fall to exact, not to a wron
     CHECK(filtered.edge_test(v, w, x, y) == exact.edge_test(w, v, y, x));
     CHECK(filtered.voronoi_vertex_count(v, w, x) == exact.voronoi_vertex_count(x, v, w));
   }
-  // A mixture of sizes no one scaling serves.
+  // A mixture of magnitudes that no single scaling brings into range.
   const site tiny{{0x1p-1060, 0}, {1, 0, 1}}, huge{{0x1p900, 0}, {1, 0, 0x1p-900}},
       middle{{1, 1}, {1, 0.5, 1}}, other{{-1, 3}, {2, 0.5, 1}};
   CHECK(filtered.edge_test(tiny, middle, huge, other) ==

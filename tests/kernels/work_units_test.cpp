@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The weights of kernels/work_units.hpp, held against processor time.
+// Compares the weights of kernels/work_units.hpp with processor time.
 #include "asterism/kernels/work_units.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangulations cut into blocks and put together again, and meshes that several threads make in
-// blocks: the same ones whatever their number.
+// Cuts triangulations into blocks and joins them again, and makes meshes in blocks by several
+// threads: the results do not depend on the number of threads.
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ working_mesh fitted(const domain& d, std::size_t count) {
   return m;
 }
 
-// Lists the faces by the places of their corners, from the least on.
+// Lists the faces by the places of their corners, beginning with the least.
 using placed_face = std::array<std::pair<double, double>, 3>;
 std::multiset<placed_face> placed_faces(const working_mesh& m) {
   std::multiset<placed_face> all;
@@ -59,7 +59,8 @@ std::multiset<placed_face> placed_faces(const working_mesh& m) {
   return all;
 }
 
-// True if faces know each other across their edges, agree about segments, and nodes know a face.
+// True if faces refer to each other across their edges and agree about segments, and every node
+// refers to a face of its own.
 bool is_linked(const working_mesh& m) {
   for (vertex_index t = 0; t < m.faces().size(); ++t) {
     const face& f = m.faces()[t];
@@ -124,7 +125,7 @@ TEST_CASE("in a block the frame has all its faces' other ends, and stays as it i
     blocks.put_back(b, std::move(taken));
   }
   blocks.join();
-  // A square of 1,000 nodes has 12 in a hundred on its border, which two blocks share.
+  // In a square of 1,000 nodes 12 % are on the boundary, which two blocks share.
   CHECK(100 * inside > 80 * m.count());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Pairs of tensors made alike: as much as is asked, half from each side, and nothing else changed.
+// Clips pairs of tensors to a distortion: no more than asked for, half from each side, and no other
+// tensor changes.
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,7 +18,7 @@ using namespace asterism::internal::adapting;
 
 namespace {
 
-// A fixed sequence of tensors: aspects up to 1000, turned every way.
+// Draws a fixed sequence of tensors: aspects up to 1000, in all directions.
 class tensor_sequence {
  public:
   explicit tensor_sequence(std::uint64_t seed) : state_(seed) {}

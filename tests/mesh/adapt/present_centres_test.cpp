@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Voronoi vertices that are remembered while nodes are tried elsewhere.
+// Compares remembered Voronoi vertices with computed ones while nodes are tried elsewhere.
 #include "asterism/mesh/adapt/present_centres.hpp"
 
 #include <catch2/catch.hpp>

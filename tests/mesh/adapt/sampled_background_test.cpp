@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Sampling a metric on a triangulation: near to it half way along every edge, finite where it
-// jumps, and nothing where it fails.
+// Samples a metric on a triangulation: the interpolated metric is near the given one half way along
+// every edge, sampling ends where the metric jumps, and returns nothing where it fails.
 #include "asterism/mesh/adapt/sampled_background.hpp"
 
 #include <catch2/catch.hpp>
@@ -46,7 +46,7 @@ class failing_on_the_right final : public metric_field {
   }
 };
 
-// Knows where it is asked without having been told.
+// A field that counts its evaluations, and those at places that were not announced.
 class attentive_field final : public metric_field {
  public:
   explicit attentive_field(const metric_field& field) : field_(&field) {}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shapes at single nodes that are noise: replaced by those around, with their densities kept.
+// Filters shapes of single nodes that are noise: they are replaced by neighbours' shapes, and
+// densities stay.
 #include "asterism/mesh/adapt/shape_filter.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tensors given back to the nodes of a mesh, and taken back.
+// Restores wanted tensors at the nodes of a mesh, and undoes that.
 #include "asterism/mesh/adapt/tensor_restoration.hpp"
 
 #include <algorithm>
@@ -47,7 +47,8 @@ TEST_CASE("tensors that a mesh agrees in are given back to the last bit") {
   const domain d = square();
   working_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
   const std::vector<metric_tensor> wanted = tensors_of(m);
-  // A little longer along x, all over: agreed in as well, nearly everywhere.
+  // A metric with slightly longer lengths along x everywhere: stars agree in it nearly everywhere,
+  // too.
   for (vertex_index v = 0; v < wanted.size(); ++v)
     m.set_metric(v, {1.05 * wanted[v].m11, wanted[v].m12, wanted[v].m22});
   tensor_restoration giving(m, bound, wanted);
@@ -98,7 +99,7 @@ TEST_CASE("nothing is given that neighbours do not agree about") {
   const domain d = square();
   working_mesh m = certified_mesh_in(d, "identity", 0.3);
   const std::vector<metric_tensor> agreed = tensors_of(m);
-  // Thin along x and along y in turns: no two nodes are alike.
+  // A metric thin along x and along y in turns: no two adjacent nodes have similar tensors.
   std::vector<metric_tensor> wanted;
   for (vertex_index v = 0; v < agreed.size(); ++v)
     wanted.push_back(v % 2 == 0 ? metric_tensor{1e4, 0, 1} : metric_tensor{1, 0, 1e4});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Meshes with as many nodes as are wanted, in metrics that no coarse mesh measures well, and fitted
-// again to another metric.
+// Makes unit meshes with the number of nodes wanted, in metrics that no coarse mesh resolves, and
+// fits them to another metric.
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ metric_tensor layer(const point& q, vertex_index&) {
   return {1 + 0.09 * across, -0.3 * across, 1 + across};
 }
 
-// True if every face turns left, and they are as many as they should be.
+// True if every face turns left, and their number is that of a triangulation.
 bool is_whole(const working_mesh& m) {
   std::size_t faces = 0;
   for (const face& f : m.faces()) {
@@ -112,7 +112,7 @@ TEST_CASE("long edges are split up to the number of nodes that there is room for
     unit_mesher maker(m, options);
     const auto even = [](const point&, vertex_index&) { return metric_tensor{1, 0, 1}; };
     maker.run(even, {});
-    // All edges are twice as long as they are to be.
+    // All edges are twice as long as wanted.
     for (vertex_index v = 0; v < m.nodes().size(); ++v) m.set_metric(v, {4, 0, 4});
     const auto finer = [](const point&, vertex_index&) { return metric_tensor{4, 0, 4}; };
     CAPTURE(room);

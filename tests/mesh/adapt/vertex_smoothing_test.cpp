@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Nodes moved to where the metric wanted finds better angles.
+// Moves nodes to places with better angles in the wanted metric.
 #include "asterism/mesh/adapt/vertex_smoothing.hpp"
 
 #include <algorithm>
@@ -28,14 +28,14 @@ working_mesh even_mesh(const domain& d) {
   return mesh_to_change(d, *field.value(), options);
 }
 
-// Lengths along x count this many times as much beside those along y; areas are the same.
+// Factor of lengths along x relative to those along y; areas stay the same.
 vertex_smoothing::wanted_at stretched_by(double times) {
   return [times](const point&, vertex_index&) {
     return metric_tensor{times / (unit * unit), 0, 1 / times / (unit * unit)};
   };
 }
 
-// Counts nodes around which an angle is low as the metric finds it.
+// Counts the nodes at which some angle is low in the metric.
 std::size_t count_low(const working_mesh& m, const vertex_smoothing::wanted_at& wanted) {
   std::vector<char> is_low(m.nodes().size(), 0);
   vertex_index hint = 0;

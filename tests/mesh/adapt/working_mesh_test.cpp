@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Elementary changes of a triangulation: whatever their order, it stays one of the same domain.
+// Applies elementary changes to a triangulation: in any order, it remains a triangulation of the
+// same domain.
 #include "asterism/mesh/adapt/working_mesh.hpp"
 
 #include <catch2/catch.hpp>
@@ -32,7 +33,7 @@ mesh plain_mesh(const domain& d) {
   return made.value().result;
 }
 
-// Points 0 to 2 of the audit, and the pieces of the segments.
+// Checks points 0 to 2 of the audit, and the parts of the segments.
 void check_triangulation(const domain& d, const working_mesh& m) {
   std::vector<vertex_index> renumbered;
   mesh now = m.triangulation(renumbered);
@@ -50,7 +51,7 @@ std::uint64_t next(std::uint64_t& state) {
   return state >> 33;
 }
 
-// One change somewhere, if there is one to be made there.
+// Makes one change at a random place, if one is possible there.
 void change(working_mesh& m, std::uint64_t& state) {
   const auto t = static_cast<vertex_index>(next(state) % m.faces().size());
   const std::size_t i = next(state) % 3;

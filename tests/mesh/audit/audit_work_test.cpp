@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The work of an audit: parts that need more than their share of it.
+// Tests the work limit of an audit: chunks that need more than their share of it.
 #include "asterism/mesh/audit/audit_work.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ struct outcome {
   std::vector<int> checked;  // how often each was checked to the end
 };
 
-// Checks so many items of one unit, the fifth of which takes so many more.
+// Checks a number of items of one unit each, except item 5, which takes more.
 outcome check_items(std::size_t count, double units_of_fifth, double units_there_are) {
   const mesh subject;
   audit_options options;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Meshes audited again after tensors were changed, beside a whole audit.
+// Audits meshes again after tensors were changed, and compares the outcome with that of a whole
+// audit.
 #include "asterism/mesh/audit/auditor.hpp"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using namespace asterism::test;
 
 namespace {
 
-// Lists what was found, in an order of its own.
+// Lists the findings in a fixed order.
 std::multiset<std::vector<asterism::vertex_index>> stars_found(const audit_report& report) {
   std::multiset<std::vector<asterism::vertex_index>> all;
   for (const audit_finding& f : report.findings)
@@ -27,7 +28,8 @@ std::multiset<std::vector<asterism::vertex_index>> stars_found(const audit_repor
   return all;
 }
 
-// Flips an edge of the triangle if the two new ones are well turned; returns the other triangle.
+// Flips an edge of the triangle if both new triangles are counter-clockwise; returns the other
+// triangle.
 std::optional<std::size_t> flip_some_edge(mesh& m, std::size_t t) {
   const auto area = [&m](asterism::vertex_index a, asterism::vertex_index b,
                          asterism::vertex_index c) {

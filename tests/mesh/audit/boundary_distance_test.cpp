@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The distance of two boundaries, both ways: against distances that are sampled, and what is no
-// boundary of the mesh.
+// Compares proved distances of two boundaries, both ways, with sampled ones, and passes boundaries
+// that are none of the mesh.
 #include "asterism/mesh/audit/boundary_distance.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ double distance(const point& p, const point& a, const point& b) {
   return std::hypot(a.x + s * x - p.x, a.y + s * y - p.y);
 }
 
-// The greatest distance of points sampled on one polygon from the other.
+// Returns the greatest distance of points sampled on one polygon from the other one.
 double sampled(const std::vector<point>& one, const std::vector<point>& other) {
   constexpr int samples = 50;
   double most = 0;

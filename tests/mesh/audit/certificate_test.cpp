@@ -191,7 +191,7 @@ TEST_CASE("the verdict on the Voronoi diagram is written, read, and checked when
   const verify_report report = verify(made.p.m, read.value(), {});
   CHECK(report.verified);
   CHECK(report.audit.voronoi == voronoi_verdict::proved);
-  // A missing verdict was none asked for.
+  // A missing verdict on the Voronoi diagram means that none was asked for.
   const std::string line = "  \"voronoi\": \"proved\",\n";
   std::string old = text;
   REQUIRE(old.find(line) != std::string::npos);
@@ -317,7 +317,7 @@ TEST_CASE("altered numbers of a certificate passed") {
       double& value = (*c.theorem).*number;
       value = std::nextafter(value, 1e300);
     });
-  // The auditor may answer another question otherwise.
+  // Another angle bound is another question, for which the audit may differ.
   audit_options lower;
   lower.angle_bound = 10;
   CHECK(verify(made.p.m, made.c, lower).verified);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The auditor's doubles with a bound of their error, held against rationals in every rounding mode,
-// with and without flushing; and its constants, derived again.
+// Compares the auditor's doubles with error bounds with rationals in every rounding mode, with and
+// without flushing; and derives its constants again.
 #include "asterism/mesh/audit/number.hpp"
 
 #include <array>
@@ -31,7 +31,7 @@ struct random_sequence {
     return state >> 33;
   }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
-  // Ordinary numbers, neighbours of one another, and now and then extreme ones.
+  // Draws ordinary numbers, adjacent doubles, and sometimes extreme numbers.
   double number() {
     constexpr std::array exponents = {0, 0, 0, -1, 1, -30, 30, -300, 300, -1040, -1074, 500};
     const double fraction = 1 + static_cast<double>(below(3)) * 0x1p-52;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rationals, roots and cotangents rounded in whole numbers, held against MPFR.
+// Compares rationals, roots and cotangents that are rounded in integers with MPFR's.
 #include "asterism/mesh/audit/rounded_rational.hpp"
 
 #include <mpfr.h>

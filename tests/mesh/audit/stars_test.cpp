@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Point 4 of the auditor: stars of sound meshes are recognised, flipped edges are not.
+// Point 4 of the auditor: stars of valid meshes are recognised, flipped edges are refused.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -39,8 +39,8 @@ struct star_counts {
   std::size_t missing = 0, rejected = 0;
 };
 
-// The definition, without any shortcut: every site against every gap, every neighbour in its star.
-// For meshes of convex domains, where all sites see each other.
+// Checks stars by their definition: every site against every gap, every neighbour in its star. For
+// meshes of convex domains, where all sites see each other.
 star_counts count_slowly(const mesh& m) {
   const filtered_kernel kernel;
   const auto turn = [&](auto a, auto b, auto c) {

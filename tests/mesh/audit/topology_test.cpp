@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Points 0 to 2 of the auditor: sound meshes pass, each kind of damage is named.
+// Points 0 to 2 of the auditor: valid meshes pass, and each kind of damage is named.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -237,7 +237,7 @@ TEST_CASE("a hole that the domain does not have") {
 TEST_CASE("a hole, wound the right way, is part of the domain") {
   const patch outer = make_patch(6, 0);
   mesh m = outer.m;
-  // Without the six triangles around one vertex.
+  // Removes the six triangles around one vertex.
   const vertex_index centre = outer.at(3, 3);
   std::erase_if(m.triangles, [&](const triangle& t) {
     return t[0] == centre || t[1] == centre || t[2] == centre;

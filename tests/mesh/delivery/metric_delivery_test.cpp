@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics at the vertices of a mesh: as many sites as they ask for, certified in the metric that is
-// delivered, which says how far it is from the one wanted and is that one, bit for bit, where
-// nothing had to change.
+// Delivers metrics at the vertices of a mesh: the mesh has the number of sites wanted and is
+// certified in the delivered metric, whose distance from the wanted one is reported, and which
+// equals the wanted one, bit for bit, where no tensor had to change.
 #include "asterism/mesh/delivery/metric_delivery.hpp"
 
 #include <catch2/catch.hpp>

@@ -46,7 +46,7 @@ TEST_CASE("sides that are there twice are joined, and parted again") {
       CHECK(std::minmax(sides.left, sides.right) == std::minmax(left, right));
       CHECK(std::count_if(m.boundary.begin(), m.boundary.end(),
                           [](const boundary_edge& e) { return e.internal; }) == 1);
-      // A marker that other edges have is not the crack's inside.
+      // The marker that stands for a crack inside the mesher is one that no other edge has.
       CHECK((number == left) == (left == right && left != 1));
 
       const parted_mesh parted = part_cracks(m, joined.value().markers);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The domain of a mesh keeps what must stay and lets go of all else; it is the same for the mesh of
-// it.
+// Finds the domain of a mesh: it has all required vertices and few others, and is the same for a
+// mesh of that domain.
 #include "asterism/mesh/domain/mesh_outline.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Domains as dirty as they come, at every scale and far from the origin, are repaired into such as
-// check_domain accepts without a repair of its own.
+// Repairs random invalid domains, at every scale and far from the origin: check_domain then accepts
+// them without repairs of its own.
 #include "asterism/mesh/domain/repair_domain.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,7 @@ struct drawing {
   }
 };
 
-// Everything crosses everything.
+// Segments that all cross each other.
 domain crossing_segments(std::size_t n) {
   drawing made;
   made.ring({{-1, -1}, {2, -1}, {2, 2}, {-1, 2}});
@@ -190,7 +190,7 @@ TEST_CASE("a gap is closed by the least distance that closes it") {
   CHECK(clean.vertices.size() == 4);
   CHECK(repairs.distance == 0x1p-28);
   CHECK(repairs.joined_vertices == 1);
-  // Named, a distance is taken as it is.
+  // A distance that is given is used unchanged.
   CHECK_FALSE(repair_domain(made.d, 1e-10).ok());
   CHECK(repair_domain(made.d, 1e-8).ok());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A part of a field answers, in its window, bit for bit as the whole; beyond its margin it fails.
+// Inside its window a part of a field equals the whole field bit for bit; beyond its margin it
+// fails.
 #include "asterism/mesh/metric/metric_part.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds the bound of how fast a field varies against formulas that are known by hand, and against
+// Compares the bound of how fast a field varies with formulas whose variation is known, and with
 // the definition: lengths at pairs of points.
 #include "asterism/mesh/metric/variation_bound.hpp"
 

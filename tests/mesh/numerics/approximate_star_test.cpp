@@ -36,8 +36,8 @@ struct wheel {
   }
 };
 
-// Holds the site against every gap: the one whose neighbours are nearest to its direction on both
-// sides.
+// True if q is nearer than the sites of the gap that contains its direction to the Voronoi vertex
+// of that gap.
 bool is_nearer_to_a_vertex(const wheel& w, const point& q) {
   for (std::size_t i = 0; i < w.star.size(); ++i) {
     const point &y = w.sites[w.star[i].neighbour].position,

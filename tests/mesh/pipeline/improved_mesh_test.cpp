@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Passes over a finished mesh: what local changes propose, that what passes accept is certified and
-// never worse, and that they leave alone what they should.
+// Improves finished meshes by passes: the meshes accepted are certified and never worse, and passes
+// leave barred sites and incomplete meshes unchanged.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -227,7 +227,7 @@ TEST_CASE("improvement: stopped, the last mesh that was accepted is what there i
       return std::nullopt;
     };
     const mesh_outcome made = mesh_of(d, sized(swirl_field(12), 0.2), options);
-    // Complete is the mesh of the whole run alone.
+    // Only the mesh of the whole run is complete.
     CHECK(made.complete == (made.improved && !made.improved->stopped));
     if (!made.improved) continue;
     CHECK(!made.stopped);

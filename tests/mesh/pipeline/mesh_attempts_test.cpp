@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Stars whose last look is left to the audit: the same meshes, which the audit certifies.
+// Leaves the last test of stars to the audit: the meshes are the same, and certified.
 #include "asterism/mesh/pipeline/mesh_attempts.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Second derivatives are recovered across periodic sides as inside.
+// Recovers second derivatives across periodic sides as in the interior.
 #include "asterism/mesh/pipeline/periodic_continuation.hpp"
 
 #include <algorithm>
@@ -97,7 +97,8 @@ TEST_CASE("partners have one tensor, the four corners of a torus too") {
   }
 }
 
-// Returns how far lengths of partners are apart in the mesh made, the greatest of both pairs.
+// Returns the greatest log distortion between the tensors of partners in the next mesh, over both
+// pairs of sides.
 double partners_apart(mesh m, const std::vector<metric_tensor>& tensors) {
   for (std::size_t v = 0; v < m.sites.size(); ++v) m.sites[v].metric = tensors[v];
   mesh_adaptation_options options;

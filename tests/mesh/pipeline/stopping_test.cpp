@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs that are stopped at any moment: whatever passes for complete is the mesh of the whole run.
+// Stops runs at any moment: only the mesh of the whole run counts as complete.
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@
 namespace asterism::testing {
 namespace {
 
-// Makes the mesh of a run that is stopped at the poll after so many, and from then on.
+// Makes the mesh of a run that is stopped at the poll with this number, and at all later ones.
 certified_mesh made_until(long polls, std::atomic<long>& polled) {
   mesh_options options;
   options.limit_size = true;

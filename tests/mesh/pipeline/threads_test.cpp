@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The mesher and the auditor with four threads, for the thread sanitizer above all (scripts/abuse
-// threads); and two meshes made at the same time, which must not know of each other.
+// Runs the mesher and the auditor with four threads, mainly for the thread sanitizer (scripts/abuse
+// threads); and makes two independent meshes at the same time.
 #include <array>
 #include <catch2/catch.hpp>
 #include <thread>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Isolated vertices are numbered along a curve while they are meshed, and as given in the mesh.
+// Isolated vertices are numbered along a curve while they are meshed, and have their original
+// numbers in the mesh.
 #include "asterism/mesh/pipeline/vertex_renumbering.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The account of the work of a run: mesh/support/cancellation.hpp.
+// Tests the account of the work of a run (mesh/support/cancellation.hpp).
 #include <catch2/catch.hpp>
 #include <limits>
 #include <optional>
@@ -41,7 +41,8 @@ TEST_CASE("what a part is charged is taken off the whole", "[work_account]") {
   CHECK(part.is_requested());
   CHECK(whole.units_left() == 75);
   CHECK(whole.part(2).units_left() == 75);
-  // A larger mesh has more, the part its part of that; one as large was known already.
+  // A larger mesh has more work, and a part of the account its share; a mesh of the known size
+  // changes nothing.
   part.expect(10);
   CHECK(whole.units_left() == 95);
   CHECK(part.units_left() == 5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sites of a fill that have moved towards the middle of their neighbours.
+// Moves the sites of a fill towards the middle of their neighbours.
 #include "asterism/mesh/fill/relaxation.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The indices of what is near, held against a scan of everything.
+// Compares the indices of near sites and boxes with a scan of all.
 #include "asterism/mesh/search/site_index.hpp"
 
 #include <algorithm>

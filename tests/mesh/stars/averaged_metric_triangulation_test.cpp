@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Neighbours guessed from one triangulation, held against stars made one by one.
+// Compares neighbours guessed from one triangulation with stars made one by one.
 #include "asterism/mesh/stars/averaged_metric_triangulation.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ using asterism::vertex_index;
 
 namespace {
 
-// Counts the interior sites whose guess is their star, made of what is near without it.
+// Counts the interior sites whose guess equals their star, made by a search of near sites without
+// the guess.
 std::size_t right_guesses(const site_oracle& oracle, const neighbour_lists& guesses) {
   std::size_t right = 0;
   for (vertex_index v = 0; v < oracle.size(); ++v) {

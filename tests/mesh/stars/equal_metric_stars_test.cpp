@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Stars made all at once where there is one metric, held against stars made one by one from all
+// Compares stars made all at once in one metric with stars made one by one from all
 // sites.
 #include "asterism/mesh/stars/equal_metric_stars.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shortest and median distances by local searches, held against a look at all pairs: the very same
+// Compares shortest and median distances by local searches with those of all pairs: the same
 // doubles.
 #include "asterism/mesh/stars/nearest_distances.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Final stars held against a scan of all sites; stars confirmed earlier against sites that came
+// Compares final stars with a scan of all sites, and stars confirmed earlier with sites added
 // later.
 #include "asterism/mesh/stars/star_finality.hpp"
 
@@ -73,7 +73,7 @@ bool accepts_none(const site_oracle& oracle, vertex_index v, const star& s) {
   return true;
 }
 
-// The star without neighbour i of a sector, if that may go.
+// Returns the star without neighbour i of a sector, if that neighbour may be removed.
 star without(star s, std::size_t part, std::size_t i) {
   auto& list = s.sectors[part].neighbours;
   if (!s.sectors[part].is_forced(i)) list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));

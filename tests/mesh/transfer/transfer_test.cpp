@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Linear fields stay themselves to rounding, integrals stay, bounded transfers make no new extrema,
-// and nothing is read across a gap.
+// Tests transfers: linear fields are kept to rounding, integrals are kept, bounded transfers make
+// no new extrema, and no value is read across a gap.
 #include "asterism/mesh/transfer/transfer.hpp"
 
 #include <tbb/global_control.h>
