@@ -38,9 +38,9 @@ inline double squared_distance(const site& s, const point& q) {
 
 // Returns the real points with f_a = f_b = f_c, at most four, each once, nearest (as measured by
 // the three) first. Points at infinity are left out; of infinitely many (three sites with one
-// isotropic bisector) some may be returned. Does not depend on the order of a, b and c. Source:
-// predicates.md facts F2 and F3: along the lines through one site both bisectors are quadratics in
-// the reciprocal distance; their resultant is a quartic in the direction.
+// isotropic bisector) some may be returned. Does not depend on the order of a, b and c. Method:
+// on the lines through one of the three sites, both bisectors are quadratics in the reciprocal
+// distance from that site; the resultant of the two quadratics is a quartic in the direction.
 std::vector<point> voronoi_vertices(const site& a, const site& b, const site& c);
 
 // Returns the ends of the arc of v and w inside wedge(v, w): points of the bisector on the wedge's
