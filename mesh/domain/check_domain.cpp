@@ -33,7 +33,7 @@ std::vector<kept_edge> kept_edges(const domain& d, const plane_graph& graph, con
   repair_tally outer(repairs.outer_subsegments);
   std::vector<kept_edge> kept;
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
-    const graph_edge& e = graph.edges[i];
+    const covered_edge& e = graph.edges[i];
     std::size_t left = faces.left_of(2 * i), right = faces.left_of(2 * i + 1);
     if (parts.removed[left] && parts.removed[right]) {
       outer.add([&] { return names.at_segment(e.source); },
@@ -61,7 +61,7 @@ std::vector<bool> kept_vertices(const domain& d, const plane_graph& graph, const
                                 const std::vector<kept_edge>& edges, domain_repairs& repairs) {
   const domain_names names(d);
   std::vector<bool> kept(d.vertices.size(), false), on_segment(d.vertices.size(), false);
-  for (const graph_edge& e : graph.edges) on_segment[e.a] = on_segment[e.b] = true;
+  for (const covered_edge& e : graph.edges) on_segment[e.a] = on_segment[e.b] = true;
   for (const kept_edge& e : edges) kept[e.s.a] = kept[e.s.b] = true;
   repair_tally dropped(repairs.dropped_vertices);
   std::vector<point> loose;
@@ -102,7 +102,7 @@ domain assemble(const domain& d, const std::vector<bool>& kept,
     renumbered[v] = static_cast<vertex_index>(accepted.vertices.size());
     accepted.vertices.push_back(d.vertices[v]);
   }
-  std::vector<graph_edge> edges;
+  std::vector<covered_edge> edges;
   for (const kept_edge& e : kept_edges) {
     segment s = e.s;
     s.a = renumbered[s.a];

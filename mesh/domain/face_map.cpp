@@ -38,7 +38,7 @@ class joined_sets {
 
 }  // namespace
 
-face_map::face_map(const std::vector<point>& vertices, const std::vector<graph_edge>& edges)
+face_map::face_map(const std::vector<point>& vertices, const std::vector<covered_edge>& edges)
     : vertices_(vertices), edges_(edges) {
   sort_around_vertices();
   walk_faces();
@@ -46,7 +46,7 @@ face_map::face_map(const std::vector<point>& vertices, const std::vector<graph_e
 }
 
 vertex_index face_map::origin(std::size_t half_edge) const {
-  const graph_edge& e = edges_[half_edge / 2];
+  const covered_edge& e = edges_[half_edge / 2];
   return half_edge % 2 == 0 ? e.a : e.b;
 }
 
@@ -89,7 +89,7 @@ void face_map::walk_faces() {
 
 void face_map::join_walks() {
   joined_sets parts(vertices_.size());
-  for (const graph_edge& e : edges_) parts.join(e.a, e.b);
+  for (const covered_edge& e : edges_) parts.join(e.a, e.b);
   std::vector<std::size_t> lowest(vertices_.size(), vertices_.size());
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
     std::size_t& low = lowest[parts.find(v)];

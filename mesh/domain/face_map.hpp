@@ -22,7 +22,7 @@ namespace asterism::internal {
 class face_map {
  public:
   // `vertices` and `edges` must outlive the map; edges meet only at common vertices.
-  face_map(const std::vector<point>& vertices, const std::vector<graph_edge>& edges);
+  face_map(const std::vector<point>& vertices, const std::vector<covered_edge>& edges);
 
   static constexpr std::size_t outside = 0;  // the unbounded face
   std::size_t left_of(std::size_t half_edge) const { return face_of_[half_edge]; }
@@ -46,7 +46,7 @@ class face_map {
   static constexpr std::size_t no_half_edge = static_cast<std::size_t>(-1);
 
   const std::vector<point>& vertices_;
-  const std::vector<graph_edge>& edges_;
+  const std::vector<covered_edge>& edges_;
   std::vector<std::vector<std::size_t>> around_;  // outgoing half-edges, counter-clockwise
   std::vector<std::size_t> position_;             // of a half-edge in around_[its origin]
   std::vector<std::size_t> face_of_;

@@ -45,8 +45,8 @@ class silent_faces {
   }
 
  private:
-  static std::vector<graph_edge> edges_of(const domain& d) {
-    std::vector<graph_edge> edges;
+  static std::vector<covered_edge> edges_of(const domain& d) {
+    std::vector<covered_edge> edges;
     for (const segment& s : d.segments) edges.push_back({s.a, s.b, edges.size(), s.marker});
     return edges;
   }
@@ -57,7 +57,7 @@ class silent_faces {
     sides_[face].push_back(side);
   }
 
-  std::vector<graph_edge> edges_;
+  std::vector<covered_edge> edges_;
   face_map faces_;
   std::vector<std::vector<known_side>> sides_;
 };

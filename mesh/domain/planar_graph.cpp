@@ -76,13 +76,14 @@ std::vector<vertex_index> vertices_along(const domain& d, const std::vector<vert
   return along;
 }
 
-std::vector<graph_edge> cut_segments(const domain& d, const std::vector<vertex_index>& first_alike,
-                                     const std::vector<vertex_index>& by_place,
-                                     domain_repairs& repairs) {
+std::vector<covered_edge> cut_segments(const domain& d,
+                                       const std::vector<vertex_index>& first_alike,
+                                       const std::vector<vertex_index>& by_place,
+                                       domain_repairs& repairs) {
   const filtered_kernel kernel;
   const domain_names names(d);
   repair_tally no_length(repairs.segments_without_length), split(repairs.split_segments);
-  std::vector<graph_edge> subsegments;
+  std::vector<covered_edge> subsegments;
   for (std::size_t s = 0; s < d.segments.size(); ++s) {
     const auto place = [&] { return names.at_segment(s); };
     const vertex_index a = first_alike[d.segments[s].a], b = first_alike[d.segments[s].b];
@@ -102,20 +103,20 @@ std::vector<graph_edge> cut_segments(const domain& d, const std::vector<vertex_i
 }
 
 // Keeps the first of the subsegments between the same two vertices.
-void unite_subsegments(const domain& d, const std::vector<graph_edge>& subsegments,
+void unite_subsegments(const domain& d, const std::vector<covered_edge>& subsegments,
                        plane_graph& graph, domain_repairs& repairs) {
   const domain_names names(d);
   repair_tally repeated(repairs.repeated_subsegments);
   std::map<std::pair<vertex_index, vertex_index>, std::size_t> kept_at;
-  std::vector<graph_edge>& kept = graph.edges;
-  for (const graph_edge& e : subsegments) {
+  std::vector<covered_edge>& kept = graph.edges;
+  for (const covered_edge& e : subsegments) {
     const auto [at, is_new] = kept_at.try_emplace(std::minmax(e.a, e.b), kept.size());
     graph.coverings.push_back({at->second, e.source});
     if (is_new) {
       kept.push_back(e);
       continue;
     }
-    graph_edge& first = kept[at->second];
+    covered_edge& first = kept[at->second];
     ++first.covered;
     if (first.marker == 0) first.marker = e.marker;
     repeated.add([&] { return names.at_segment(e.source); },
@@ -128,7 +129,7 @@ void unite_subsegments(const domain& d, const std::vector<graph_edge>& subsegmen
 }
 
 // Tests edges without a common vertex; after the cutting they can meet only by crossing.
-bool cross(const domain& d, const graph_edge& e, const graph_edge& f,
+bool cross(const domain& d, const covered_edge& e, const covered_edge& f,
            const filtered_kernel& kernel) {
   if (e.a == f.a || e.a == f.b || e.b == f.a || e.b == f.b) return false;
   const point &a = d.vertices[e.a], &b = d.vertices[e.b];
@@ -141,12 +142,12 @@ bool cross(const domain& d, const graph_edge& e, const graph_edge& f,
 
 // Returns the two crossing edges whose sources come first.
 std::optional<std::pair<std::size_t, std::size_t>> find_crossing(
-    const domain& d, const std::vector<graph_edge>& edges) {
+    const domain& d, const std::vector<covered_edge>& edges) {
   const filtered_kernel kernel;
-  const auto low_x = [&](const graph_edge& e) {
+  const auto low_x = [&](const covered_edge& e) {
     return std::min(d.vertices[e.a].x, d.vertices[e.b].x);
   };
-  const auto high_x = [&](const graph_edge& e) {
+  const auto high_x = [&](const covered_edge& e) {
     return std::max(d.vertices[e.a].x, d.vertices[e.b].x);
   };
   std::vector<std::size_t> order(edges.size());
@@ -155,7 +156,7 @@ std::optional<std::pair<std::size_t, std::size_t>> find_crossing(
                    [&](std::size_t i, std::size_t j) { return low_x(edges[i]) < low_x(edges[j]); });
   std::optional<std::pair<std::size_t, std::size_t>> first;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const graph_edge& e = edges[order[i]];
+    const covered_edge& e = edges[order[i]];
     for (std::size_t j = i + 1; j < order.size() && low_x(edges[order[j]]) <= high_x(e); ++j) {
       const std::pair<std::size_t, std::size_t> sources =
           std::minmax(e.source, edges[order[j]].source);

@@ -15,7 +15,7 @@ namespace asterism::internal {
 
 // An edge with its ends as on the first segment that covers it: `source`, an index into the
 // domain's segments.
-struct graph_edge {
+struct covered_edge {
   vertex_index a = 0, b = 0;
   std::size_t source = 0;
   int marker = 0;           // the first of the covering segments' that is not 0
@@ -31,7 +31,7 @@ struct plane_graph {
   // For each vertex of the domain, the first vertex with the same coordinates. Only these occur in
   // edges.
   std::vector<vertex_index> first_alike;
-  std::vector<graph_edge> edges;
+  std::vector<covered_edge> edges;
   // Parts of all segments in their order, along each segment.
   std::vector<covering> coverings;
 };

@@ -44,7 +44,7 @@ void tell_polygons(const domain& d, const plane_graph& graph, const polygon_face
   for (std::size_t i = 0; i < polygons.shared; ++i)
     shared.add(place, [&] {
       const auto [f, g] = polygons.shared_features;
-      const graph_edge& beside = graph.edges[polygons.shared_half_edge / 2];
+      const covered_edge& beside = graph.edges[polygons.shared_half_edge / 2];
       return names.feature(polygons.features[f]) + " and " + names.feature(polygons.features[g]) +
              " beside " + coordinates(d.vertices[beside.a]) + " - " +
              coordinates(d.vertices[beside.b]);

@@ -31,7 +31,7 @@ struct chain_end {
 chain_end other_end(const plane_graph& graph, const edges_at& around, vertex_index start) {
   chain_end at{start, around[start].front()};
   while (true) {
-    const graph_edge& e = graph.edges[at.edge];
+    const covered_edge& e = graph.edges[at.edge];
     at.vertex = e.a == at.vertex ? e.b : e.a;
     const auto& here = around[at.vertex];
     if (here.size() != 2) return at;

@@ -13,9 +13,9 @@
 namespace asterism::internal {
 namespace {
 
-std::vector<graph_edge> edges_of(const snapped_graph& graph) {
+std::vector<covered_edge> edges_of(const snapped_graph& graph) {
   std::map<std::pair<vertex_index, vertex_index>, std::size_t> known;
-  std::vector<graph_edge> edges;
+  std::vector<covered_edge> edges;
   for (const snapped_piece& p : graph.pieces) {
     const auto [at, is_new] = known.try_emplace(std::minmax(p.a, p.b), edges.size());
     if (is_new)
@@ -28,7 +28,7 @@ std::vector<graph_edge> edges_of(const snapped_graph& graph) {
 
 // Flags of the faces that are no part of the domain: the outside, and those with hole points in
 // them.
-std::set<std::size_t> removed_faces(const domain& d, const std::vector<graph_edge>& edges,
+std::set<std::size_t> removed_faces(const domain& d, const std::vector<covered_edge>& edges,
                                     const face_map& faces) {
   std::set<std::size_t> removed = {face_map::outside};
   const std::vector<std::size_t> around = faces.faces_around(d.holes);
@@ -68,10 +68,10 @@ class trimmer {
     return goes_on ? chain : std::vector<std::size_t>();
   }
 
-  const graph_edge& operator[](std::size_t e) const { return edges_[e]; }
+  const covered_edge& operator[](std::size_t e) const { return edges_[e]; }
 
  private:
-  std::vector<graph_edge> edges_;
+  std::vector<covered_edge> edges_;
   face_map faces_;
   std::set<std::size_t> removed_;
   std::vector<std::vector<std::size_t>> around_;
@@ -86,7 +86,7 @@ std::vector<snapped_piece> trim_segments(const domain& d, snapped_graph& graph) 
   for (vertex_index v = 0; v < graph.vertices.size(); ++v) {
     const std::vector<std::size_t> chain = chains.overhang(v);
     if (chain.empty()) continue;
-    const graph_edge& first = chains[chain.front()];
+    const covered_edge& first = chains[chain.front()];
     trimmed.push_back({v, first.a == v ? first.b : first.a, first.source});
     for (const std::size_t e : chain) gone.insert(std::minmax(chains[e].a, chains[e].b));
   }

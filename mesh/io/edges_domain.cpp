@@ -25,7 +25,7 @@ error no_point(const domain& d, std::size_t edge) {
 
 // Puts a region point into each part that the file names, and a hole point into each other part.
 std::optional<error> number_parts(domain& d, const std::vector<side_of_edge>& parts) {
-  std::vector<graph_edge> edges;
+  std::vector<covered_edge> edges;
   for (const segment& s : d.segments) edges.push_back({s.a, s.b, edges.size(), s.marker});
   const face_map faces(d.vertices, edges);
   std::set<std::size_t> known = {face_map::outside};

@@ -58,7 +58,7 @@ bool encloses_nothing(const ring& corners) {
   domain_repairs unasked;
   const auto graph = build_plane_graph(alone, unasked);
   return graph && std::all_of(graph.value().edges.begin(), graph.value().edges.end(),
-                              [](const graph_edge& e) { return e.covered % 2 == 0; });
+                              [](const covered_edge& e) { return e.covered % 2 == 0; });
 }
 
 // Returns a sentence of the form "what: 3, the first: ...".

@@ -29,7 +29,8 @@ struct covered_polygon {
 // decision is an exact sign.
 class boundary_walk {
  public:
-  boundary_walk(const std::vector<point>& vertices, const std::vector<internal::graph_edge>& edges)
+  boundary_walk(const std::vector<point>& vertices,
+                const std::vector<internal::covered_edge>& edges)
       : vertices_(vertices), edges_(edges), leaving_(vertices.size()), is_walked_(edges.size()) {
     for (std::size_t e = 0; e < edges.size(); ++e) leaving_[edges[e].a].push_back(e);
   }
@@ -93,7 +94,7 @@ class boundary_walk {
 
   filtered_kernel kernel_;
   const std::vector<point>& vertices_;
-  const std::vector<internal::graph_edge>& edges_;
+  const std::vector<internal::covered_edge>& edges_;
   std::vector<std::vector<std::size_t>> leaving_;
   std::vector<bool> is_walked_;
 };
@@ -101,7 +102,7 @@ class boundary_walk {
 // Returns the parts of the domain, in the order of their first segments. Segments inside are no
 // boundary, and of curves there are the chords.
 std::vector<covered_polygon> covered_polygons(const domain& d) {
-  std::vector<internal::graph_edge> edges;
+  std::vector<internal::covered_edge> edges;
   for (const segment& s : d.segments)
     if (!s.internal) edges.push_back({s.a, s.b, edges.size(), s.marker});
   const internal::face_map faces(d.vertices, edges);
