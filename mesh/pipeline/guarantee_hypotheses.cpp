@@ -69,18 +69,23 @@ result<std::vector<std::vector<segment_end>>> ends_of_segments(const domain& d,
   return ends;
 }
 
-std::optional<error> refused_corner(const domain& d, const metric_field& field) {
+// Finds the narrowest corner; refuses it where it is narrower than a guarantee can be given for.
+std::optional<error> refused_corner(const domain& d, const metric_field& field,
+                                    double& narrowest_corner) {
   const auto ends = ends_of_segments(d, field);
   if (!ends) return ends.failure();
   const domain_names names(d);
   for (std::size_t v = 0; v < d.vertices.size(); ++v) {
     const narrow_corner corner = narrowest(ends.value()[v]);
+    narrowest_corner = std::min(narrowest_corner, corner.degrees);
     if (!(corner.degrees < least_guaranteed_corner)) continue;
     return error{names.at_vertex(v) + "no guarantee: the " +
                      (corner.inside ? "corner" : "outer corner") + " at " + names.vertex(v) +
                      " has " + format_number(corner.degrees) +
                      " degrees as its own metric measures it, and at least " +
-                     format_number(least_guaranteed_corner) + " are needed",
+                     format_number(least_guaranteed_corner) +
+                     " are needed: vertices on its two sides would be too near to each other for "
+                     "the theorem, at any size",
                  error_code::invalid_domain};
   }
   return std::nullopt;
@@ -95,11 +100,12 @@ std::optional<error> refused_guarantee(const domain& d, const metric_field& fiel
                      format_number(greatest_guaranteed_bound) + " degrees, not for " +
                      format_number(options.angle_bound),
                  error_code::bad_option};
-  if (auto refused = refused_corner(d, field)) return refused;
+  double narrowest_corner = 360;
+  if (auto refused = refused_corner(d, field, narrowest_corner)) return refused;
   const auto samples = sample_variation(d, field);
   if (!samples) return samples.failure();
   const variation_bounds bounds = bound_variation(d, field);
-  steepness = {samples.value().variation, bounds.above};
+  steepness = {samples.value().variation, bounds.above, narrowest_corner};
   if (!samples.value().jump) return std::nullopt;
   const field_jump& jump = *samples.value().jump;
   return error{"no guarantee: between " + coordinates(jump.from) + " and " + coordinates(jump.to) +

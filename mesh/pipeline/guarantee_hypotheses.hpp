@@ -13,17 +13,24 @@
 
 namespace asterism::internal {
 
-// Least angle between segments at a vertex, in degrees, as its own metric measures it: the first
-// sites on the two are at least 2 sin(27.5 degrees) = 0.923 of the shorter distance apart then.
-inline constexpr double least_guaranteed_corner = 55;
+// Least angle between segments at a vertex, in degrees, as its own metric measures it. The first
+// sites on the two are at least 2 sin(18 degrees) = 0.618 of the shorter distance apart then, and
+// with the lengths below 1.3 times nearer to each other than the domain is covered: up to 1.35 the
+// theorem proves 20.25 degrees at little variation.
+inline constexpr double least_guaranteed_corner = 36;
+// Least angle, in degrees, from which a domain is divided as finely as it is covered: the first
+// sites on the two segments are at least 2 sin(27.5 degrees) = 0.923 of that apart then.
+inline constexpr double least_plain_corner = 55;
 // Greatest angle bound, in degrees. At small variation the theorem proves 26.75 up to the ratio 1.1
 // of the covering radius to the spacing; 20 up to a variation of 0.04.
 inline constexpr double greatest_guaranteed_bound = 20;
 
-// Rates at which a field varies: the greatest sampled, and an upper bound where one is known.
+// Rates at which a field varies: the greatest sampled, and an upper bound where one is known. And
+// the domain's sharpest corner in it.
 struct field_steepness {
   double sampled = 0;
   std::optional<double> bound = {};
+  double narrowest_corner = 360;  // degrees between two segments at a vertex, in its metric
 };
 
 // Returns the first hypothesis that fails, by name, with vertex and angle or with the place; those

@@ -13,6 +13,8 @@
 #include "asterism/mesh/audit/theorem_table.hpp"
 #include "asterism/mesh/delivery/assign_regions.hpp"
 #include "asterism/mesh/delivery/normalised_problem.hpp"
+#include "asterism/mesh/fill/fill.hpp"
+#include "asterism/mesh/fill/net_completion.hpp"
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/pipeline/guarantee_hypotheses.hpp"
@@ -47,12 +49,29 @@ int first_step(const field_steepness& field, double angle_bound) {
   return ladder_step_below(field.sampled * largest_circumradius / greatest_variation(angle_bound));
 }
 
+// Part of the greatest radius of a triangle within which sites are to cover the domain: the rest is
+// for what doubles round in radii, and for what metrics vary by across a triangle.
+constexpr double part_covered = 1 - 0x1p-10;
+
+// Least and greatest length wanted of the parts of a segment, metric length.
+struct part_lengths {
+  double shortest = 0, longest = 0;
+};
+
+// Returns the lengths for a domain with such a narrowest corner. Beside a sharp one sites are as
+// much farther from each other as parts are longer: of 1.27 times the covering radius, shifted by a
+// 64th, none is encroached on by a site that is 0.92 times the radius from its ends.
+part_lengths lengths_for(double narrowest_corner) {
+  constexpr double beside_sharp_corners = 1.27 * largest_circumradius;
+  if (narrowest_corner < least_plain_corner) return {beside_sharp_corners, beside_sharp_corners};
+  return {largest_circumradius, longest_subsegment_of_fill};
+}
+
 // Returns the points that divide the segments by metric length, ends left out; nothing where there
 // would be more than `most`.
 result<prescribed_divisions> even_divisions(const domain& d, const metric_field& field,
-                                            std::size_t most) {
-  const auto made =
-      divide_segments_evenly(d, field, largest_circumradius, longest_subsegment_of_fill, most);
+                                            const part_lengths& parts, std::size_t most) {
+  const auto made = divide_segments_evenly(d, field, parts.shortest, parts.longest, most);
   if (!made) return made.failure();
   prescribed_divisions divisions(d.segments.size());
   for (std::size_t s = 0; s < made.value().of_each.size(); ++s) {
@@ -60,6 +79,37 @@ result<prescribed_divisions> even_divisions(const domain& d, const metric_field&
     divisions[s].emplace(all.begin() + 1, all.end() - 1);
   }
   return divisions;
+}
+
+fill_options fill_options_of(const meshing_context& job) {
+  fill_options wanted;
+  wanted.distance = largest_circumradius;
+  wanted.longest_subsegment = longest_subsegment_of_fill;
+  wanted.max_sites = job.options.max_sites;
+  wanted.stop = job.options.stop;
+  wanted.prescribed = job.prescribed;
+  return wanted;
+}
+
+// Fills the job's domain, makes a net of that, and mends it: where the theorem on nets holds of the
+// net there is nothing to mend. A fill that does not come to its end is no net, and is mended as
+// any other.
+result<mesh_outcome> mesh_of_net(const meshing_context& job) {
+  auto filled = fill(job.shape, job.field, fill_options_of(job), [&](std::size_t sites, double) {
+    if (job.progress) job.progress({mesh_phase::filling, sites, 0, 0, 0, 0});
+  });
+  if (!filled) return filled.failure();
+  filled_domain& proposed = filled.value();
+  if (!proposed.complete) return mesh_domain(job);
+  const auto net = complete_net(job.shape, job.field,
+                                {.covering = part_covered * largest_circumradius,
+                                 .spacing = guaranteed_spacing,
+                                 .max_sites = job.options.max_sites,
+                                 .stop = job.options.stop},
+                                proposed);
+  if (!net) return net.failure();
+  const double units = proposed.work_units;
+  return mesh_from_sites(job, {std::move(proposed), 0, units});
 }
 
 mesh_options options_of_step(const mesh_options& asked) {
@@ -76,17 +126,17 @@ mesh_options options_of_step(const mesh_options& asked) {
 
 // Makes a mesh in the metric of `field` with edges shortened by the factor of the step.
 result<mesh_outcome> mesh_of_step(const domain& d, const metric_field& field,
-                                  const mesh_options& asked, int step,
+                                  const mesh_options& asked, int step, const part_lengths& parts,
                                   const progress_listener& progress) {
   const mesh_options options = options_of_step(asked);
   options.stop.expect(d.vertices.size());
   const shorter_field finer(field, ladder_factor(step));
   const normalised_problem image(d, finer, options);
-  const auto divisions = even_divisions(image.shape(), image.field(), options.max_sites);
+  const auto divisions = even_divisions(image.shape(), image.field(), parts, options.max_sites);
   if (!divisions) return divisions.failure();
   tier_counters decided;
   const star_predicates_on<filtered_kernel> stars_on(decided);
-  auto made = mesh_domain({stars_on, image.shape(), image.field(), options, progress, 1,
+  auto made = mesh_of_net({stars_on, image.shape(), image.field(), options, progress, 1,
                            star_confirmation::by_mesher, &divisions.value()});
   if (!made) return made;
   mesh_outcome& outcome = made.value();
@@ -124,8 +174,9 @@ class size_ladder {
       : domain_(d), field_(field), options_(options), progress_(progress), steepness_(steepness) {}
 
   result<certified_mesh> run() {
+    const part_lengths parts = lengths_for(steepness_.narrowest_corner);
     for (int step = first_step(steepness_, options_.angle_bound);; ++step) {
-      auto made = mesh_of_step(domain_, field_, options_, step, progress_);
+      auto made = mesh_of_step(domain_, field_, options_, step, parts, progress_);
       if (!made) return made.failure();
       step_taken now{std::move(made).value(), step, {}};
       now.obstacle = obstacle_of(now.outcome, ladder_factor(step));

@@ -21,7 +21,7 @@ namespace asterism {
 // says how far the run came.
 //
 // Fails as make_certified_mesh does. Fails, too, naming the hypothesis that does not hold, for an
-// angle bound above 20 degrees, for a vertex with an angle below 55 degrees between segments, as
+// angle bound above 20 degrees, for a vertex with an angle below 36 degrees between segments, as
 // its own metric measures it, and where the field was found to jump. Of `options` the strategy,
 // tolerance, size limit, improvement and metric tolerance are replaced: sizes are limited, and no
 // tensor is changed.
