@@ -176,13 +176,11 @@ std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
   return share < 1 ? elementary::exp(grown) : bound;
 }
 
-void bound_aspects(double aspect, std::vector<metric_tensor>& moduli) {
-  for_each_node(moduli.size(), [&](std::size_t v) {
-    const symmetric_eigen e = eigen_of(moduli[v]);
-    const double first = std::abs(e.first), second = std::abs(e.second),
-                 least = std::max(first, second) / aspect / aspect;
-    if (std::min(first, second) >= least) return;
-    moduli[v] = with_eigenvalues(e, std::max(first, least), std::max(second, least));
+void bound_aspects(double aspect, std::vector<metric_tensor>& tensors) {
+  for_each_node(tensors.size(), [&](std::size_t v) {
+    const symmetric_eigen e = eigen_of(tensors[v]);
+    const double least = e.first / aspect / aspect;
+    if (e.second < least) tensors[v] = with_eigenvalues(e, e.first, least);
   });
 }
 

@@ -30,8 +30,9 @@ inline constexpr double ratio_of_computed = 0.6, ratio_of_function = 0.95;
 // solution; layers of a third of a grid's spacing have 0.9.
 inline constexpr double roughness_of_resolved = 0.1, roughness_of_unresolved = 0.2;
 // Least bound of the aspect, and the ratio of the bound to the steepness. By experiment: layers of
-// a hundredth (steepness 75) want 20 to 40, layers of a thousandth (713) 150 to 400.
-inline constexpr double least_aspect_bound = 20, aspect_of_steepness = 0.27;
+// three hundredths want 7 to 14, of a hundredth (steepness 75) 20 to 40, of a thousandth (713) 150
+// to 400. The steepness alone would make smooth solutions, which have 2 to 4, isotropic.
+inline constexpr double least_aspect_bound = 14, aspect_of_steepness = 0.27;
 
 // Distance of second derivatives at a vertex from the linear function that fits its neighbours'
 // best, as a part of the second derivatives there.
@@ -61,7 +62,7 @@ double steepness(const mesh& m, const std::vector<double>& values);
 std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
                                    const std::vector<double>& values);
 
-// Raises the weaker of the moduli, so that a metric of them stretches no triangle more than that.
-void bound_aspects(double aspect, std::vector<metric_tensor>& moduli);
+// Raises weaker eigenvalues of a metric, so that it stretches no triangle more than that.
+void bound_aspects(double aspect, std::vector<metric_tensor>& tensors);
 
 }  // namespace asterism::internal

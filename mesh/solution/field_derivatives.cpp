@@ -74,15 +74,6 @@ result<one_field> glued_derivatives_of(const glued_mesh& glued, const mesh_links
   return found;
 }
 
-// Bounds aspects along the layers of a field that was computed, and keeps the least of the bounds.
-void bound_computed(const mesh& m, const mesh_links& links, const std::vector<double>& values,
-                    one_field& one, field_derivatives& found) {
-  const auto bound = aspect_bound(m, links, values);
-  if (!bound) return;
-  bound_aspects(*bound, one.moduli);
-  found.aspect = std::min(*bound, found.aspect.value_or(*bound));
-}
-
 }  // namespace
 
 result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links& links,
@@ -98,7 +89,8 @@ result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links&
     auto one = is_glued ? glued_derivatives_of(*glued, *beyond, f->values, method)
                         : derivatives_of(m, links, f->values, method);
     if (!one) return one.failure().at("field " + f->name);
-    if (options.aspect == no_aspect_named) bound_computed(m, links, f->values, one.value(), found);
+    if (options.aspect == no_aspect_named)
+      found.aspects.push_back(aspect_bound(m, links, f->values));
     found.names.push_back(f->name);
     found.noise += one.value().recovered.noise;
     found.at_boundary += one.value().recovered.at_boundary;

@@ -25,8 +25,9 @@ struct field_derivatives {
   std::vector<std::vector<metric_tensor>> recovered, moduli;
   std::vector<std::vector<double>> scales;  // of a relative error; none for one that is not
   std::size_t noise = 0, at_boundary = 0;
-  // Least bound on aspects of fields that were computed (mesh/solution/computed_field.hpp).
-  std::optional<double> aspect;
+  // Bounds on aspects that fields ask for (mesh/solution/computed_field.hpp); none where second
+  // derivatives or an aspect are given.
+  std::vector<std::optional<double>> aspects;
 };
 
 // Recovers second derivatives from values at the vertices, by the options; on the continued mesh if

@@ -34,8 +34,8 @@ std::vector<std::string> metric_steps(const solution_metric_options& options, st
     const char* const method = methods[static_cast<std::size_t>(options.hessian)];
     steps.push_back(fmt::format("hessian {}", given ? "given" : method));
     if (is_green) steps.emplace_back("moduli");
-    if (layers) steps.push_back(fmt::format("layers {:.4g}", *layers));
     steps.push_back(options.relative ? relative_step(options) : optimum_step(options));
+    if (layers) steps.push_back(fmt::format("layers {:.4g}", *layers));
     if (fields > 1) steps.push_back(fmt::format("fields {}", fields));
   }
   if (fields == 0 && options.isotropic) steps.emplace_back("isotropic");

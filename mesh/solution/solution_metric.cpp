@@ -16,6 +16,7 @@
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
+#include "asterism/mesh/solution/computed_field.hpp"
 #include "asterism/mesh/solution/field_derivatives.hpp"
 #include "asterism/mesh/solution/graph_gradation.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
@@ -335,15 +336,30 @@ void intersect(tensors own, tensors& all) {
                 [&](std::size_t v) { all[v] = simultaneous_intersection(all[v], own[v]); });
 }
 
-optimum intersected_optima(const std::vector<tensors>& moduli, const std::vector<double>& areas,
+// Bounds the aspects of the metric of a field that was computed.
+void bound_layers(const field_derivatives& found, std::size_t field, tensors& own) {
+  if (field < found.aspects.size() && found.aspects[field])
+    bound_aspects(*found.aspects[field], own);
+}
+
+// Returns the least of the bounds.
+std::optional<double> least_aspect(const field_derivatives& found) {
+  std::optional<double> least;
+  for (const auto& one : found.aspects)
+    if (one && !(least && *least <= *one)) least = one;
+  return least;
+}
+
+optimum intersected_optima(const field_derivatives& found, const std::vector<double>& areas,
                            const solution_metric_options& options, const optimum_bounds& bounds) {
   optimum made;
-  for (const tensors& h : moduli) {
-    auto own = make_optimal_metric(h, areas, options.norm, options.isotropic, bounds);
+  for (std::size_t k = 0; k < found.moduli.size(); ++k) {
+    auto own = make_optimal_metric(found.moduli[k], areas, options.norm, options.isotropic, bounds);
     made.flat += own.is_flat ? 1 : 0;
     made.floored += own.floored;
     made.flat_part = std::max(made.flat_part, own.flat_part);
     made.ridge_part = std::max(made.ridge_part, own.ridge_part);
+    bound_layers(found, k, own.tensors);
     intersect(std::move(own.tensors), made.raw);
   }
   return made;
@@ -360,9 +376,10 @@ optimum intersected_relative(const field_derivatives& found, const metric_maker&
     const tensors& h = found.moduli[k];
     const bool is_flat = found.scales[k].empty() || std::all_of(h.begin(), h.end(), is_zero);
     made.flat += is_flat ? 1 : 0;
-    intersect(
-        relative_metric(h, found.scales[k], *options.error, maker.extent(), options.isotropic),
-        made.raw);
+    auto own =
+        relative_metric(h, found.scales[k], *options.error, maker.extent(), options.isotropic);
+    bound_layers(found, k, own);
+    intersect(std::move(own), made.raw);
   }
   return made;
 }
@@ -413,7 +430,7 @@ result<solution_metric> metric_of(const field_derivatives& found, metric_maker& 
   const double longest = maker.extent() * maker.extent();
   optimum_bounds bounds{usual_floor_share, 1 / longest / first_complexity(options, maker)};
   for (int round = 1;; ++round) {
-    auto optima = intersected_optima(found.moduli, maker.areas(), options, bounds);
+    auto optima = intersected_optima(found, maker.areas(), options, bounds);
     if (options.error && optima.flat == found.moduli.size()) return no_second_derivatives();
     report_fields(found, optima, maker.report());
     maker.set_raw(std::move(optima.raw));
@@ -449,7 +466,7 @@ result<solution_metric> metric_of_values(const mesh& m, const glued_mesh* glued,
   const auto found = recovered_derivatives(m, maker.links(), fields, wishes, glued);
   if (!found) return found.failure();
   maker.set_recovered(found.value().recovered, false);
-  maker.set_layers(found.value().aspect);
+  maker.set_layers(least_aspect(found.value()));
   return wishes.relative ? relative_metric_of(found.value(), maker, wishes)
                          : metric_of(found.value(), maker, wishes);
 }

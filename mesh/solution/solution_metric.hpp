@@ -3,11 +3,11 @@
 // Makes the metric, at the vertices of a mesh, in which the next mesh for a solution is best.
 //
 // The result depends on the order of the steps, which is:
-//   1. the Hessian of each field is recovered (mesh/solution/hessian.hpp), its moduli bounded along
-//      layers of fields that were computed where no aspect is named
-//      (mesh/solution/computed_field.hpp);
+//   1. the Hessian of each field is recovered (mesh/solution/hessian.hpp);
 //   2. each is made the L^p-optimal metric of complexity 1, no size of it more than twenty
-//      times that of a uniform mesh (mesh/solution/optimal_metric.hpp);
+//      times that of a uniform mesh (mesh/solution/optimal_metric.hpp); of a field
+//      that was computed the weaker eigenvalue is raised where no aspect is named
+//      (mesh/solution/computed_field.hpp);
 //   3. the fields, sorted by name, are intersected one after another by simultaneous reduction;
 //   4. that is multiplied by a factor;
 //   5. further given metrics are intersected with it, in their order;
