@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "asterism/apps/help/foreign_names.hpp"
+
 namespace asterism::apps {
 namespace {
 
@@ -69,88 +71,6 @@ std::vector<std::string> options_of(const CLI::App& app) {
   }
   return names;
 }
-
-struct foreign_option {
-  std::string_view name;  // without dashes
-  std::string_view ours, what;
-};
-
-// Names of options in other meshers, and the options here that mean the same.
-constexpr std::array<foreign_option, 72> foreign_options = {{
-    {"hmax", "--size", "the length of an edge of metric length 1"},
-    {"hsiz", "--size", "the length of an edge of metric length 1"},
-    {"clmax", "--size", "the length of an edge of metric length 1"},
-    {"lc", "--size", "the length of an edge of metric length 1"},
-    {"hmin", "--size", "the length of an edge of metric length 1"},
-    {"hgrad", "--gradation", "the greatest ratio of neighbouring sizes"},
-    {"min-angle", "--angle-bound", "the least angle in degrees, in the metric"},
-    {"minangle", "--angle-bound", "the least angle in degrees, in the metric"},
-    {"ar", "--corner-angle", "beyond which the boundary has a corner"},
-    {"nbvx", "--max-sites", "the greatest number of vertices"},
-    {"err", "--error", "the interpolation error wanted"},
-    {"out", "-o", "the file to write"},
-    {"nt", "--threads", "how many threads work"},
-    {"j", "--threads", "how many threads work"},
-    {"q", "--angle-bound", "the least angle in degrees, in the metric; --quiet says nothing"},
-    {"a", "--size", "the length of an edge; a triangle of it has 0.433 of its square as area"},
-    {"p", "-o", "the file to write; a .poly is read without an option"},
-    {"f", "-o", "the file to write; its ending names the format"},
-    {"format", "-o", "the file to write; its ending names the format"},
-    {"force", "-o", "the file to write; one that is there is replaced"},
-    {"overwrite", "-o", "the file to write; one that is there is replaced"},
-    {"y", "-o", "the file to write; one that is there is replaced"},
-    {"nosurf", "-o",
-     "the file to write; edges of the domain are kept, and divided where they must be"},
-    {"Y", "-o", "the file to write; edges of the domain are kept, and divided where they must be"},
-    {"v", "--json", "all that is known of the run"},
-    {"verbose", "--json", "all that is known of the run"},
-    {"V", "--help", "`asterism --version` says which this is"},
-    {"nv", "--vertices", "how many vertices are wanted"},
-    {"target", "--vertices", "how many vertices are wanted"},
-    {"npoints", "--vertices", "how many vertices are wanted"},
-    {"how", "--transfer", "the way in which a solution goes over"},
-    {"method", "--transfer", "the way in which a solution goes over"},
-    {"size", "--hmax", "about the longest edge; a surface's own sizes follow from --chord"},
-    {"tolerance", "--chord", "the greatest distance, of the surface from the mesh and back"},
-    {"tol", "--chord", "the greatest distance, of the surface from the mesh and back"},
-    {"deflection", "--chord", "the greatest distance, of the surface from the mesh and back"},
-    {"hausd", "--chord", "the greatest distance, of the surface from the mesh and back"},
-    {"error", "--chord", "the greatest distance, of the surface from the mesh and back"},
-    {"max", "--at-most", "the distance that is to be proved"},
-    {"chord", "--at-most", "the distance that is to be proved"},
-    {"size", "--width", "of the picture, in pixels"},
-    {"resolution", "--width", "of the picture, in pixels"},
-    {"dpi", "--width", "of the picture, in pixels"},
-    {"color", "--colour-by", "what the colours tell"},
-    {"colour", "--colour-by", "what the colours tell"},
-    {"scalars", "--colour-by", "what the colours tell"},
-    {"field", "--colour-by", "what the colours tell: the name of a field, too"},
-    {"i", "-o", "the file to write; what is read is named without an option"},
-    {"in", "-o", "the file to write; what is read is named without an option"},
-    {"input", "-o", "the file to write; what is read is named without an option"},
-    {"domain", "-o", "the file to write; what is meshed is named without an option"},
-    {"memory", "--max-memory", "the memory that a run may take"},
-    {"timeout", "--max-seconds", "the time that a run may take"},
-    {"time-limit", "--max-seconds", "the time that a run may take"},
-    {"seconds", "--max-seconds", "the time that a run may take"},
-    {"cores", "--threads", "how many threads work"},
-    {"jobs", "--threads", "how many threads work"},
-    {"nproc", "--threads", "how many threads work"},
-    {"second-order", "--order", "2 for triangles with a node on each side"},
-    {"quality", "--angle-bound", "the least angle in degrees, in the metric"},
-    {"quality", "--json", "all that is measured"},
-    {"quiet", "--json", "all that is found; `> /dev/null` hides words, and the exit status stays"},
-    {"fix", "--repair", "a mesh is made that can be certified"},
-    {"fix", "--repair-domain", "crossings and gaps of the domain are mended"},
-    {"heal", "--repair-domain", "crossings and gaps of the domain are mended"},
-    {"repair", "--repair-domain", "crossings and gaps of the domain are mended"},
-    {"repair-mesh", "--repair", "a mesh is made that can be certified"},
-    {"anisomax", "--aspect", "how many times as long as wide a triangle may be"},
-    {"ratio", "--aspect", "how many times as long as wide a triangle may be"},
-    {"nbv", "--vertices", "how many vertices are wanted"},
-    {"elements", "--vertices", "how many vertices are wanted; triangles are twice as many"},
-    {"bl", "--layers", "layers along the segments with a marker"},
-}};
 
 // Returns the first word that names an option which help does not show: messages about it have an
 // empty name.
@@ -296,49 +216,6 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
            help;
   return no_such_option(*app, unknown);
 }
-
-// Names of commands in other programs, and the commands here that do the same.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 40> foreign_commands = {
-    {{"plot", "draw"},
-     {"view", "draw"},
-     {"show", "draw"},
-     {"render", "draw"},
-     {"generate", "mesh"},
-     {"triangulate", "mesh"},
-     {"create", "mesh"},
-     {"make", "mesh"},
-     {"refine", "adapt"},
-     {"remesh", "adapt"},
-     {"optimize", "adapt"},
-     {"interpolate", "transfer"},
-     {"check-mesh", "certify"},
-     {"quality", "certify"},
-     {"audit", "certify"},
-     {"repair", "certify MESH --repair"},
-     {"validate", "verify"},
-     {"prove", "mesh --proof FILE, and check"},
-     {"proof", "mesh --proof FILE, and check"},
-     {"pieces", "mesh --pieces K"},
-     {"split", "mesh --pieces K"},
-     {"partition", "mesh --pieces K"},
-     {"periodic", "mesh --periodic A,B"},
-     {"improve", "mesh --improve N"},
-     {"smooth", "mesh --improve N"},
-     {"adaptmesh", "adapt"},
-     {"hessian", "metric"},
-     {"project", "transfer"},
-     {"distance", "deviation"},
-     {"hausdorff", "deviation"},
-     {"export", "convert"},
-     {"import", "convert"},
-     {"stats", "info"},
-     {"inspect", "info"},
-     {"predicates", "eval"},
-     {"orientation", "eval"},
-     {"test", "challenge"},
-     {"version", "--version"},
-     {"usage", "--help"},
-     {"list", "--help"}}};
 
 // Suggests a command line for a first word that is no command: a domain, a file, or a command of
 // another program.

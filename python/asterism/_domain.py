@@ -173,7 +173,7 @@ class Domain:
             text = json.dumps(geometry, allow_nan=False, default=_plain)
         except (TypeError, ValueError) as odd:
             raise InputError(f"{name}: its coordinates must be finite numbers: {odd}") from odd
-        return cls._of(_Domain.parse_geojson(text, f"{name} as GeoJSON", repair, convex_hull))
+        return cls._of(_Domain.parse_geojson(text, name, repair, convex_hull))
 
     from_shapely = from_geo
 

@@ -151,9 +151,10 @@ std::optional<std::size_t> keywords::count(const char* name, std::size_t least) 
 bool keywords::flag(const char* name) const {
   const py::object value = object(name);
   if (value.is_none()) return false;
-  const bool is_flag = PyBool_Check(value.ptr()) || py::hasattr(value, "dtype");
-  const auto x = is_flag ? std::optional<double>() : real(name);
-  if (x && *x != 0 && *x != 1) refuse(name, "True or False is wanted, not " + shown(value));
+  const bool is_flag =
+      PyBool_Check(value.ptr()) || PyLong_Check(value.ptr()) ||
+      py::str(py::type::of(value)).cast<std::string>().find("numpy.bool") != std::string::npos;
+  if (!is_flag) refuse(name, "True or False is wanted, not " + shown(value));
   const int is_true = PyObject_IsTrue(value.ptr());
   if (is_true < 0) throw py::error_already_set();
   return is_true == 1;

@@ -70,7 +70,7 @@ def test_targets_that_cannot_be_met_are_warnings(background):
     ({"u": np.zeros(2)}, {}, "u: 358 rows of"),
     (None, {"norm": 0.5}, "norm"),
     (None, {"gradation": "mild"}, "a number above 1 or None"),
-    (None, {"hessian": "guess"}, "'least_squares' is wanted"),
+    (None, {"hessian": "guess"}, "'lsq' is wanted"),
     (None, {"complexity": 10, "vertices": 10}, "one of"),
     (None, {"intersect": [np.ones((2, 3))]}, "intersect: 2 tensors"),
 ])

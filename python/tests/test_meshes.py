@@ -177,7 +177,7 @@ def test_shapely_polygons():
 
 
 @pytest.mark.parametrize("arguments, message", [
-    ((CORNERS, [(0, 1), (1, 2), (2, 3), (3, 4)]), "row 3 names vertex 4 of 4"),
+    ((CORNERS, [(0, 1), (1, 2), (2, 3), (3, 4)]), "row 3 names point 4 of 4"),
     ((CORNERS, [(0, 1), (1, 2), (2, 3)]), "."),
     ((CORNERS, [(0, 2), (1, 3)]), "cross"),
     (([(0, 0), (1, 0), (np.inf, 1)], [(0, 1), (1, 2), (2, 0)]), "finite"),

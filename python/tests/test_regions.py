@@ -88,10 +88,10 @@ def test_what_is_not_listed_is_told():
 
 def test_wrong_arguments():
     points, triangles, regions = grid(1, lambda i, j, h: 1)
-    for more, word in (({"regions": [1]}, "regions: 2 numbers"), ({"edges": [1, 2]}, "edges: the shape"),
+    for more, word in (({"regions": [1]}, r"regions: the shape \(2,\) is wanted, one for each triangle"), ({"edges": [1, 2]}, "edges: the shape"),
                        ({"edges": [(0, 4)]}, "names point 4 of 4"),
                        ({"edge_markers": [1]}, "there are no edges"),
                        ({"regions": [1, 2**31]}, "more than 32 bits"),
-                       ({"edges": [(0, 1)], "edge_markers": [1, 2]}, "edge_markers: 1 numbers")):
+                       ({"edges": [(0, 1)], "edge_markers": [1, 2]}, r"edge_markers: the shape \(1,\) is wanted, one for each edge")):
         with pytest.raises(asterism.InputError, match=word):
             asterism.Mesh(points, triangles, **more)

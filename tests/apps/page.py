@@ -258,6 +258,9 @@ class PageTest(CommandTest):
                         self.ask("document.body.innerText.indexOf('Asked and delivered')"))
         self.assertFalse(self.ask("document.getElementById('ellipses').checked"))
         self.assertLess(places.index("turn clockwise"), places.index("Findings that may follow from those"))
+        self.assertEqual(self.ask("document.querySelectorAll('#places details[open] ul.long').length"), 1)
+        self.assertEqual(self.ask("[...document.querySelectorAll('#places ul')].filter((list) => "
+                                  "list.scrollHeight > list.clientHeight + 1).length"), 0)
         self.assertNotRegex(places + self.text("asked"), r"\w_\w")
         self.assertIn("first of all, triangles that turn clockwise or are flat (1).", self.text("verdict"))
         self.assertEqual(self.ask("asterism.mesh.count - [...Array(asterism.mesh.count).keys()]"

@@ -57,8 +57,8 @@ function plainSentence(witness) {
   return text[0].toUpperCase() + text.slice(1);
 }
 
-// Groups of findings: {name, items, words, number, follows}. The number of each kind is the certificate's, which names
-// the first ones alone.
+// Groups of findings: {name, items, all, words, number, follows}. The number of each kind is the certificate's, which
+// names the first ones alone.
 function groupFindings(audit) {
   const order = Object.keys(findingKinds), groups = new Map();
   for (const witness of audit.witnesses) {
@@ -70,8 +70,8 @@ function groupFindings(audit) {
   const sorted = [...groups.values()].sort((a, b) => rank(a) - rank(b));
   const caused = sorted.some(({ follows }) => !follows);
   return sorted.map(({ kind, words, follows, items }) => {
-    const all = audit.findings[kind] ?? items.length, first = all > items.length ? `, the first ${items.length} of ${count(all)}` : "";
-    return { name: `${follows && caused ? "Findings that may follow from those" : "Findings"}: ${words}${first}`, items, words, number: count(all), follows: follows && caused };
+    const all = audit.findings[kind] ?? items.length;
+    return { name: `${follows && caused ? "Findings that may follow from those" : "Findings"}: ${words}`, items, all, words, number: count(all), follows: follows && caused };
   });
 }
 

@@ -167,7 +167,7 @@ function listsOf(facts, claim, mesh) {
   const add = (name, items, long = false) => { if (items.length > 0) lists.push({ name, items, long }); };
   if (claim !== null && facts.is_of_this_mesh) {
     const { audit, outcome } = claim;
-    for (const { name, items, follows } of groupFindings(audit)) lists.push({ name, items, long: true, closed: follows });
+    groupFindings(audit).forEach(({ name, items, all }, rank) => lists.push({ name, items, all, long: true, closed: rank > 0 }));
     add("Low triangles: below the bound", fromOne(audit.low_triangles));
     add("Exempt corners of the domain, sharper than the bound", audit.exempt_corners.map((n) => ({ vertex: n - 1, text: `vertex ${n}` })));
     add("Triangles with an exempt angle", fromOne(audit.exempt_triangles));
@@ -201,9 +201,10 @@ function showLists(lists, go) {
   const holder = element("places");
   holder.replaceChildren();
   if (lists.length === 0) holder.append(make("p", {}, "None."));
-  for (const { name, items, long, closed = false } of lists) {
-    const list = make("ul", { class: long ? "list long" : "list" }), most = 100;
-    const more = (from) => {
+  for (const { name, items, all = items.length, long, closed = false } of lists) {
+    const list = make("ul", { class: long ? "list long" : "list" });
+    // A few at first, since lists do not scroll by themselves: on a telephone a page in a page holds the finger.
+    const more = (from, most) => {
       items.slice(from, from + most).forEach((item) => {
         const button = make("button", { type: "button", ...(item.title === undefined ? {} : { title: item.title }) }, item.text);
         button.addEventListener("click", () => go(item));
@@ -212,11 +213,12 @@ function showLists(lists, go) {
       if (from + most >= items.length) return;
       const next = make("button", { type: "button" }, `${count(items.length - from - most)} more`);
       const entry = make("li", {}, next);
-      next.addEventListener("click", () => { entry.remove(); more(from + most); });
+      next.addEventListener("click", () => { entry.remove(); more(from + most, 100); });
       list.append(entry);
     };
-    more(0);
-    holder.append(make("details", items.length <= 20 && !closed ? { open: "" } : {}, make("summary", {}, `${name} (${count(items.length)})`), list));
+    more(0, long ? 5 : 40);
+    const number = all > items.length ? `${count(items.length)} of ${count(all)}` : count(items.length);
+    holder.append(make("details", items.length <= 20 && !closed ? { open: "" } : {}, make("summary", {}, `${name} (${number})`), list));
   }
 }
 
