@@ -185,7 +185,9 @@ result<file_facts> facts_of_solution(const fs::path& path) {
     return facts;
   }
   return error{path.string() + ": what is given at vertices is told with their mesh beside it, " +
-               fs::path(path).replace_extension(".mesh").string()};
+               fs::path(path).replace_extension(".mesh").string() +
+               "; 'asterism adapt MESH --solution " + path.string() +
+               "' and its kin take it as it is"};
 }
 
 result<file_facts> facts_of_certificate(const fs::path& path) {

@@ -26,14 +26,35 @@ constexpr std::string_view other_space_text =
 constexpr std::string_view values_text =
     "holds values at the vertices of a mesh; the file of the mesh itself is wanted";
 
-constexpr std::array<known_kind, 8> other_kinds = {{{".obj", space_text},
-                                                    {".ply", space_text},
-                                                    {".off", other_space_text},
-                                                    {".sol", values_text},
-                                                    {".solb", values_text},
-                                                    {".bb", values_text},
-                                                    {".mtr", values_text},
-                                                    {".certificate.json", "is a certificate"}}};
+constexpr std::string_view gmsh_text =
+    "is a script of gmsh; 'gmsh -2 -format msh' makes a mesh of it, which is read";
+constexpr std::string_view cad_text =
+    "is a file of a CAD program; 'asterism-occt' makes a .json of .step and .brep for 'asterism "
+    "surface', and a plane outline is read as .dxf by Python's asterism.read_dxf";
+constexpr std::string_view drawing_text =
+    "is a drawing; Python's asterism.poly_of_dxf makes a .poly of it";
+constexpr std::string_view table_text =
+    "may be a table of points; a .node file or Python's asterism.mesh(points) takes these";
+
+constexpr std::array<known_kind, 19> other_kinds = {{{".obj", space_text},
+                                                     {".ply", space_text},
+                                                     {".off", other_space_text},
+                                                     {".sol", values_text},
+                                                     {".solb", values_text},
+                                                     {".bb", values_text},
+                                                     {".mtr", values_text},
+                                                     {".certificate.json", "is a certificate"},
+                                                     {".geo", gmsh_text},
+                                                     {".geo_unrolled", gmsh_text},
+                                                     {".step", cad_text},
+                                                     {".stp", cad_text},
+                                                     {".brep", cad_text},
+                                                     {".brp", cad_text},
+                                                     {".iges", cad_text},
+                                                     {".igs", cad_text},
+                                                     {".dxf", drawing_text},
+                                                     {".csv", table_text},
+                                                     {".txt", table_text}}};
 
 }  // namespace
 

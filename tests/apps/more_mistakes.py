@@ -98,6 +98,15 @@ MISTAKES = [
     ("mesh square -o x.mesh --second-order", "here it is --order"),
     ("mesh --domain part.poly -o x.mesh", "what is meshed is named without an option"),
     ("mesh --input part.poly -o x.mesh", "is named without an option"),
+    # Files that other programs begin with
+    ("info part.geo", "is a script of gmsh; 'gmsh -2"),
+    ("mesh part.geo -o y.mesh", "is a script of gmsh; 'gmsh -2"),
+    ("draw part.geo -o x.png", "is a script of gmsh"),
+    ("info part.stp", "asterism-occt"),
+    ("mesh part.stp -o y.mesh", "asterism-occt"),
+    ("info part.dxf", "poly_of_dxf"),
+    ("info part.txt", "\\.node"),
+    ("info short.sol", "take it as it is"),
     # Commands of others
     ("pieces square", "here it is mesh --pieces"),
     ("version", "here it is --version"),
