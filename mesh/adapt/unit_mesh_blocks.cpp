@@ -119,15 +119,16 @@ std::size_t unit_mesher::in_blocks(const block_work& work,
 
 // Splits the edges longer than this until none is left, or none can be split. Blocks split each
 // edge once and leave further splits to the next cut: beside a frame that is not yet split,
-// repeated splits would make twice as many nodes as are wanted.
+// repeated splits would make twice as many nodes as are wanted. Where one cut has split few edges,
+// the rest is split without blocks, in less time than another cut takes.
 void unit_mesher::split_all_long(double longest) {
   constexpr int most_splits = 40;
-  constexpr std::size_t few = 100;  // one node in so many
-  int times_few = 0;
+  constexpr std::size_t few = 16;  // one node in so many
+  bool is_little = false;
   const auto split = [longest](unit_mesher& part, std::size_t) { return part.split_long(longest); };
   for (int i = 0; i < most_splits && !is_stopped(); ++i) {
-    if (times_few < 2 && mesh_blocks::are_worth_it(m_)) {
-      times_few = few * in_blocks(split) < m_.count() ? times_few + 1 : 0;
+    if (!is_little && mesh_blocks::are_worth_it(m_)) {
+      is_little = few * in_blocks(split) < m_.count();
       continue;
     }
     if (split_long(longest) == 0) break;
@@ -136,9 +137,12 @@ void unit_mesher::split_all_long(double longest) {
 }
 
 // Merges edges shorter than this, flips and moves: in the blocks of two cuts where the mesh is
-// large, then at the nodes that are on the frames of both.
+// large, then at the nodes that are on the frames of both. Where nothing is to be merged and few
+// faces have changed there are no blocks: cutting the mesh and joining it would take longer.
 void unit_mesher::merge_and_move(double shortest, int sweeps) {
-  if (!mesh_blocks::are_worth_it(m_)) {
+  constexpr std::size_t few = 8;  // one face in so many
+  const bool is_little = shortest <= 0 && few * due_.size() < m_.faces().size();
+  if (is_little || !mesh_blocks::are_worth_it(m_)) {
     merge_short(shortest);
     return move_all(sweeps);
   }

@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// True if the process certainly has one thread, as where one was asked for.
+// True if the process certainly has one thread; the command has another, which awaits signals.
 inline bool is_single_threaded() {
 #if __has_include(<sys/single_threaded.h>)
   return __libc_single_threaded != 0;
