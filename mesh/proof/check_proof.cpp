@@ -10,6 +10,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/proof/check_corners.hpp"
 #include "asterism/mesh/proof/check_filled.hpp"
+#include "asterism/mesh/proof/meeting_witness.hpp"
 #include "asterism/mesh/proof/proof_words.hpp"
 #include "asterism/mesh/proof/star_pairs.hpp"
 #include "asterism/mesh/support/parallel.hpp"
@@ -93,8 +94,10 @@ std::optional<error> check_kept(const plane& all, const mesh_proof& proof) {
       [&](std::uint32_t e) { return is_edge_asked(all, e) && !is_in_one_metric(all, e); },
       [&](std::uint32_t e, const proof_point& witness) {
         const edge_sites sites = sites_of_edge(all, e);
-        return decide(
-            [&](auto zero) { return is_kept<decltype(zero)>(sites, as_grid_point(witness)); });
+        return decide([&](auto zero) {
+                 return is_kept<decltype(zero)>(sites, as_grid_point(witness));
+               }) ||
+               is_kept_at_meeting(all, proof.exceptions, e);
       });
   if (failed == count) return std::nullopt;
   return failure(failed);
@@ -107,16 +110,12 @@ class exception_list {
       : all_(all), exceptions_(exceptions) {}
 
   bool operator()(std::uint32_t gap, vertex_index w) const {
-    const auto key = std::pair(w, gap);
-    const auto found = std::lower_bound(
-        exceptions_.begin(), exceptions_.end(), key,
-        [](const proof_exception& e, const std::pair<vertex_index, std::uint32_t>& k) {
-          return std::pair(e.site, e.gap) < k;
-        });
-    if (found == exceptions_.end() || std::pair(found->site, found->gap) != key) return false;
+    if (is_refused_at_meeting(all_, exceptions_, gap, w)) return true;
+    const proof_exception* found = exception_of(exceptions_, gap, w);
+    if (found == nullptr) return false;
     if (found->why == proof_exception::reason::hidden) return is_hidden(gap, w, *found);
-    if (found->why == proof_exception::reason::row) return false;
     const bool by_site = found->why == proof_exception::reason::by_site;
+    if (!by_site && found->why != proof_exception::reason::by_gap) return false;
     const gap_sites g = sites_of_gap(all_, gap);
     const site& other = all_.subject.sites[w];
     const std::vector<grid_point> points = points_of(*found);

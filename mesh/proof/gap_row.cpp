@@ -71,6 +71,13 @@ bool refuses(const gap_sites& g, const gap_row& row, const site& w) {
   return decide_of(g, row, [&](const auto& r) { return is_refused(r, g.v, w); });
 }
 
+bool refuses_but_at_turn(const gap_sites& g, const gap_row& row, const site& w) {
+  if (row.turn < 1 || row.turn + 1 >= row.points.size()) return false;
+  std::vector<grid_point> points(row.points.begin(), row.points.end());
+  points.erase(points.begin() + static_cast<std::ptrdiff_t>(row.turn));
+  return refuses(g, {points, row.turn}, w);
+}
+
 void gap_rows::set(std::uint32_t gap, const proof_exception& row) {
   plain_[gap] = {};
   wide_[gap] = {points_of(row), row.turn};

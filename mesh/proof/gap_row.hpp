@@ -42,6 +42,9 @@ double squared_reach(const gap_sites& g, const gap_row& row);
 // True if w is farther than v from the region of a sound row, and farther than x and y from the
 // rest of the edges to them: then the gap refuses w.
 bool refuses(const gap_sites& g, const gap_row& row, const site& w);
+// True if it is so without the point at which the row turns, which is neither the first nor the
+// last: what is left is the triangle of this point and those beside it.
+bool refuses_but_at_turn(const gap_sites& g, const gap_row& row, const site& w);
 
 // The rows of the gaps of a mesh, by number.
 class gap_rows {

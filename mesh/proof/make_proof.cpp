@@ -10,6 +10,7 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/proof/exterior.hpp"
+#include "asterism/mesh/proof/meeting_witness.hpp"
 #include "asterism/mesh/proof/witness_search.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
@@ -73,14 +74,19 @@ std::optional<error> add_edges(const plane& all, mesh_proof& proof) {
   std::vector<proof_point> points(count);
   std::vector<char> asked(count, 0);
   const auto is_asked = [&](std::uint32_t e) { return (asked[e] = is_edge_in_need(all, e)) != 0; };
-  const auto missing = find_points(
-      count, is_asked, [&](std::uint32_t e) { return find_edge_point(all, e); }, points);
+  std::mutex adding;
+  const auto find = [&](std::uint32_t e) -> std::optional<proof_point> {
+    if (const auto found = find_edge_point(all, e)) return found;
+    auto meeting = find_edge_meeting(all, e);
+    if (!meeting) return std::nullopt;
+    const std::lock_guard lock(adding);
+    proof.exceptions.push_back(std::move(*meeting));
+    return proof_point{};
+  };
+  const auto missing = find_points(count, is_asked, find, points);
   if (missing)
     return no_proof("the edge from vertex " + number_of(all.corner(*missing)) + " to vertex " +
-                    number_of(all.corner(*missing, 1)) +
-                    ", which both ends keep: where four sites of several metrics are " +
-                    "equally far from one point there is none; another number of random points, " +
-                    "or a vertex moved a little, avoids that");
+                    number_of(all.corner(*missing, 1)) + ", which both ends keep");
   for (std::size_t e = 0; e < count; ++e)
     if (asked[e]) proof.edges.push_back(points[e]);
   return std::nullopt;
@@ -106,7 +112,8 @@ std::optional<std::uint32_t> find_rows(const plane& all, gap_rows& rows, mesh_pr
   const auto missing = find_points(
       rows.size(), [&](std::uint32_t gap) { return is_gap_asked(all, gap); }, find, plain);
   for (std::uint32_t gap = 0; gap < plain.size(); ++gap) rows.set(gap, plain[gap]);
-  for (const proof_exception& wide : proof.exceptions) rows.set(wide.gap, wide);
+  for (const proof_exception& wide : proof.exceptions)
+    if (wide.why == proof_exception::reason::row) rows.set(wide.gap, wide);
   return missing;
 }
 
@@ -138,7 +145,10 @@ std::optional<error> add_gaps(const plane& all, mesh_proof& proof) {
                     " of triangle " + number_of(*missing / 3) + " reaches");
   proof.squared_radius = squared_radius_of(all, rows);
   std::mutex adding;
+  put_in_order(proof.exceptions);
+  const std::vector<proof_exception> known = proof.exceptions;
   const auto except = [&](std::uint32_t gap, vertex_index w) {
+    if (is_refused_at_meeting(all, known, gap, w)) return true;
     auto found = find_exception(all, gap, w);
     if (!found) return false;
     const std::lock_guard lock(adding);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/proof/whole.hpp"
 
 namespace asterism::internal {
 
@@ -22,6 +23,7 @@ struct proof_exception {
     by_site = 1,  // the same from the site, in whose star the centre would be
     hidden = 2,   // a segment between the two
     row = 3,      // no reason: the row of a gap that has none of three points; the site is `nobody`
+    meeting = 4,  // a row that turns where the bisectors of all four sites meet, with weights
   };
 
   static constexpr vertex_index nobody = 0xffffffff;
@@ -33,6 +35,8 @@ struct proof_exception {
   // Points from the ray to the first neighbour to the ray to the last; for a hidden site, one pair
   // of numbers: the segment's ends.
   std::vector<proof_point> points;
+  // At a meeting: of both neighbours and the site, 1, 3 or 6 coefficients each.
+  std::vector<proof_detail::whole> weights = {};
 };
 
 // Points that span the region of a gap from x to y, in steps of 2^-26 of the two edges: a point on
@@ -52,9 +56,11 @@ struct mesh_proof {
   // For each hole point, then each region point of the domain, a triangle that contains it. The
   // triangles of the mesh are numbered first, those outside after them.
   std::vector<std::uint32_t> places;
-  std::vector<proof_point> edges;  // of the inner edges that are asked about, in their order
-  std::vector<proof_gap> gaps;     // of the gaps that are asked about, in their order
-  double squared_radius = 0;       // of the balls that the walks keep to
+  // Of the inner edges that are asked about, in their order. Zeros where a meeting shows an edge to
+  // be kept.
+  std::vector<proof_point> edges;
+  std::vector<proof_gap> gaps;              // of the gaps that are asked about, in their order
+  double squared_radius = 0;                // of the balls that the walks keep to
   std::vector<proof_exception> exceptions;  // sorted by site, then gap
 };
 

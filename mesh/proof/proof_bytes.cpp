@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace asterism::internal {
 namespace {
@@ -35,13 +36,34 @@ class byte_stream {
   std::string bytes_;
 };
 
+// The number of bytes, negative for a negative number, then these, least first.
+void add_whole(byte_stream& to, const proof_detail::whole& number) {
+  const mpz_t& digits = number.backend().data();
+  std::vector<std::uint8_t> bytes((mpz_sizeinbase(digits, 2) + 7) / 8);
+  std::size_t count = 0;
+  mpz_export(bytes.data(), &count, -1, 1, 0, 0, digits);
+  bytes.resize(count);
+  const auto size = static_cast<std::uint16_t>(bytes.size());
+  to.add(static_cast<std::uint16_t>(number < 0 ? -size : size));
+  for (const std::uint8_t byte : bytes) to.add(byte);
+}
+
+// Weights of degree 1 and 2 have the numbers after those of degree 0.
+std::uint8_t kind_of(const proof_exception& e) {
+  const auto kind = static_cast<std::uint8_t>(e.why);
+  return static_cast<std::uint8_t>(kind + (e.weights.size() > 9   ? 2
+                                           : e.weights.size() > 3 ? 1
+                                                                  : 0));
+}
+
 void add_exception(byte_stream& to, const proof_exception& e) {
   to.add(e.gap);
   to.add(e.site);
-  to.add(static_cast<std::uint8_t>(e.why));
+  to.add(kind_of(e));
   to.add(e.turn);
   to.add(static_cast<std::uint16_t>(e.points.size()));
   for (const proof_point& p : e.points) to.add(p);
+  for (const proof_detail::whole& weight : e.weights) add_whole(to, weight);
 }
 
 }  // namespace
@@ -50,7 +72,7 @@ void write_proof(const mesh& subject, const mesh_proof& proof,
                  const std::function<void(std::string_view)>& put) {
   put("ASTPROOF");
   byte_stream to(put);
-  constexpr std::uint32_t version = 1;
+  constexpr std::uint32_t version = 2;
   to.add(version);
   to.add_count(subject.sites.size());
   to.add_count(subject.triangles.size());

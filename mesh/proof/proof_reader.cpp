@@ -2,8 +2,10 @@
 #include "asterism/mesh/proof/proof_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 
 namespace asterism::internal {
@@ -36,6 +38,16 @@ class byte_reader {
     const std::int32_t a = signed_number();
     return {a, signed_number()};
   }
+  // A number of bytes, negative for a negative number, then these.
+  proof_detail::whole whole_number() {
+    const auto size = static_cast<std::int16_t>(take<std::uint16_t>());
+    std::vector<std::uint8_t> bytes;
+    for (int i = 0; i < std::abs(int{size}) && !is_short_; ++i)
+      bytes.push_back(take<std::uint8_t>());
+    proof_detail::whole number = 0;
+    mpz_import(number.backend().data(), bytes.size(), -1, 1, 0, 0, bytes.data());
+    return size < 0 ? proof_detail::whole(-number) : number;
+  }
   // True if `rows` rows of `size` bytes each are left.
   bool holds(std::size_t rows, std::size_t size) const {
     return rows <= (bytes_.size() - at_) / size;
@@ -55,12 +67,17 @@ proof_exception take_exception(byte_reader& from) {
   proof_exception e;
   e.gap = from.number();
   e.site = from.number();
-  e.why =
-      static_cast<proof_exception::reason>(std::min<std::uint8_t>(from.take<std::uint8_t>(), 4));
+  const auto kind = from.take<std::uint8_t>();
+  e.why = static_cast<proof_exception::reason>(kind < 4 ? kind : kind < 7 ? 4 : 5);
   e.turn = from.take<std::uint8_t>();
   const std::size_t points = from.take<std::uint16_t>();
   for (std::size_t i = 0; i < points && !from.is_short(); ++i)
     e.points.push_back(from.point_of_grid());
+  if (e.why == proof_exception::reason::meeting) {
+    constexpr std::array<std::size_t, 3> sizes = {3, 9, 18};
+    for (std::size_t i = 0; i < sizes[kind - 4u] && !from.is_short(); ++i)
+      e.weights.push_back(from.whole_number());
+  }
   return e;
 }
 
@@ -98,7 +115,7 @@ result<mesh_proof> read_proof(std::string_view bytes, const mesh& subject) {
   constexpr std::string_view name = "ASTPROOF";
   if (!bytes.starts_with(name)) return not_a_proof("it is no proof");
   byte_reader from(bytes.substr(name.size()));
-  if (from.number() != 1) return not_a_proof("it is a proof of another version");
+  if (from.number() != 2) return not_a_proof("it is a proof of another version");
   if (from.number() != subject.sites.size() || from.number() != subject.triangles.size())
     return not_a_proof("it is the proof of another mesh");
   section_sizes sizes;

@@ -6,61 +6,15 @@
 #include <limits>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/proof/gap_geometry.hpp"
+#include "asterism/mesh/proof/meeting_search.hpp"
+#include "asterism/mesh/proof/meeting_witness.hpp"
 
 namespace asterism::internal::proof_detail {
 namespace {
 
 using vector = vector2<double>;
 using metric = tensor<double>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-vector from(const site& v, const site& z) {
-  return {z.position.x - v.position.x, z.position.y - v.position.y};
-}
-
-// Returns the coefficients of p in the basis of x and y.
-vector in_basis(const vector& p, const vector& x, const vector& y) {
-  const double area = cross(x, y);
-  return {cross(p, y) / area, cross(x, p) / area};
-}
-
-// Returns the point, as offset from v, that is equally far from the three sites in their own
-// metrics, to rounding: by Newton's method from the centre of their circle in the sum of the
-// metrics.
-vector voronoi_vertex(const site& v, const site& x, const site& y) {
-  const vector to_x = from(v, x), to_y = from(v, y);
-  const metric own(v.metric), by_x(x.metric), by_y(y.metric);
-  metric sum = own;
-  sum.m11 += by_x.m11 + by_y.m11;
-  sum.m12 += by_x.m12 + by_y.m12;
-  sum.m22 += by_x.m22 + by_y.m22;
-  const auto solve = [](const vector& a, const vector& b, double of_a, double of_b) {
-    const double inverse = 1 / cross(a, b);
-    return vector{inverse * (of_a * b.y - of_b * a.y), inverse * (of_b * a.x - of_a * b.x)};
-  };
-  vector u = solve(sum * to_x, sum * to_y, sum.square(to_x) / 2, sum.square(to_y) / 2);
-  constexpr int steps = 6;
-  for (int i = 0; i < steps; ++i) {
-    const vector from_x = u - to_x, from_y = u - to_y;
-    const vector slope_x = by_x * from_x - own * u, slope_y = by_y * from_y - own * u;
-    const double square = own.square(u);
-    const vector step = solve(slope_x, slope_y, (square - by_x.square(from_x)) / 2,
-                              (square - by_y.square(from_y)) / 2);
-    const vector nearer = u + step;
-    if (!(std::abs(nearer.x) + std::abs(nearer.y) < infinity)) break;
-    u = nearer;
-  }
-  return u;
-}
-
-// Returns the number of grid steps, rounded up; nothing if it is below `least` or above the range
-// of the format.
-std::optional<std::int32_t> on_grid(double part, double least) {
-  const double steps = std::ceil(part / grid_step);
-  if (!(steps >= least && steps <= 0x1p31 - 256)) return std::nullopt;
-  return static_cast<std::int32_t>(steps);
-}
 
 // Returns the t at which the point aside y + t d is equally far from v and w; w is nearer for
 // greater t.
@@ -106,53 +60,12 @@ std::optional<proof_point> find_edge_point(const plane& all, std::uint32_t edge)
 
 namespace {
 
-// Returns 1 / t for the least t at which t u is as near to z as to v; negative if there is
-// none.
-double meeting(const site& v, const vector& z, const site& at, const vector& u) {
-  const metric own(v.metric), other(at.metric);
-  const double c = other.square(z), along = dot(u, other * z),
-               radicand = along * along + c * (own.square(u) - other.square(u));
-  return radicand >= 0 ? (along + std::sqrt(radicand)) / c : -1;
-}
-
-struct gap_ends {
-  const site &v, &x, &y;
-  vector to_x, to_y;
-
-  gap_ends(const site& centre, const site& first, const site& last)
-      : v(centre), x(first), y(last), to_x(from(v, x)), to_y(from(v, y)) {}
-  gap_sites sites() const { return {v, x, y}; }
-  vector at(const vector& part) const { return part.x * to_x + part.y * to_y; }
-  double meets_x(const vector& part) const { return meeting(v, to_x, x, at(part)); }
-  double meets_y(const vector& part) const { return meeting(v, to_y, y, at(part)); }
-};
-
 // Returns the coefficients in x and y of the direction to the gap's Voronoi vertex, or of the
 // nearer ray if the vertex is not between the rays.
 vector towards_vertex(const gap_ends& g) {
   vector part = in_basis(voronoi_vertex(g.v, g.x, g.y), g.to_x, g.to_y);
   part = {std::max(0.0, part.x), std::max(0.0, part.y)};
-  return part.x + part.y > 0 && part.x + part.y < infinity ? part : vector{1, 1};
-}
-
-// Returns the grid point at (1 + slack) / bound times `part`, its coefficients rounded up.
-std::optional<proof_point> point_along(const vector& part, double bound, double slack) {
-  if (!(bound > 0)) return std::nullopt;
-  const double far = (1 + slack) / bound;
-  const auto a = on_grid(part.x * far, 0), b = on_grid(part.y * far, 0);
-  if (!a || !b) return std::nullopt;
-  return proof_point{*a, *b};
-}
-
-// Returns the least t for which the segment from t z to q is nowhere nearer to v than to z: the
-// greater of the parameters at which the ray meets the bisector and the bisector's tangent at q.
-double part_of_edge(const site& v, const vector& z, const site& at, const vector& q) {
-  const metric own(v.metric), other(at.metric);
-  const double first = 1 / meeting(v, z, at, z);
-  // The polar form of f_v - f_z at q and t z is slope t + constant.
-  const double constant = dot(other * z, q - z), slope = dot(own * z, q) - constant;
-  const double tangent = -constant / slope;
-  return slope > 0 && tangent > first ? tangent : first;
+  return part.x + part.y > 0 && std::isfinite(part.x + part.y) ? part : vector{1, 1};
 }
 
 // Returns a gap's witness with its middle point in this direction, just beyond both bisectors.
@@ -269,7 +182,25 @@ std::optional<proof_exception> find_hiding(const plane& all, std::uint32_t gap, 
   return std::nullopt;
 }
 
+std::optional<proof_exception> find_refusing_meeting(const plane& all, std::uint32_t gap,
+                                                     vertex_index w) {
+  if (auto found = find_meeting(all, gap, w, true)) return found;
+  const std::uint32_t behind = gap_behind(all, gap);
+  if (behind == plane::none || all.corner(behind) != w) return std::nullopt;
+  return find_meeting(all, behind, all.corner(gap), true);
+}
+
 }  // namespace
+
+std::optional<proof_exception> find_edge_meeting(const plane& all, std::uint32_t edge) {
+  const std::uint32_t left = plane::previous(edge), right = gap_behind(all, left);
+  // One that shows that the gap refuses the site across, too, is looked for first.
+  for (const bool is_refused : {true, false}) {
+    if (auto found = find_meeting(all, left, all.corner(right), is_refused)) return found;
+    if (auto found = find_meeting(all, right, all.corner(left), is_refused)) return found;
+  }
+  return std::nullopt;
+}
 
 std::optional<proof_gap> find_row(const gap_sites& sites) {
   const gap_ends g(sites.v, sites.x, sites.y);
@@ -300,7 +231,7 @@ std::optional<proof_exception> find_exception(const plane& all, std::uint32_t ga
   };
   try_row(gap_ends(sites.v, sites.x, sites.y), other, proof_exception::reason::by_gap);
   try_row(gap_ends(other, sites.y, sites.x), sites.v, proof_exception::reason::by_site);
-  if (!found) return std::nullopt;
+  if (!found) return find_refusing_meeting(all, gap, w);
   found->gap = gap;
   found->site = w;
   return found;
