@@ -367,10 +367,10 @@ POWERS = (0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)    # of s and t, in the 
 def is_positive(p): return p[0] + sum(min(c, 0) for c in p[1:]) > 0     # where variables are from 0 to 1
 def shows_meeting(plane, v, x, y, w, c1, m, c2, weights):
     # Theorem 8: "On the box n + s (c1 - n) + t (c2 - n), with m across from n: (1) the weights of x and y are positive,
-    # w's is negative; the weighted sum of f_z - f_v is (2) negative, or (3) 0, that of the weights positive, and the
-    # greatest site is v or w. (4) f_x > f_v where s = 0, f_x < f_v where s = 1, f_y > f_v where t = 0, f_y < f_v where
-    # t = 1, and gradients turn. (5) f_z(p, u) > 0 for z = v, w, u = x, y, and x and y see each other from p. (6) v and
-    # w are outside the closed triangle x, y, p."
+    # or 0 with (2), w's is negative; the weighted sum of f_z - f_v is (2) negative, or (3) 0, that of the weights is
+    # positive, the greatest site v or w. (4) f_x > f_v where s = 0, f_x < f_v where s = 1, f_y > f_v where t = 0, f_y <
+    # f_v where t = 1, gradients turn. (5) f_z(p, u) > 0 for z = v, w, u = x, y, and x and y see each other from p. (6)
+    # v and w are outside the closed triangle x, y, p."
     px, py, n = plane.x, plane.y, (c1[0] + c2[0] - m[0], c1[1] + c2[1] - m[1])
     d1, d2 = ((c[0] - n[0], c[1] - n[1]) for c in (c1, c2))
     def expand(z):
@@ -383,8 +383,8 @@ def shows_meeting(plane, v, x, y, w, c1, m, c2, weights):
                                   for i, a in zip(POWERS, weight) for k, b in zip(POWERS, of_z)):
         total[i + k, j + l] = total.get((i + k, j + l), 0) + value
     rest, greatest = [-c for c in total.values()], max((v, w, x, y), key=lambda z: (px[z], py[z]))
-    signs = [*weights[:2], [-c for c in weights[2]], (f[0], f[2], f[5]), (-f[0] - f[1] - f[3], -f[2] - f[4], -f[5]),
-             (g[0], g[1], g[3]), (-g[0] - g[2] - g[5], -g[1] - g[4], -g[3])]                       # (1) and (4)
+    signs = [*(p for p in weights[:2] if any(p) or not any(rest)), [-c for c in weights[2]], (f[0], f[2], f[5]),
+             (-f[0] - f[1] - f[3], -f[2] - f[4], -f[5]), (g[0], g[1], g[3]), (-g[0] - g[2] - g[5], -g[1] - g[4], -g[3])]
     slopes = [[(h[1] + 2 * s * h[3] + t * h[4], h[2] + s * h[4] + 2 * t * h[5]) for s in (0, 1) for t in (0, 1)]
               for h in (f, g)]
     return (all(map(is_positive, signs)) and all(a[0] * b[1] > a[1] * b[0] for a in slopes[0] for b in slopes[1])

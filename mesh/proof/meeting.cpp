@@ -60,6 +60,10 @@ bool is_positive(std::initializer_list<whole> p) {
   return is_positive(std::span<const whole>(p.begin(), p.size()));
 }
 
+bool is_zero(std::span<const whole> p) {
+  return std::all_of(p.begin(), p.end(), [](const whole& c) { return c == 0; });
+}
+
 std::vector<whole> negated(std::span<const whole> p) {
   std::vector<whole> other;
   for (const whole& c : p) other.push_back(-c);
@@ -84,13 +88,13 @@ enum class sum_sign { none, negative, zero };
 
 sum_sign sign_of(const product_polynomial& sum) {
   whole greatest = sum.at({0, 0});
-  bool is_zero = greatest == 0;
+  bool vanishes = greatest == 0;
   for (const auto& [power, c] : sum) {
     if (power == std::pair(0, 0)) continue;
     greatest += std::max(c, whole(0));
-    is_zero = is_zero && c == 0;
+    vanishes = vanishes && c == 0;
   }
-  return is_zero ? sum_sign::zero : greatest < 0 ? sum_sign::negative : sum_sign::none;
+  return vanishes ? sum_sign::zero : greatest < 0 ? sum_sign::negative : sum_sign::none;
 }
 
 bool is_less(const site& a, const site& b) {
@@ -211,12 +215,12 @@ bool is_edge_at_meeting(const meeting_sites& sites, const meeting_box& box,
                         std::span<const whole> weights) {
   const std::size_t size = weight_size(weights);
   if (size == 0) return false;
-  if (!is_positive(weights.first(size)) || !is_positive(weights.subspan(size, size)) ||
-      !is_positive(negated(weights.last(size))))
-    return false;
+  if (!is_positive(negated(weights.last(size)))) return false;
   const meeting_plane plane(sites, box);
   const sum_sign sign = sign_of(weighted_sum(plane.excess(), weights));
   if (sign == sum_sign::none) return false;
+  for (const auto& weight : {weights.first(size), weights.subspan(size, size)})
+    if (!is_positive(weight) && !(sign == sum_sign::negative && is_zero(weight))) return false;
   if (sign == sum_sign::zero && !has_rule_for_edge(sites, weights)) return false;
   return has_meeting(plane);
 }

@@ -141,6 +141,9 @@ std::vector<whole> with_digits(const excesses& weights, std::size_t size, int bi
 
 std::optional<std::vector<whole>> near_meeting(const meeting_sites& sites, const meeting_box& box,
                                                const excesses& g, const box_point& z) {
+  // Away from ties w is farther from all of the box.
+  std::vector<whole> alone = {0, 0, -1};
+  if (is_edge_at_meeting(sites, box, alone)) return alone;
   const auto f = frame_at(g, z);
   if (!f) return std::nullopt;
   for (const int degree : {1, 2}) {
