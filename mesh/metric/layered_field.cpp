@@ -11,6 +11,8 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/metric/formula_functions.hpp"
+#include "asterism/mesh/metric/interval_functions.hpp"
+#include "asterism/mesh/metric/layer_enclosure.hpp"
 
 namespace asterism::internal {
 
@@ -47,11 +49,56 @@ tensor_jet tensor_of(const layer_lengths<interval_jet>& h) {
 using plain_point = local_point<double>;
 using enclosed_point = local_point<interval_jet>;
 
+template <class Number>
+struct two_lengths {
+  Number across, along;
+};
+
+// Describes lengths that depend on the distance r from a centre alone, across the circles around
+// it.
+struct radial_formula {
+  std::function<two_lengths<interval_jet>(const interval_jet& r)> over;
+  plain_point centre{0, 0};
+  bool is_round_at_centre = false;  // are both lengths the same at r = 0?
+};
+
 // Evaluates a formula in both arithmetics.
 struct layer_formula {
   std::function<layer_lengths<double>(const plain_point&)> at;
   std::function<layer_lengths<interval_jet>(const enclosed_point&)> over;
+  std::optional<radial_formula> radial = {};
 };
+
+// Returns the enclosures of lengths and directions that are given with their derivatives.
+layer_enclosure layers_of(const layer_lengths<interval_jet>& h) {
+  const rounded_interval &nx = h.normal.x.value, &ny = h.normal.y.value;
+  const auto by_normal = [&](const interval_jet& f) { return nx * f.x + ny * f.y; };
+  const auto by_tangent = [&](const interval_jet& f) { return nx * f.y - ny * f.x; };
+  const interval_jet &x = h.normal.x, &y = h.normal.y;
+  const rounded_interval excess =
+      divided(h.along.value, h.across.value) - divided(h.across.value, h.along.value);
+  return {h.across.value,
+          h.along.value,
+          by_normal(h.across),
+          by_tangent(h.across),
+          by_normal(h.along),
+          by_tangent(h.along),
+          excess * (nx * by_normal(y) - ny * by_normal(x)),
+          excess * (nx * by_tangent(y) - ny * by_tangent(x))};
+}
+
+// Returns those of lengths around a centre, of which the point is given. The angle of the normal
+// grows by 1/r along the circle. Where r may be 0 and both lengths are the same there, (B - A) / r
+// is one of the derivatives of B - A from 0 to r.
+layer_enclosure layers_around(const radial_formula& formula, const enclosed_point& p) {
+  const rounded_interval r = root_of(squared(p.x.value - rounded_interval(formula.centre.x)) +
+                                     squared(p.y.value - rounded_interval(formula.centre.y)));
+  const two_lengths<interval_jet> h = formula.over({r, 1, 0});
+  const rounded_interval &a = h.across.value, &b = h.along.value;
+  const bool from_centre = formula.is_round_at_centre && !(r.inf() > 0);
+  const rounded_interval slope = from_centre ? h.along.x - h.across.x : divided(b - a, r);
+  return {a, b, h.across.x, 0.0, h.along.x, 0.0, 0.0, divided(slope * (b + a), a * b)};
+}
 
 template <class Formula>
 layer_formula in_both(const Formula& formula) {
@@ -60,10 +107,28 @@ layer_formula in_both(const Formula& formula) {
 
 // Evaluates a formula of the frame's coordinates. Its lengths are in units of the domain times
 // `unit`.
-class layered_field : public sized_field {
+class layered_field final : public sized_field, public layered {
  public:
   layered_field(double size, layer_formula lengths, const field_frame& frame, double unit)
       : sized_field(size * unit), lengths_(std::move(lengths)), frame_(frame) {}
+
+  std::optional<layer_enclosure> layers_over(const plane_jet& at) const override {
+    const plane_jet u = frame_.local(at);
+    layer_enclosure found = lengths_.radial ? layers_around(*lengths_.radial, {u.x, u.y})
+                                            : layers_of(lengths_.over({u.x, u.y}));
+    const rounded_interval size = root_of(rounded_interval(size_squared()));
+    found.across = size * found.across;
+    found.along = size * found.along;
+    // Derivatives of lengths have the factor size, and those by r the frame's unit besides.
+    const rounded_interval unit =
+        lengths_.radial ? rounded_interval(2) * rounded_interval(frame_.half_unit) : 1.0;
+    for (rounded_interval* each : {&found.across_by_normal, &found.across_by_tangent,
+                                   &found.along_by_normal, &found.along_by_tangent})
+      *each = divided(size * *each, unit);
+    found.turn_by_normal = divided(found.turn_by_normal, unit);
+    found.turn_by_tangent = divided(found.turn_by_tangent, unit);
+    return found;
+  }
 
  private:
   result<metric_tensor> unsized(const point& q) const override {
@@ -124,30 +189,50 @@ layer_formula linear() {
   });
 }
 
-layer_formula polar_1() {
-  return in_both([](const auto& u) {
+// Makes a formula of lengths across circles around a centre.
+template <class Lengths>
+layer_formula around(const Lengths& lengths, const plain_point& centre, bool is_round_at_centre) {
+  layer_formula made = in_both([=](const auto& u) {
     using number = std::decay_t<decltype(u.x)>;
-    const number r = square_root(square(u.x) + square(u.y));
-    return across_circles(u, r, benchmark_length_at(absolute(r - 0.5)), benchmark_length);
+    const bool is_origin = centre.x == 0 && centre.y == 0;
+    const local_point<number> p = is_origin ? local_point<number>{u.x, u.y}
+                                            : local_point<number>{u.x - centre.x, u.y - centre.y};
+    const number r = square_root(square(p.x) + square(p.y));
+    const two_lengths<number> h = lengths(r);
+    return across_circles(p, r, h.across, h.along);
   });
+  made.radial = radial_formula{lengths, centre, is_round_at_centre};
+  return made;
+}
+
+layer_formula polar_1() {
+  return around(
+      [](const auto& r) {
+        using number = std::decay_t<decltype(r)>;
+        return two_lengths<number>{benchmark_length_at(absolute(r - 0.5)), benchmark_length};
+      },
+      {0, 0}, true);
 }
 
 layer_formula polar_2() {
-  return in_both([](const auto& u) {
-    using number = std::decay_t<decltype(u.x)>;
-    const number r = square_root(square(u.x) + square(u.y));
-    const number d = lesser(10 * absolute(r - 0.5), number(1.0));
-    return across_circles(u, r, benchmark_length_at(absolute(r - 0.5)), 0.1 * d + 0.025 * (1 - d));
-  });
+  return around(
+      [](const auto& r) {
+        using number = std::decay_t<decltype(r)>;
+        const number d = lesser(10 * absolute(r - 0.5), number(1.0));
+        return two_lengths<number>{benchmark_length_at(absolute(r - 0.5)),
+                                   0.1 * d + 0.025 * (1 - d)};
+      },
+      {0, 0}, true);
 }
 
 layer_formula circle_1() {
-  return in_both([](const auto& u) {
-    using number = std::decay_t<decltype(u.x)>;
-    const local_point<number> p{u.x + 0.5, u.y - 0.5};
-    const number r = square_root(square(p.x) + square(p.y)), d = 1.5 * absolute(1 - r);
-    return across_circles(p, r, 0.0005 + d, 0.1 * r + d);
-  });
+  return around(
+      [](const auto& r) {
+        using number = std::decay_t<decltype(r)>;
+        const number d = 1.5 * absolute(1 - r);
+        return two_lengths<number>{0.0005 + d, 0.1 * r + d};
+      },
+      {-0.5, 0.5}, false);
 }
 
 result<double> positive_parameter(std::string_view specification, const std::string& name,

@@ -132,4 +132,14 @@ variation_of_part bound_variation_of(const small_part& part, const tensor_jet& o
   return found;
 }
 
+double bound_variation_of(const layer_enclosure& h) {
+  const rounded_interval half = 0.5;
+  const interval_tensor across{h.across_by_normal, -(half * (h.across * h.turn_by_normal)),
+                               divided(h.across * h.along_by_normal, h.along)};
+  const interval_tensor along{divided(h.along * h.across_by_tangent, h.across),
+                              -(half * (h.along * h.turn_by_tangent)), h.along_by_tangent};
+  const double norm = greatest_norm(across, along);
+  return norm >= 0 ? norm : infinity;
+}
+
 }  // namespace asterism::internal

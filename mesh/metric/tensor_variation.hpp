@@ -6,6 +6,7 @@
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/metric/interval_jet.hpp"
+#include "asterism/mesh/metric/layer_enclosure.hpp"
 
 namespace asterism::internal {
 
@@ -32,5 +33,9 @@ struct variation_of_part {
 // is too large for them. Requires a floating_point_scope(rounding::upward).
 variation_of_part bound_variation_of(const small_part& part, const tensor_jet& over,
                                      const tensor_jet& in_middle);
+
+// Returns an upper bound of the variation of layers, from their frame; infinite where there is
+// none.
+double bound_variation_of(const layer_enclosure& layers);
 
 }  // namespace asterism::internal

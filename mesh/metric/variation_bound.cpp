@@ -11,6 +11,7 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/metric/layer_enclosure.hpp"
 #include "asterism/mesh/metric/logarithm_triangle.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
 #include "asterism/mesh/metric/tensor_variation.hpp"
@@ -137,7 +138,10 @@ class formula_region {
   };
 
   formula_region(const domain& d, const sized_field& formula)
-      : outline_(d), box_(d.box()), formula_(formula) {}
+      : outline_(d),
+        box_(d.box()),
+        formula_(formula),
+        layers_(dynamic_cast<const layered*>(&formula)) {}
 
   std::vector<part> first_parts() const { return {{box_.low, box_.high, false}}; }
   bool is_outside(const part& p) const { return outline_.misses(p.low, p.high); }
@@ -189,7 +193,20 @@ class formula_region {
     const auto over = formula_.over(coordinates_over({p.low.x, p.high.x}, {p.low.y, p.high.y}));
     const auto in_middle = formula_.over(coordinates_over(shape.middle.x, shape.middle.y));
     if (!over || !in_middle) return std::nullopt;
-    return enclosure{bound_variation_of(shape, *over, *in_middle), *over, *in_middle};
+    enclosure found{bound_variation_of(shape, *over, *in_middle), *over, *in_middle};
+    if (layers_ != nullptr) bound_by_layers(p, shape, found.bounds);
+    return found;
+  }
+
+  // Takes what the field's own frame bounds, if that is less, and what it varies by in the middle.
+  void bound_by_layers(const part& p, const small_part& shape, variation_of_part& bounds) const {
+    const auto over =
+        layers_->layers_over(coordinates_over({p.low.x, p.high.x}, {p.low.y, p.high.y}));
+    const auto in_middle = layers_->layers_over(coordinates_over(shape.middle.x, shape.middle.y));
+    if (!over || !in_middle) return;
+    bounds.above = std::min(bounds.above, bound_variation_of(*over));
+    const double here = bound_variation_of(*in_middle) / direction_slack;
+    if (here < infinity) bounds.in_middle = here;
   }
 
   // True if a value in doubles agrees with the enclosure but for roundings: two ways to
@@ -222,6 +239,7 @@ class formula_region {
   outline outline_;
   bounding_box box_;
   const sized_field& formula_;
+  const layered* layers_;  // the same field, if it is one of layers
 };
 
 // Encloses a metric whose logarithm is linear in each triangle of a mesh.
