@@ -164,7 +164,9 @@ int run_surface(surface_job job) {
   auto made = make_surface_mesh(of, job.how);
   if (!made) return complain(made.failure().at(job.of), refused);
   shell_certificate claim;
-  claim.asked = {job.how.chord, job.how.angle_bound, job.no_crossings};
+  if (auto refusal = say_notes(made.value().notes, {job.quiet, false}))
+    return complain(*refusal, refused);
+  claim.asked = {job.how.chord, made.value().angle_bound, job.no_crossings};
   claim.shell = std::move(made.value().shell);
   claim.complete = made.value().complete;
   claim.reason = made.value().reason;
@@ -215,8 +217,10 @@ void add_sizes(CLI::App& app, surface_job& job) {
       "About so many vertices, whatever the distance comes to; it is then held against D")
       ->type_name("N");
   add_real(
-      app, "--angle-bound", angle_bounds, [&job](double x) { job.how.angle_bound = x; },
-      "Least angle of the plane meshes, in their metrics (default 20)")
+      app, "--angle-bound", angle_bounds,
+      [&job](double x) { job.how.angle_bound = x, job.how.keeps_angle_bound = true; },
+      "Least angle of the plane meshes, in their metrics (default: 20, or none where faces do not "
+      "come to agree with it how to divide their common sides)")
       ->type_name("DEG");
 }
 

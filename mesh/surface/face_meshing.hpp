@@ -60,6 +60,12 @@ class face_meshing {
   result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
   void keep_vertices(bool kept) { keeps_ = kept; }
+  // Asks of the meshes to come that their stars agree, and no more: vertices are kept, and neither
+  // angles nor sizes are mended. A vertex that either wants on a common side makes the other face
+  // want one, and so on around a vertex or a ring of faces; what is left then ends.
+  void ask_for_stars_alone(bool alone) { stars_alone_ = alone; }
+  // True if the present mesh was made so.
+  bool has_stars_alone() const { return made_of_stars_alone_; }
   // Frees the corners of the marked triangles of the present mesh, and of the triangles across the
   // edges of these.
   void free_around(const std::vector<unsigned char>& marked);
@@ -102,7 +108,7 @@ class face_meshing {
   std::vector<on_side> given_on_;  // the sides of the sites that are given, after the corners
   std::map<vertex_index, on_side> split_on_;  // of a trimmed patch
   mesh plane_;
-  bool keeps_ = false;
+  bool keeps_ = false, stars_alone_ = false, made_of_stars_alone_ = false;
   std::vector<unsigned char> is_freed_;  // sites of the mesh
 };
 

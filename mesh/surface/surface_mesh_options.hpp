@@ -16,7 +16,9 @@ struct surface_mesh_options {
   std::optional<double> longest;        // edge
   double aspect = 100;                  // the greatest ratio of lengths wanted
   std::optional<std::size_t> vertices;  // about; the chord then decides nothing but the verdict
-  double angle_bound = 20;
+  double angle_bound = 20;              // degrees, of the plane meshes
+  // Holds the bound on faces, too, that do not come to agree how to divide a common side with it.
+  bool keeps_angle_bound = false;
   std::size_t most_rounds = 40;
   std::size_t most_sites = 1'000'000;  // of a patch
   cancellation stop = {};

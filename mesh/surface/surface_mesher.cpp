@@ -167,7 +167,12 @@ void surface_meshing::make_borders_simple() {
 
 std::optional<error> surface_meshing::agree_on_sides() {
   constexpr int most_exchanges = 12;
+  // Exchanges with all that is asked of plane meshes. Chosen: of a box with rounded edges, 13 faces
+  // in rings, twelve do not suffice, and one with stars alone does after any number of these.
+  constexpr int full_exchanges = 3;
   for (int k = 0; k < most_exchanges; ++k) {
+    const bool stars_alone = k >= full_exchanges && !options_.keeps_angle_bound;
+    for (face_meshing& face : faces_) face.ask_for_stars_alone(stars_alone);
     make_borders_simple();
     if (auto failed = make_stale_faces()) return failed;
     sides_agree_ = !curves_.take_splits(patches(), is_stale_);
@@ -225,6 +230,9 @@ std::string surface_meshing::fold_text(std::size_t triangle,
 surface_mesh surface_meshing::of_planes() const {
   surface_mesh now;
   now.complete = sides_agree_;
+  now.angle_bound = options_.angle_bound;
+  for (const face_meshing& face : faces_)
+    if (face.has_stars_alone()) now.angle_bound = 0;
   if (!sides_agree_)
     now.reason = "patches with a common side did not come to agree how to divide it";
   for (std::size_t p = 0; p < reasons_.size() && now.complete; ++p)
@@ -352,6 +360,11 @@ bool surface_meshing::has_grown_much() const {
 
 surface_mesh surface_meshing::ended(std::size_t rounds) {
   best_->rounds = rounds;
+  if (best_->angle_bound < options_.angle_bound)
+    best_->notes.push_back(fmt::format(
+        "faces did not come to agree how to divide their common sides with plane angles of {:g} "
+        "degrees, and were made without a bound of them",
+        options_.angle_bound));
   if (fold_) best_->complete = false, best_->reason = *fold_;
   if (options_.stop.is_requested()) {
     best_->complete = false;

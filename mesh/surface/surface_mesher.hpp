@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/options.hpp"
@@ -24,6 +25,8 @@ struct surface_mesh {
   bool complete = false;  // planes complete, sides agreed, distances within the chord
   std::string reason;     // half a sentence, why not
   std::size_t rounds = 0;
+  double angle_bound = 0;          // degrees, that all plane meshes were made with
+  std::vector<std::string> notes;  // what was given up, a sentence each
 };
 
 // Makes the mesh. Fails if the surface is refused, or a plane mesh cannot be begun.

@@ -126,13 +126,14 @@ class SurfaceMesh:
 @told
 def mesh_surface(surfaces: Union[Surface, Sequence[Surface]], chord: float, *, normal: Optional[float] = None,
                  hmax: Optional[float] = None, aspect: float = 100, vertices: Optional[int] = None,
-                 angle_bound: float = 20, no_crossings: bool = False, max_seconds: Optional[float] = None,
+                 angle_bound: Optional[float] = None, no_crossings: bool = False, max_seconds: Optional[float] = None,
                  threads: Optional[int] = None) -> SurfaceMesh:
     """Triangles within `chord` of a surface, and it within that of them, and the proof.
 
     normal: degrees that the normal may turn along an edge, about; None: 69. hmax: the longest edge, about.
     aspect: greatest ratio of lengths where the curvature wants one. vertices: about so many, whatever the
-    distance comes to. angle_bound: of the plane meshes, degrees. no_crossings: prove also that no two
+    distance comes to. angle_bound: of the plane meshes, degrees; None: 20, or none where faces do not come to
+    agree with it how to divide their common sides, which warns. no_crossings: prove also that no two
     triangles cross. max_seconds: making meshes ends after this time. threads: as many are used; the mesh
     is the same for any number. Ctrl-C ends the run.
 

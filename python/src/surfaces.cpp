@@ -58,7 +58,9 @@ surface_mesh_options options_of(const keywords& given) {
   how.aspect = given.positive("aspect").value_or(how.aspect);
   if (how.aspect < 1) throw input_error("aspect: at least 1 is wanted");
   how.vertices = given.count("vertices", 4);
-  how.angle_bound = given.from_zero("angle_bound").value_or(how.angle_bound);
+  const auto bound = given.from_zero("angle_bound");
+  how.angle_bound = bound.value_or(how.angle_bound);
+  how.keeps_angle_bound = bound.has_value();
   if (!(how.angle_bound < 60))
     throw input_error("angle_bound: at least 0 and below 60 degrees is wanted");
   return how;
@@ -140,8 +142,9 @@ py::dict mesh_surface(const std::string& text, const py::dict& more) {
   surface_mesh_options how = options_of(given);
   watched_run watch(given);
   how.stop = watch.stop();
+  const bool no_crossings = given.flag("no_crossings");
   shell_certificate claim;
-  claim.asked = {how.chord, how.angle_bound, given.flag("no_crossings")};
+  std::vector<std::string> notes;
   std::optional<error> failed;
   {
     const py::gil_scoped_release unlocked;
@@ -149,6 +152,8 @@ py::dict mesh_surface(const std::string& text, const py::dict& more) {
     if (!made) {
       failed = made.failure();
     } else {
+      claim.asked = {how.chord, made.value().angle_bound, no_crossings};
+      notes = std::move(made.value().notes);
       claim.shell = std::move(made.value().shell);
       claim.complete = made.value().complete;
       claim.reason = made.value().reason;
@@ -161,6 +166,7 @@ py::dict mesh_surface(const std::string& text, const py::dict& more) {
   }
   watch.errors().raise();
   if (failed) throw input_error(failed->message);
+  warn(notes);
   claim.of = std::move(s);
   return answer_of(claim, asked);
 }
