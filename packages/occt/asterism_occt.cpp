@@ -94,6 +94,31 @@ struct face_reader {
   void make_poles_points(std::vector<std::vector<gp_Pnt>>& rows);
 };
 
+// Returns the knots less the multiple of the period that brings the first of them next to `start`.
+TColStd_Array1OfReal beginning_at(TColStd_Array1OfReal knots, double start, double period) {
+  const double off = period * std::round((knots.First() - start) / period);
+  for (double& k : knots) k -= off;
+  return knots;
+}
+
+// Cuts a periodic surface where the face begins. Its knots are then those about the face's curves:
+// OpenCASCADE takes the cut to the first period, and where a face begins at 0 but for rounding, or
+// left of it, that is another one than the curves are in.
+void cut_period(Geom_BSplineSurface& s, const TopoDS_Face& face) {
+  double a = 0, b = 0, c = 0, d = 0, u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  const bool in_u = s.IsUPeriodic(), in_v = s.IsVPeriodic();
+  s.Bounds(a, b, c, d);
+  BRepTools::UVBounds(face, u0, u1, v0, v1);
+  if (!in_u) u0 = a, u1 = b;
+  if (!in_v) v0 = c, v1 = d;
+  u1 = std::min(u1, u0 + (b - a)), v1 = std::min(v1, v0 + (d - c));
+  s.Segment(u0, u1, v0, v1);
+  if (s.IsUPeriodic()) s.SetUNotPeriodic();
+  if (s.IsVPeriodic()) s.SetVNotPeriodic();
+  if (in_u) s.SetUKnots(beginning_at(s.UKnots(), u0, b - a));
+  if (in_v) s.SetVKnots(beginning_at(s.VKnots(), v0, d - c));
+}
+
 opencascade::handle<Geom_BSplineSurface> face_reader::surface() const {
   opencascade::handle<Geom_Surface> any = BRep_Tool::Surface(face);
   if (const auto trimmed = opencascade::handle<Geom_RectangularTrimmedSurface>::DownCast(any);
@@ -103,18 +128,7 @@ opencascade::handle<Geom_BSplineSurface> face_reader::surface() const {
   if (s.IsNull()) s = GeomConvert::SurfaceToBSplineSurface(any);
   if (s.IsNull()) throw refusal(name + ": its surface cannot be made a B-spline");
   s = opencascade::handle<Geom_BSplineSurface>::DownCast(s->Copy());
-  // Cuts a periodic surface where the face begins.
-  if (s->IsUPeriodic() || s->IsVPeriodic()) {
-    double a = 0, b = 0, c = 0, d = 0, u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    s->Bounds(a, b, c, d);
-    BRepTools::UVBounds(face, u0, u1, v0, v1);
-    if (!s->IsUPeriodic()) u0 = a, u1 = b;
-    if (!s->IsVPeriodic()) v0 = c, v1 = d;
-    u1 = std::min(u1, u0 + (b - a)), v1 = std::min(v1, v0 + (d - c));
-    s->Segment(u0, u1, v0, v1);
-  }
-  if (s->IsUPeriodic()) s->SetUNotPeriodic();
-  if (s->IsVPeriodic()) s->SetVNotPeriodic();
+  if (s->IsUPeriodic() || s->IsVPeriodic()) cut_period(*s, face);
   if (s->UDegree() > most_degree || s->VDegree() > most_degree)
     throw refusal(name + ": its surface has degree " +
                   std::to_string(std::max(s->UDegree(), s->VDegree())) + ", and " +
