@@ -45,6 +45,24 @@ class CadFiles(CommandTest):
                 verified = self.run_command("verify", "part.mesh", "--domain", "part.json")
                 self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
 
+    def test_rounded_edges_and_crossed_cylinders_are_certified_and_closed(self):
+        """Rings of faces whose common sides are divided by angles on and on, and faces that begin left of a period.
+
+        The volume of two cylinders across each other is that of both less Steinmetz's 16 r^3 / 3.
+        """
+        for name, faces, volume, area in (("posts.brep", 10, 10 * (600 - (4 - math.pi) * 4), 2100),
+                                          ("crossed.brep", 8, 2 * math.pi * 16 * 30 - 16 * 64 / 3, 1500)):
+            with self.subTest(name):
+                self.assertIn(f"{faces} faces", self.convert(name))
+                done = self.run_command("surface", "part.json", "--chord", "0.1", "-o", "part.mesh")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                claim = json.loads((self.folder / "part.certificate.json").read_text())
+                self.assertEqual((claim["open_edges"], claim["euler"]), (0, 2))
+                self.assertLess(claim["trim_gap"], 1e-6)
+                self.assertLess(abs(self.volume() - volume), 0.1 * area)
+                verified = self.run_command("verify", "part.mesh", "--domain", "part.json")
+                self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+
     def test_faces_that_bound_themselves_are_certified_and_closed(self):
         """The volumes of a ball of radius 5 and of a ring of radii 10 and 3; a mesh within D is off by D times the area."""
         for name, euler, volume, area in (("ball.brep", 2, 500 * math.pi / 3, 100 * math.pi),
