@@ -107,6 +107,11 @@ std::string plain_text(const CLI::App& app, const std::vector<std::string>& word
                        const CLI::ParseError& failure) {
   std::string text = failure.what();
   if (text.compare(0, 2, ": ") == 0) text = hidden_option(app, words) + text;
+  const std::string no_flag = "Could not convert: ", is = " = ";
+  if (const std::size_t at = text.find(is);
+      text.compare(0, no_flag.size(), no_flag) == 0 && at != std::string::npos)
+    return text.substr(no_flag.size(), at - no_flag.size()) + ": stands alone, and takes no " +
+           text.substr(at + is.size());
   const std::string most = ": At Most 1 required but received ";
   if (const std::size_t at = text.find(most); at != std::string::npos)
     return text.substr(0, at) + ": is given " + text.substr(at + most.size()) +

@@ -38,6 +38,8 @@ from ._predicates import (
 from ._reported import ReportedArray
 from ._surface import Surface, SurfaceMesh, mesh_surface
 
+InputError.__doc__ = """What is wrong with an argument or a file, and where."""
+
 __all__ = [
     "Adapted", "Certificate", "Domain", "Finding", "InputError", "Mesh", "NotReachedWarning", "Page", "Repair",
     "ReportedArray", "Surface", "SurfaceMesh", "__version__", "adapt", "arc_intersection_count", "certify", "compare_distance", "dominates",

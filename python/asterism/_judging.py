@@ -40,4 +40,4 @@ def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] =
         raise InputError("triangles: (t, 3) are wanted beside the points")
     else:
         of = Mesh(points, triangles, (1, 0, 1) if metric is None else metric)
-    return judged(_asterism._certify(of._made, {"angle_bound": angle_bound, "prove_voronoi": voronoi or prove_voronoi}))
+    return judged(_asterism._certify(of._made, {"angle_bound": angle_bound, "voronoi": voronoi or prove_voronoi}))

@@ -99,7 +99,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     wanted, size = _metric_and_size(metric, on, covered, size, (vertices, complexity) == (None, None))
     made = Mesh._of(_asterism._mesh(covered._made, wanted, {
         "size": size, "angle_bound": angle_bound, "max_sites": max_sites,
-        "gradation": gradation_of(gradation, False), "prove_voronoi": voronoi or prove_voronoi, "improve": improve,
+        "gradation": gradation_of(gradation, False), "voronoi": voronoi or prove_voronoi, "improve": improve,
         "vertices": vertices, "complexity": complexity, "metric_tolerance": metric_tolerance,
         "chord_tolerance": chord_tolerance, "keep_if_complete": covered._is_meshed, "max_seconds": max_seconds,
         "sizes": words_of(size_at, size_box, size_in, size_near, layers,

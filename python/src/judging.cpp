@@ -57,7 +57,7 @@ py::dict verify_mesh(const py_mesh& m, const py::dict& more) {
 py::dict certify_mesh(const py_mesh& m, const py::dict& more) {
   const keywords given(more);
   const double angle_bound = bound_in(given);
-  const bool prove_voronoi = given.flag("prove_voronoi");
+  const bool prove_voronoi = given.flag("voronoi");
   certify_report report;
   {
     const py::gil_scoped_release unlocked;

@@ -76,7 +76,7 @@ mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domai
   a.options.metric_tolerance = given.from_zero("metric_tolerance");
   a.options.angle_bound = given.from_zero("angle_bound").value_or(a.options.angle_bound);
   a.options.max_sites = given.count("max_sites", 3).value_or(room_for(a, vertices_of_domain));
-  a.options.prove_voronoi = given.flag("prove_voronoi");
+  a.options.prove_voronoi = given.flag("voronoi");
   a.options.improve_passes = given.count("improve").value_or(0);
   a.options.keep_if_complete = given.flag("keep_if_complete");
   a.sizes = value_or_raise(size_wishes_of(given.has("sizes") ? given.word("sizes") : "none"));

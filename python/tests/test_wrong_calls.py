@@ -80,7 +80,7 @@ CALLS = [
     (lambda m: asterism.mesh(L_SHAPE, size_near={7: 0.1}), "the markers there are: 0"),
     (lambda m: asterism.mesh(L_SHAPE, layers={0: 0.1}), "MARKER:H0,GROWTH"),
     (lambda m: asterism.mesh(L_SHAPE, periodic=5), "periodic: pairs of markers"),
-    (lambda m: asterism.mesh(L_SHAPE, voronoi="yes"), "voronoi: True or False is wanted"),
+    (lambda m: asterism.mesh(L_SHAPE, voronoi="yes"), "^voronoi: True or False is wanted"),
     # Meshes
     (lambda m: asterism.Mesh(L_SHAPE, [(0, 1, 9)]), "row 0 names point 9 of 6, which count from 0"),
     (lambda m: asterism.Mesh(L_SHAPE, [(0, 1, 1)]), "triangles: row 0 names point 1 twice"),
@@ -128,6 +128,11 @@ def test_each_is_told_what_is_wanted(made):
         except Exception as other:  # pylint: disable=broad-except
             wrong.append(f"call {number}, {message}: {type(other).__name__}: {other}")
     assert not wrong, "\n".join(wrong)
+
+
+def test_everything_public_is_described():
+    for name in asterism.__all__:
+        assert name == "__version__" or (getattr(asterism, name).__doc__ or "").strip(), name
 
 
 def test_wrong_names_are_type_errors_too():

@@ -15,6 +15,7 @@ MISTAKES = [
     ("verify a.mesh --voroni", "did you mean --voronoi"),
     ("verify a.mesh --quality 20", "here it is --angle-bound"),
     ("verify a.mesh --quiet", "here it is --json.*exit status"),
+    ("verify a.mesh --json=maybe", "--json: stands alone, and takes no maybe"),
     ("verify cut.mesh", "cut\\.mesh:\\d+: .*the file ends here$"),
     ("verify key.mesh", "no section Triangles$"),
     ("certify a.mesh nan.sol", "nan\\.sol:5: .*'nan' is not finite"),
