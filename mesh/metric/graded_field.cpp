@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "asterism/mesh/metric/gradation_grid.hpp"
 #include "asterism/mesh/metric/gradation_sweep.hpp"
+#include "asterism/mesh/metric/graded_parts.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 
@@ -21,7 +24,7 @@ namespace {
 // Evaluates to the field as given between nodes that are kept, and to the mean of logarithms
 // between others. At the transition the former takes the place of the kept nodes' logarithms, so
 // that nothing jumps.
-class graded_field : public metric_field {
+class graded_field : public metric_field, public graded_parts {
  public:
   graded_field(std::unique_ptr<metric_field> given, gradation_grid grid,
                std::vector<tensor_logarithm> logs, std::vector<bool> kept)
@@ -51,6 +54,25 @@ class graded_field : public metric_field {
   void expect(const std::function<std::vector<point>()>& places) const override {
     given_->expect(places);
   }
+  std::vector<graded_triangle> triangles() const override {
+    std::vector<graded_triangle> all;
+    for (const gradation_grid::cell& c : grid_.cells()) {
+      if (!c.leaf()) continue;
+      const gradation_grid::rim rim = grid_.rim_of(c);
+      for (std::size_t i = 0; i < rim.size; ++i) {
+        graded_triangle& t = all.emplace_back();
+        const std::array<std::uint32_t, 3> nodes{c.middle, rim.node[i],
+                                                 rim.node[(i + 1) % rim.size]};
+        for (std::size_t k = 0; k < 3; ++k) {
+          t.corners[k] = grid_.position(nodes[k]);
+          t.logarithms[k] = logs_[nodes[k]];
+          t.kept[k] = kept_[nodes[k]];
+        }
+      }
+    }
+    return all;
+  }
+  const metric_field& given() const override { return *given_; }
 
  private:
   static void add(tensor_logarithm& sum, double w, const tensor_logarithm& l) {

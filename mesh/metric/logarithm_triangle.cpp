@@ -33,20 +33,6 @@ double change_along(const enclosed_logarithm& a, const enclosed_logarithm& b) {
   return change;
 }
 
-// Returns the tensor whose logarithm has these entries over a part, with its derivatives:
-// e^m (C I + S D), D the logarithm less m I, m half its trace, and C, S functions of |D|^2.
-tensor_jet exponential_over(const enclosed_logarithm& l, const enclosed_logarithm& by_x,
-                            const enclosed_logarithm& by_y) {
-  const auto entry = [&](std::size_t k) { return interval_jet(l[k], by_x[k], by_y[k]); };
-  const interval_jet half = 0.5, m = half * (entry(0) + entry(2)), a = half * (entry(0) - entry(2)),
-                     b = entry(1), q = square(a) + square(b), scale = exponential(m);
-  const even_functions of = even_functions_of({std::max(q.value.inf(), 0.0), q.value.sup()});
-  const rounded_interval half_slope = rounded_interval(0.5) * of.sinhc;
-  const interval_jet c(of.cosh, half_slope * q.x, half_slope * q.y),
-      s(of.sinhc, of.slope * q.x, of.slope * q.y);
-  return {scale * (c + s * a), scale * s * b, scale * (c - s * a)};
-}
-
 // Computes the derivatives of the logarithm's entries, which are linear in the triangle.
 [[gnu::noinline]] bool find_derivatives(logarithm_triangle& t) {
   const floating_point_scope scope(rounding::upward);
@@ -68,6 +54,20 @@ tensor_jet exponential_over(const enclosed_logarithm& l, const enclosed_logarith
 }
 
 }  // namespace
+
+// Returns the tensor whose logarithm has these entries over a part, with its derivatives:
+// e^m (C I + S D), D the logarithm less m I, m half its trace, and C, S functions of |D|^2.
+tensor_jet exponential_over(const enclosed_logarithm& l, const enclosed_logarithm& by_x,
+                            const enclosed_logarithm& by_y) {
+  const auto entry = [&](std::size_t k) { return interval_jet(l[k], by_x[k], by_y[k]); };
+  const interval_jet half = 0.5, m = half * (entry(0) + entry(2)), a = half * (entry(0) - entry(2)),
+                     b = entry(1), q = square(a) + square(b), scale = exponential(m);
+  const even_functions of = even_functions_of({std::max(q.value.inf(), 0.0), q.value.sup()});
+  const rounded_interval half_slope = rounded_interval(0.5) * of.sinhc;
+  const interval_jet c(of.cosh, half_slope * q.x, half_slope * q.y),
+      s(of.sinhc, of.slope * q.x, of.slope * q.y);
+  return {scale * (c + s * a), scale * s * b, scale * (c - s * a)};
+}
 
 std::optional<logarithm_triangle> logarithm_triangle::make(const site& a, const site& b,
                                                            const site& c) {

@@ -17,6 +17,11 @@ namespace asterism::internal {
 // Enclosures of a logarithm's entries l11, l12 and l22.
 using enclosed_logarithm = std::array<rounded_interval, 3>;
 
+// Returns the tensor whose logarithm has these entries over a part, with its derivatives. Stands in
+// such a scope.
+tensor_jet exponential_over(const enclosed_logarithm& l, const enclosed_logarithm& by_x,
+                            const enclosed_logarithm& by_y);
+
 struct logarithm_triangle {
   // Computed corners of the part, with errors of at most 2^-52 of the greatest coordinate of the
   // whole triangle for each halving.

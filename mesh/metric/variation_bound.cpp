@@ -11,6 +11,7 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
+#include "asterism/mesh/metric/graded_variation.hpp"
 #include "asterism/mesh/metric/layer_enclosure.hpp"
 #include "asterism/mesh/metric/logarithm_triangle.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
@@ -272,11 +273,37 @@ class background_region {
   std::vector<part> parts_;
 };
 
+// Encloses a graded field in the triangles of its grid.
+class graded_domain {
+ public:
+  using part = graded_region::part;
+
+  graded_domain(const domain& d, const graded_parts& field) : outline_(d), region_(field) {}
+
+  std::vector<part> first_parts() const { return region_.first_parts(); }
+  bool is_outside(const part& p) const {
+    return outline_.misses(p.box.low, p.box.high) || region_.misses_triangle(p);
+  }
+  static std::string place(const part& p) { return coordinates(p.box.low); }
+  result<variation_of_part> bounds_of(const part& p) const { return region_.bounds_of(p); }
+  static std::optional<std::array<part, 2>> halves(const part& p) {
+    return graded_region::halves(p);
+  }
+
+ private:
+  outline outline_;
+  graded_region region_;
+};
+
 }  // namespace
 
 variation_bounds bound_variation(const domain& d, const metric_field& field) {
   if (const mesh* const background = field.background()) {
     const background_region region(d, *background);
+    return halving(region).run();
+  }
+  if (const auto* const graded = dynamic_cast<const graded_parts*>(&field)) {
+    const graded_domain region(d, *graded);
     return halving(region).run();
   }
   const auto* const formula = dynamic_cast<const sized_field*>(&field);

@@ -15,6 +15,7 @@
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/random.hpp"
 #include "asterism/mesh/metric/expression_enclosure.hpp"
+#include "asterism/mesh/metric/graded_field.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/plane_expression.hpp"
 #include "asterism/mesh/metric/tensor_variation.hpp"
@@ -145,6 +146,32 @@ TEST_CASE("a box whose middle is no double is bounded up to its ends") {
   constexpr double u = 0x1p-52, k = 0x1p42;
   const double most = k / 2 / std::pow(1 - 4 * u * k, 1.5);
   CHECK(bound_of("expr:1-2^42*(x-1);0;1", box(1 + u, 0, 1 + 4 * u, 1), 1) >= most);
+}
+
+TEST_CASE("a graded field is bounded by the triangles of its grid") {
+  const domain d = box(-1, -1, 1, 1);
+  for (const auto& [spec, beta] :
+       {std::pair("expr:x+y>0.7?16:1;0;x+y>0.7?16:1", 1.1),
+        std::pair("expr:x+y>0.7?16:1;0;x+y>0.7?16:1", 1.5), std::pair("swirl:3", 1.2),
+        std::pair("expr:1+8*exp(-4*(x-y)^2);0;1", 1.3),
+        std::pair("expr:x>0.1?25:1;0;1+y^2", 1.2)}) {
+    CAPTURE(spec, beta);
+    gradation_options options;
+    options.beta = beta;
+    const auto graded = grade_metric(field(spec, d, 0.4), d.box(), options);
+    REQUIRE(graded.ok());
+    CHECK(graded.value().report.changed > 0);
+    const metric_field& f = *graded.value().field;
+    const variation_bounds found = bound_variation(d, f);
+    INFO(found.obstacle);
+    REQUIRE(found.above);
+    CAPTURE(*found.above, found.seen);
+    CHECK(*found.above <= 1.8 * found.seen);
+    const double pairs = steepest_pair(f, d.box(), 46);
+    CAPTURE(pairs);
+    CHECK(pairs <= *found.above * (1 + 1e-9));
+    CHECK(pairs > 0.3 * *found.above);
+  }
 }
 
 TEST_CASE("a field on a mesh is bounded in each triangle") {
