@@ -55,8 +55,9 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
     scaled.
     norm: p of the L^p norm of the error, at least 1; "inf" for the maximum.
     At most one of complexity (area in the metric), vertices and error; without, as many vertices as
-    the mesh has. hmin, hmax: lengths; aspect: how many times as long as wide, at most (1e6, and
-    along layers of values that linear elements computed what their steepness allows). gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
+    the mesh has. hmin, hmax: lengths; aspect: how many times as long as wide, at most (1e6, and along
+    layers of values that linear elements computed what their steepness allows).
+    gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
     default 6 for fields, with which loops do best, and None for a metric.
     intersect: metrics (n, 3) that are to hold besides. step: how many times a length may change from
     what it is in the mesh. hessian: 'l2', 'green' or 'lsq' (docs/manual/adaptation.md); or the
