@@ -229,7 +229,10 @@ class Mesh:
         return Domain.from_mesh(self).__geo_interface__
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh with the boundary, markers, regions, the metric and the values."""
+        """A meshio.Mesh with the boundary, markers, regions, the metric and the values.
+
+        meshio takes the ending .msh for that of ANSYS: its write("x.msh", file_format="gmsh") is gmsh's, and so is
+        save("x.msh") here, which names the groups."""
         from ._exchange import to_meshio
 
         return to_meshio(self)

@@ -162,3 +162,11 @@ def test_warnings_name_the_callers_line():
 def test_names_of_certificates_are_suggested(made):
     with pytest.raises(AttributeError, match="did you mean worst_angle"):
         _ = made.certificate.worst_angl
+
+
+def test_meshio_writes_what_gmsh_reads_where_the_format_is_named(made, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    made.to_meshio().write(tmp_path / "x.msh", file_format="gmsh")
+    again = meshio.read(tmp_path / "x.msh", file_format="gmsh")
+    assert len(again.points) == len(made.points)
+    assert sum(len(cells.data) for cells in again.cells if cells.type == "triangle") == len(made.triangles)
