@@ -58,8 +58,24 @@ def clashes(files: list[pathlib.Path]) -> list[str]:
             if len({file for _, file in found}) > 1 and not can_meet([kind for kind, _ in found])]
 
 
+def types_of_headers(source: pathlib.Path) -> list[str]:
+    """A type that two headers define differently under one name is an error that no linker tells: functions of
+    templates over it, of which it keeps one, have one name as well."""
+    homes = collections.defaultdict(set)
+    for top in ("core", "predicates", "kernels", "challenge", "mesh", "apps", "python/src"):
+        for file in (source / top).rglob("*.hpp"):
+            text = file.read_text()
+            for found in re.finditer(_TYPE.pattern, text, re.MULTILINE):
+                around = ["", *_AROUND.findall(text[:found.start()])][-1]
+                if found[1] != "ASTERISM_EXPORT":
+                    homes[around, found[1]].add(str(file.relative_to(source)))
+    return [f"{around}::{name} is defined in {' and '.join(sorted(files))}"
+            for (around, name), files in sorted(homes.items()) if len(files) > 1]
+
+
 def main() -> None:
-    source, wrong, checked = sources.root(), [], 0
+    source, checked = sources.root(), 0
+    wrong = types_of_headers(source)
     for folder in sorted({file.parent for top in ("mesh", "apps", "challenge", "python/src")
                           for file in (source / top).rglob("*.cpp")}):
         lists = [folder / "CMakeLists.txt", folder.parent / "CMakeLists.txt"]
