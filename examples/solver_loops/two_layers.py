@@ -113,7 +113,8 @@ def main():
     parser.add_argument("--aspect", type=float)
     parser.add_argument("--from", dest="of", choices=("solution", "values", "derivatives"), default="solution")
     options = parser.parse_args()
-    errors = run(Layers(options.thickness, options.equation), options.vertices, options.passes, options.aspect, options.of)
+    layers = Layers(options.thickness, options.equation)
+    errors = run(layers, options.vertices, options.passes, options.aspect, options.of)
     print(f"last {errors[-1]:.3e} least {min(errors):.3e} ratio {errors[-1] / min(errors):.3f}")
 
 
