@@ -48,9 +48,11 @@ class CadFiles(CommandTest):
     def test_rounded_edges_and_crossed_cylinders_are_certified_and_closed(self):
         """Rings of faces whose common sides are divided by angles on and on, and faces that begin left of a period.
 
+        The rounded box is one 26 by 16 by 6, with plates, quarters of cylinders and eighths of a ball about it.
         The volume of two cylinders across each other is that of both less Steinmetz's 16 r^3 / 3.
         """
-        for name, faces, volume, area in (("posts.brep", 10, 10 * (600 - (4 - math.pi) * 4), 2100),
+        for name, faces, volume, area in (("fillet.brep", 26, 2496 + 4 * 668 + math.pi * 4 * 48 + math.pi * 32 / 3, 2000),
+                                          ("posts.brep", 10, 10 * (600 - (4 - math.pi) * 4), 2100),
                                           ("crossed.brep", 8, 2 * math.pi * 16 * 30 - 16 * 64 / 3, 1500)):
             with self.subTest(name):
                 self.assertIn(f"{faces} faces", self.convert(name))
