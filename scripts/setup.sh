@@ -21,7 +21,7 @@ test_packages=(
 
 # Large ones, for tests alone, which say so and are skipped without them. ASTERISM_LARGE_PACKAGES=1
 # has them installed as well. rustc with its library and LLVM unpacks to 375 MB.
-large_packages=(libopenmpi-dev openmpi-bin python3-dolfinx python3-dolfinx-mpc python3-petsc4py python3-mpi4py chromium chromium-driver python3-selenium python3-pil gmsh python3-vtk9 rustc
+large_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libopenmpi-dev openmpi-bin python3-dolfinx python3-dolfinx-mpc python3-petsc4py python3-mpi4py chromium chromium-driver python3-selenium python3-pil gmsh python3-vtk9 rustc
   zsh fish emscripten nodejs npm coq)
 packages=("${command_packages[@]}" "${test_packages[@]}")
 [ "${ASTERISM_LARGE_PACKAGES:-0}" = 0 ] || packages+=("${large_packages[@]}")
