@@ -35,19 +35,29 @@ function(asterism_hide target)
   target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
 
-# asterism_unite(TARGET [SOURCE...]): under ASTERISM_UNITY each folder of the target's sources is compiled as one file, which
-# reads every header once. So two files of a folder may not give one name to different things, in unnamed
-# namespaces either; sources named here stay alone. Editing one file then compiles its folder anew: for building once, not for working on it.
+# asterism_unite(TARGET [ALONE SOURCE...] [TOGETHER FOLDER+FOLDER...]): under ASTERISM_UNITY each folder of the target's
+# sources is compiled as one file, which reads every header once, and the folders that TOGETHER names as one: for those
+# whose time is mostly that of headers (docs/results/front_door.md). So two files of them may not give one name to
+# different things, in unnamed namespaces either (tests/build/check_united.py). Editing one file then compiles all of
+# them anew: for building once, not for working on it.
 function(asterism_unite target)
   if(NOT ASTERISM_UNITY)
     return()
   endif()
+  cmake_parse_arguments(arg "" "" "ALONE;TOGETHER" ${ARGN})
   get_target_property(sources ${target} SOURCES)
-  list(REMOVE_ITEM sources ${ARGN})
+  list(REMOVE_ITEM sources ${arg_ALONE})
   foreach(source IN LISTS sources)
     get_filename_component(folder ${source} DIRECTORY)
     get_filename_component(folder "${folder}" NAME)
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${folder}")
+    set(group "${folder}")
+    foreach(joined IN LISTS arg_TOGETHER)
+      string(REPLACE "+" ";" folders ${joined})
+      if(folder IN_LIST folders)
+        string(REPLACE "+" "_" group ${joined})
+      endif()
+    endforeach()
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${group}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # A name inside one file may be that of a constant of another's.

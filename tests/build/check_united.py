@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Files of a folder can be compiled as one (asterism_unite, asterism_join): what two of them define without
-linkage has different names, or different parameters. The first command and the Python module are built so,
+"""Files of a folder can be compiled as one, and those of folders that asterism_unite joins (also asterism_join): what
+two of them define without linkage has different names, or different parameters. The first command and the Python module are built so,
 the tests are not.
 
     check_united.py [SOURCE]
@@ -20,7 +20,8 @@ _FUNCTION = re.compile(r"^(?!using|return|struct|class|enum|namespace|#)[\w:][\w
                        r"\(([^;{}]*)\)[\w ]* \{", re.MULTILINE)
 _HIDDEN = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
 _AROUND = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
-_ALONE = re.compile(r"asterism_unite\(\w+ ([^)]*)\)")
+_ALONE = re.compile(r"asterism_unite\([^)]*?\bALONE ([^)]*?)(?:TOGETHER[^)]*)?\)")
+_TOGETHER = re.compile(r"asterism_unite\([^)]*?\bTOGETHER ([^)]*)\)")
 
 
 def parameter_types(text: str) -> tuple[str, ...]:
@@ -58,6 +59,24 @@ def clashes(files: list[pathlib.Path]) -> list[str]:
             if len({file for _, file in found}) > 1 and not can_meet([kind for kind, _ in found])]
 
 
+def lists_of(folder: pathlib.Path) -> str:
+    lists = [folder / "CMakeLists.txt", folder.parent / "CMakeLists.txt"]
+    return "\n".join(file.read_text() for file in lists if file.exists())
+
+
+def united_files(folder: pathlib.Path) -> list[pathlib.Path]:
+    """Those of a folder that are compiled with others."""
+    alone = {pathlib.PurePath(name).name for names in _ALONE.findall(lists_of(folder)) for name in names.split()}
+    return [file for file in sorted(folder.glob("*.cpp")) if file.name not in alone]
+
+
+def joined_folders(source: pathlib.Path) -> list[list[pathlib.Path]]:
+    """What TOGETHER names, which must be there."""
+    return [[file.parent / name for name in word.split("+")]
+            for file in sorted(source.glob("*/CMakeLists.txt"))
+            for words in _TOGETHER.findall(file.read_text()) for word in words.split()]
+
+
 def types_of_headers(source: pathlib.Path) -> list[str]:
     """A type that two headers define differently under one name is an error that no linker tells: functions of
     templates over it, of which it keeps one, have one name as well."""
@@ -74,15 +93,16 @@ def types_of_headers(source: pathlib.Path) -> list[str]:
 
 
 def main() -> None:
-    source, checked = sources.root(), 0
-    wrong = types_of_headers(source)
-    for folder in sorted({file.parent for top in ("mesh", "apps", "challenge", "python/src")
-                          for file in (source / top).rglob("*.cpp")}):
-        lists = [folder / "CMakeLists.txt", folder.parent / "CMakeLists.txt"]
-        alone = {pathlib.PurePath(name).name for file in lists if file.exists()
-                 for names in _ALONE.findall(file.read_text()) for name in names.split()}
-        files = [file for file in sorted(folder.glob("*.cpp")) if file.name not in alone]
-        wrong += clashes(files) if files else []
+    source, wrong, checked = sources.root(), [], 0
+    joined = joined_folders(source)
+    wrong += types_of_headers(source)
+    wrong += [f"{folder}: asterism_unite joins it, and it is not there" for folders in joined for folder in folders
+              if not any(folder.glob("*.cpp"))]
+    alone = [[folder] for folder in sorted({file.parent for top in ("mesh", "apps", "challenge", "python/src")
+                                            for file in (source / top).rglob("*.cpp")})]
+    for folders in alone + joined:
+        files = [file for folder in folders for file in united_files(folder)]
+        wrong += [clash for clash in clashes(files) if clash not in wrong] if files else []
         checked += len(files)
     if wrong:
         wrong.append("Give each a name of its own, or one home: these files are compiled as one.")
