@@ -415,14 +415,15 @@ class Gaps:
             self.regions[gap] = *region, ends and a + b <= ONE, ends
     def exception(self, gap, w): return self.proof.exceptions.get((gap, w), (3, 0, (), ()))
     def meeting(self, gap, w):  # if one shows that x and y keep each other, not v and w; if its row refuses w
-        if (gap, w) not in self.known:
-            (v, x, y), (kind, turn, points, weights) = self.plane.around(gap), self.exception(gap, w)
+        key, (v, x, y), (kind, turn, points, weights) = (gap, w), self.plane.around(gap), self.exception(gap, w)
+        if key not in self.known:
+            if turn > 127: v, x, y, w, turn = w, y, x, v, turn - 128    # of the gap at w from y to x, for v
             kept = kind > 3 and len(weights) == 3 and 0 < turn < len(points) - 1 and shows_meeting(
                 self.plane, v, x, y, w, *self.span(v, x, y, points[turn - 1:turn + 2])[3], weights)
             # Theorem 9: "Without the point at which the row turns its region refuses w."
-            self.known[gap, w] = kept, kept and self.region(v, x, y, points, turn) and self.refuses(
+            self.known[key] = kept, kept and self.region(v, x, y, points, turn) and self.refuses(
                 self.span(v, x, y, points[:turn] + points[turn + 1:]), w)
-        return self.known[gap, w]
+        return self.known[key]
     def keep(self, edge):       # the ends of an inner edge, by a meeting of the gap on either side
         left, right, around = before(edge), before(self.plane.across[edge]), self.plane.around
         return self.meeting(left, around(right)[0])[0] or self.meeting(right, around(left)[0])[0]
@@ -448,9 +449,8 @@ class Gaps:
     def is_behind(self, region, i, z):
         # Lemma 2: "A segment p-q is behind z if p^T M_v z > 0, q^T M_v z > 0 and f_v - f_z is nowhere negative on it:
         # not at p and q, and the product is not either, or its square is no more than that of the ends."
-        v, (p, q), (of_p, of_q), own = region[0], region[3][i:i + 2], region[4][i:i + 2], self.plane.metric
-        zx, zy = self.plane.x[z], self.plane.y[z]
-        p, q, d = ((px - zx, py - zy) for px, py in (p, q, (self.plane.x[v], self.plane.y[v])))
+        x, y, own, v, (of_p, of_q) = self.plane.x, self.plane.y, self.plane.metric, region[0], region[4][i:i + 2]
+        p, q, d = ((px - x[z], py - y[z]) for px, py in (*region[3][i:i + 2], (x[v], y[v])))
         if any(product(own[v], d, (c[0] - d[0], c[1] - d[1])) >= 0 for c in (p, q)): return False
         at_p, at_q = of_p - product(own[z], p, p), of_q - product(own[z], q, q)
         both = region[5][i] - product(own[z], p, q)

@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/proof/gap_geometry.hpp"
 #include "asterism/mesh/proof/meeting_weights.hpp"
+#include "asterism/mesh/proof/meeting_witness.hpp"
 #include "asterism/mesh/proof/star_pairs.hpp"
 
 namespace asterism::internal::proof_detail {
@@ -109,32 +110,40 @@ bool add_row(const gap_ends& g, const site& w, const meeting_box& box, proof_exc
   return false;
 }
 
-}  // namespace
-
-std::optional<proof_exception> find_meeting(const plane& all, std::uint32_t gap, vertex_index w,
-                                            bool is_refused) {
-  const gap_sites sites = sites_of_gap(all, gap);
-  const gap_ends g(sites.v, sites.x, sites.y);
-  const site& other = all.subject.sites[w];
+// Returns a meeting of the gap with w, whose row shows, too, that the gap refuses w if it must.
+std::optional<proof_exception> meeting_of_gap(const gap_ends& g, const site& w, bool is_refused) {
   const auto place = place_of(g);
   if (!place) return std::nullopt;
   for (const double side : {0x1p-10, 0x1p-13, 0x1p-16, 0x1p-18, 0x1p-7})
     for (const double part : {0x1p-4, 0x1p-6, 0x1p-2}) {
       const auto box = box_at(g, *place, side, side * part);
       if (!box) continue;
-      auto weights = find_weights({g.v, g.x, g.y, other}, *box);
+      auto weights = find_weights({g.v, g.x, g.y, w}, *box);
       if (!weights) continue;
       proof_exception found;
-      found.gap = gap;
-      found.site = w;
       found.why = proof_exception::reason::meeting;
       found.turn = 1;
       for (const grid_point& q : {box->c1, box->m, box->c2})
         found.points.push_back(as_proof_point(q));
       found.weights = std::move(*weights);
-      if (add_row(g, other, *box, found) || !is_refused) return found;
+      if (add_row(g, w, *box, found) || !is_refused) return found;
     }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<proof_exception> find_meeting(const plane& all, std::uint32_t gap, vertex_index w,
+                                            bool is_refused, bool is_by_site) {
+  const gap_sites s = sites_of_gap(all, gap);
+  const site& other = all.subject.sites[w];
+  auto found = is_by_site ? meeting_of_gap(gap_ends(other, s.y, s.x), s.v, is_refused)
+                          : meeting_of_gap(gap_ends(s.v, s.x, s.y), other, is_refused);
+  if (!found) return std::nullopt;
+  found->gap = gap;
+  found->site = w;
+  if (is_by_site) found->turn = static_cast<std::uint8_t>(found->turn + turn_by_site);
+  return found;
 }
 
 }  // namespace asterism::internal::proof_detail

@@ -21,22 +21,35 @@ const proof_exception* meeting_of(exceptions_of_proof exceptions, std::uint32_t 
   return found;
 }
 
+// The gap that a meeting's row is of, and the site beyond it.
+struct meeting_gap {
+  gap_sites sites;
+  const site& beyond;
+  std::size_t turn = 0;
+};
+
+meeting_gap gap_of(const plane& all, const proof_exception& e) {
+  const gap_sites g = sites_of_gap(all, e.gap);
+  const site& w = all.subject.sites[e.site];
+  if (e.turn < turn_by_site) return {g, w, e.turn};
+  return {{w, g.y, g.x}, g.v, e.turn - std::size_t{turn_by_site}};
+}
+
 bool is_edge_shown(const plane& all, const proof_exception* e) {
-  if (e == nullptr || e->turn < 1 || e->turn + std::size_t{1} >= e->points.size()) return false;
-  const gap_sites g = sites_of_gap(all, e->gap);
-  const std::size_t turn = e->turn;
+  if (e == nullptr) return false;
+  const auto [g, w, turn] = gap_of(all, *e);
+  if (turn < 1 || turn + 1 >= e->points.size()) return false;
   const meeting_box box{as_grid_point(e->points[turn - 1]), as_grid_point(e->points[turn]),
                         as_grid_point(e->points[turn + 1])};
-  return is_edge_at_meeting({g.v, g.x, g.y, all.subject.sites[e->site]}, box, e->weights);
+  return is_edge_at_meeting({g.v, g.x, g.y, w}, box, e->weights);
 }
 
 bool is_refusal_shown(const plane& all, const proof_exception* e) {
   if (e == nullptr) return false;
-  const gap_sites g = sites_of_gap(all, e->gap);
+  const auto [g, w, turn] = gap_of(all, *e);
   const std::vector<grid_point> points = points_of(*e);
-  const gap_row row{points, e->turn};
-  return is_sound(g, row) && refuses_but_at_turn(g, row, all.subject.sites[e->site]) &&
-         is_edge_shown(all, e);
+  const gap_row row{points, turn};
+  return is_sound(g, row) && refuses_but_at_turn(g, row, w) && is_edge_shown(all, e);
 }
 
 }  // namespace

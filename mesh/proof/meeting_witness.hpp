@@ -10,6 +10,10 @@
 
 namespace asterism::internal::proof_detail {
 
+// What the turn of a meeting's row has more where the row is of the gap at the site, in which the
+// centre of the other would be. No row has as many points.
+inline constexpr std::uint8_t turn_by_site = 128;
+
 // Returns the exception of the gap and the site, or null. Exceptions must be sorted by site and
 // gap.
 const proof_exception* exception_of(std::span<const proof_exception> exceptions, std::uint32_t gap,

@@ -186,8 +186,9 @@ std::optional<proof_exception> find_refusing_meeting(const plane& all, std::uint
                                                      vertex_index w) {
   if (auto found = find_meeting(all, gap, w, true)) return found;
   const std::uint32_t behind = gap_behind(all, gap);
-  if (behind == plane::none || all.corner(behind) != w) return std::nullopt;
-  return find_meeting(all, behind, all.corner(gap), true);
+  if (behind != plane::none && all.corner(behind) == w)
+    return find_meeting(all, behind, all.corner(gap), true);
+  return find_meeting(all, gap, w, true, true);
 }
 
 }  // namespace
