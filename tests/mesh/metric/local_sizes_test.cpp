@@ -130,7 +130,8 @@ TEST_CASE("markers and regions that are not there are named with those that are"
     return made.failure().message;
   };
   CHECK(refused("near 7:1") == "no segment has the marker 7; the markers there are: 1, 2, 3, 4, 9");
-  CHECK(refused("layers 7:1,1.2") == "no segment has the marker 7; the markers there are: 1, 2, 3, 4, 9");
+  CHECK(refused("layers 7:1,1.2") ==
+        "no segment has the marker 7; the markers there are: 1, 2, 3, 4, 9");
   CHECK(refused("in 7:1") == "there is no region 7; the regions there are: 1, 2");
   CHECK(refused("hmin 2; hmax 1") == "hmin 2 is not less than hmax 1");
 }
