@@ -18,7 +18,7 @@ def test_a_guarantee_is_kept_and_verified():
 
 
 def test_a_sharp_corner_is_named():
-    with pytest.raises(asterism.InputError, match="at least 55 are needed"):
+    with pytest.raises(asterism.InputError, match="at least 36 are needed"):
         asterism.mesh(np.array([(0, 0), (4, 0), (4, 1)], dtype=float), size=0.3, guarantee=True)
 
 
