@@ -343,21 +343,22 @@ def check_neighbours(plane, proof, gaps):
              f"edge {v + 1}-{w + 1} is not shown to be kept")
 def shows_kept(plane, v, w, x, y, witness):
     # Theorem 2: "(1) f_v < f_w at the first point and f_v > f_w at the second: at a p between they are equal. (2) v
-    # and w see p. (3) For z = x and z = y: f_z > f_v on the triangle of v and the points, f_z > f_w on that of w and
-    # the points. (4) x and y are outside the closed triangle v, w, p."
-    px, py, (a, b) = plane.x, plane.y, witness
-    at_v, at_w, at_x, at_y = ((px[s], py[s]) for s in (v, w, x, y))
-    p, q = points = [tuple(at_v[k] + (at_w[k] - at_v[k] >> GRID) * steps + (at_y[k] - at_v[k] >> GRID) * b
+    # and w see p. (3) For z = x and z = y, s = v and s = w, let k be the least value of F = f_z - f_s at the points and
+    # of its product of both: k and each product f_z(s, p) are positive, or the square of this is below f_z(s) k. (4) x
+    # and y are outside the closed triangle v, w, p."
+    at, (a, b) = {s: (plane.x[s], plane.y[s]) for s in (v, w, x, y)}, witness
+    p, q = points = [tuple(at[v][k] + (at[w][k] - at[v][k] >> GRID) * steps + (at[y][k] - at[v][k] >> GRID) * b
                            for k in (0, 1)) for steps in (a, a + WINDOW)]
     def form(s, r, t):          # the product of r - s and t - s in the metric of s
-        return product(plane.metric[s], (r[0] - px[s], r[1] - py[s]), (t[0] - px[s], t[1] - py[s]))
-    if not (form(v, p, p) < form(w, p, p) and form(v, q, q) > form(w, q, q)             # (1)
-            and all(form(v, r, at_w) > 0 and form(w, r, at_v) > 0 for r in points)):    # (2)
-        return False
-    if not all(form(z, p, at_s) > 0 and form(z, q, at_s) > 0 and form(z, p, p) > form(s, p, p)     # (3)
-               and form(z, q, q) > form(s, q, q) and form(z, p, q) > form(s, p, q)
-               for z in (x, y) for s, at_s in ((v, at_v), (w, at_w))): return False
-    return are_outside(at_v, at_w, at_x, at_y, points)                                  # (4)
+        return product(plane.metric[s], (r[0] - at[s][0], r[1] - at[s][1]), (t[0] - at[s][0], t[1] - at[s][1]))
+    of = {s: [form(s, r, t) for r, t in ((p, p), (q, q), (p, q))] for s in at}
+    def is_nearer(s, z):
+        k = min(of_z - of_s for of_z, of_s in zip(of[z], of[s]))
+        return k > 0 and all(c > 0 or c * c < k * form(z, at[s], at[s]) for c in (form(z, r, at[s]) for r in points))
+    return (of[v][0] < of[w][0] and of[v][1] > of[w][1]                                     # (1)
+            and all(form(v, r, at[w]) > 0 and form(w, r, at[v]) > 0 for r in points)        # (2)
+            and all(is_nearer(s, z) for s in (v, w) for z in (x, y))                        # (3)
+            and are_outside(*at.values(), points))                                          # (4)
 def are_outside(at_v, at_w, at_x, at_y, points):    # (4) for all points between these
     def side(o, r, t): return (r[0] - o[0]) * (t[1] - o[1]) - (r[1] - o[1]) * (t[0] - o[0])
     return all(all(left * side(at_v, at_w, r) <= 0 for r in points) or
@@ -437,8 +438,7 @@ class Gaps:
                 [product(own, p, q) for p, q in zip(at, at[1:])], of_x, of_y)
     def region(self, v, x, y, points, turn):    # that these points span, or None if they are not sound
         # Lemma 2: "The first is on the ray to x, the last on the ray to y, each on the left of the one before or on
-        # its ray. From each to the next, if that is on another ray, the segment is behind x, up to the point numbered
-        # `turn`; from that on behind y."
+        # its ray. The segment to the next, if that is on another ray, is behind x up to the point `turn`, then y."
         if (not 2 <= len(points) <= MOST_POINTS or turn >= len(points) or points[0][1] or points[-1][0]
                 or min(min(p) for p in points) < 0 or min(a + b for a, b in points) == 0): return None
         region = self.span(v, x, y, points)

@@ -109,7 +109,9 @@ struct edge_sites {
   const site &v, &w, &x, &y;
 };
 
-// True if f_z - f_s is positive on the triangle of s and two points (in the Bernstein basis).
+// True if f_z - f_s is positive on the triangle of s and two points: its coefficients in the
+// Bernstein basis are, or the square of one of s and a point is less than the product of that of s
+// and the least of the other three.
 template <class Number>
 uncertain_bool is_nearest(const site& s, const site& z, const point& origin,
                           const std::array<vector2<Number>, 2>& p) {
@@ -120,10 +122,22 @@ uncertain_bool is_nearest(const site& s, const site& z, const point& origin,
                                        from_z = {p[0] - to_z, p[1] - to_z};
   const std::array<vector2<Number>, 2> seen = {other * from_z[0], other * from_z[1]};
   const vector2<Number> edge = to_s - to_z;
-  return exceeds_zero(dot(seen[0], edge)) & exceeds_zero(dot(seen[1], edge)) &
-         exceeds_zero(dot(seen[0], from_z[0]) - own.square(from_s[0])) &
-         exceeds_zero(dot(seen[1], from_z[1]) - own.square(from_s[1])) &
-         exceeds_zero(dot(seen[0], from_z[1]) - dot(from_s[0], own * from_s[1]));
+  const std::array<Number, 3> beyond = {dot(seen[0], from_z[0]) - own.square(from_s[0]),
+                                        dot(seen[1], from_z[1]) - own.square(from_s[1]),
+                                        dot(seen[0], from_z[1]) - dot(from_s[0], own * from_s[1])};
+  uncertain_bool nearest =
+      exceeds_zero(beyond[0]) & exceeds_zero(beyond[1]) & exceeds_zero(beyond[2]);
+  for (const vector2<Number>& dual : seen) {
+    if (nearest.certainly(false)) return false;
+    const Number product = dot(dual, edge);
+    const uncertain_bool ahead = exceeds_zero(product);
+    if (ahead.certainly(true)) continue;
+    const Number at_s = other.square(edge), square = product * product;
+    const auto exceeds_square = [&](const Number& b) { return exceeds_zero(at_s * b - square); };
+    nearest = nearest & (ahead | (exceeds_square(beyond[0]) & exceeds_square(beyond[1]) &
+                                  exceeds_square(beyond[2])));
+  }
+  return nearest;
 }
 
 // True if a point between the two of the witness shows that v keeps w and w keeps v (theorem 2).

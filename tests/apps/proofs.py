@@ -339,6 +339,17 @@ class Proofs(command.CommandTest):
                 self.make_of(*words)
                 self.check(0, domain=None)
 
+    def test_edges_of_which_a_neighbour_looks_away_are_proved(self):
+        # At all places of an edge's arc one product of a neighbour with its end is negative.
+        corners = [(math.cos(2 * math.pi * i / 5), math.sin(2 * math.pi * i / 5)) for i in range(5)]
+        pentagon = "5 2 0 0\n" + "".join(f"{i + 1} {x!r} {y!r}\n" for i, (x, y) in enumerate(corners)) + "5 1\n" + (
+            "".join(f"{i + 1} {i + 1} {(i + 1) % 5 + 1} 1\n" for i in range(5)) + "0\n0\n")
+        wide = SQUARE.replace("1 0 0\n2 1 0\n3 1 1\n4 0 1", "1 -1 -1\n2 1 -1\n3 1 1\n4 -1 1")
+        for domain, metric, size in ((wide, "swirl:24", "0.6"), (wide, "swirl:24", "1"), (pentagon, "shock:6", "0.5")):
+            with self.subTest(metric=metric, size=size):
+                self.make(domain, "--metric", metric, "--size", size)
+                self.check(0)
+
     def test_adapt_writes_a_proof(self):
         self.make(SQUARE, "--metric", "swirl:3", "--size", "0.3")
         done = self.run_command("adapt", "m.mesh", "--metric", "m.sol", "--vertices", "80", "--quiet",
