@@ -280,7 +280,7 @@ std::vector<face_meshing::placed> face_meshing::vertices_inside() const {
 result<std::string> face_meshing::make(const side_places& places,
                                        const surface_mesh_options& options) {
   is_freed_.resize(plane_.sites.size(), 0);
-  const bool keep = (keeps_ || stars_alone_) && !plane_.sites.empty();
+  const bool keep = (keeps_ || demand_ != plane_demand::angles) && !plane_.sites.empty();
   auto made = make_once(places, keep, options);
   if (keep && (!made || !made.value().empty())) made = make_once(places, false, options);
   is_freed_.clear();
@@ -339,8 +339,8 @@ result<std::string> face_meshing::make_once(const side_places& places, bool keep
   const mesh wanted = background();
   const auto field = make_interpolated_field(wanted);
   mesh_options how;
-  how.angle_bound = stars_alone_ ? 0 : options.angle_bound;
-  how.limit_size = !(stars_alone_ && keep);
+  how.angle_bound = demand_ == plane_demand::angles ? options.angle_bound : 0;
+  how.limit_size = demand_ != plane_demand::stars || !keep;
   how.max_sites = options.most_sites;
   how.stop = options.stop;
   const border_field graded(*field, d);
@@ -349,7 +349,7 @@ result<std::string> face_meshing::make_once(const side_places& places, bool keep
   auto made = make_mesh(shape.value(), asked, how);
   if (!made) return made.failure();
   plane_ = std::move(made.value().result);
-  made_of_stars_alone_ = stars_alone_;
+  made_with_ = demand_;
   // Counts kept vertices as sites like others, not as given ones.
   plane_.given = static_cast<vertex_index>(given);
   given_on_.clear();

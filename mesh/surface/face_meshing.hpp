@@ -32,6 +32,15 @@ struct on_side {
   double place = 0;
 };
 
+// Lists demands on the plane meshes of faces with common sides, each less than the one before. A
+// vertex that one face wants on a common side makes the other face want one, and so on around a
+// vertex or a ring of faces: with less asked, that ends.
+enum class plane_demand {
+  angles,  // sizes, and the bound of angles
+  sizes,   // sizes alone; vertices are kept
+  stars    // stars that agree, and no more; vertices are kept
+};
+
 class face_meshing {
  public:
   // Makes the background, with `cells` cells in each direction.
@@ -60,12 +69,12 @@ class face_meshing {
   result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
   void keep_vertices(bool kept) { keeps_ = kept; }
-  // Asks of the meshes to come that their stars agree, and no more: vertices are kept, and neither
-  // angles nor sizes are mended. A vertex that either wants on a common side makes the other face
-  // want one, and so on around a vertex or a ring of faces; what is left then ends.
-  void ask_for_stars_alone(bool alone) { stars_alone_ = alone; }
-  // True if the present mesh was made so.
-  bool has_stars_alone() const { return made_of_stars_alone_; }
+  // Asks this of the meshes to come.
+  void ask_for(plane_demand demand) { demand_ = demand; }
+  plane_demand demand() const { return demand_; }
+  // Returns what the present mesh was made with.
+  plane_demand made_with() const { return made_with_; }
+  bool keeps_vertices() const { return keeps_; }
   // Frees the corners of the marked triangles of the present mesh, and of the triangles across the
   // edges of these.
   void free_around(const std::vector<unsigned char>& marked);
@@ -108,7 +117,8 @@ class face_meshing {
   std::vector<on_side> given_on_;  // the sides of the sites that are given, after the corners
   std::map<vertex_index, on_side> split_on_;  // of a trimmed patch
   mesh plane_;
-  bool keeps_ = false, stars_alone_ = false, made_of_stars_alone_ = false;
+  bool keeps_ = false;
+  plane_demand demand_ = plane_demand::angles, made_with_ = plane_demand::angles;
   std::vector<unsigned char> is_freed_;  // sites of the mesh
 };
 

@@ -19,6 +19,7 @@
 #include "asterism/mesh/surface/face_meshing.hpp"
 #include "asterism/mesh/surface/few_bits.hpp"
 #include "asterism/mesh/surface/shell_of_faces.hpp"
+#include "asterism/mesh/surface/size_limits.hpp"
 #include "asterism/mesh/surface/surface_sides.hpp"
 #include "asterism/mesh/surface/trim_gaps.hpp"
 #include "asterism/mesh/surface_audit/shell_audit.hpp"
@@ -84,6 +85,7 @@ class surface_meshing {
   patch_faces patches() { return {graph_, planes_.charts, planes_.borders, faces_}; }
   void make_borders_simple();
   std::optional<error> make_stale_faces();
+  void ask_at_first();
   std::optional<error> agree_on_sides();
   std::optional<error> measure();
   std::string fold_text(std::size_t triangle, const std::array<double, 2>& at) const;
@@ -165,19 +167,27 @@ void surface_meshing::make_borders_simple() {
   }
 }
 
+// Asks at first all of the plane meshes. Of a face whose vertices are kept from a mesh without the
+// bound of angles, asks for sizes alone: mending angles between such vertices doubled the mesh.
+void surface_meshing::ask_at_first() {
+  for (face_meshing& face : faces_) {
+    const bool keeps = face.keeps_vertices() && face.made_with() != plane_demand::angles;
+    face.ask_for(keeps ? plane_demand::sizes : plane_demand::angles);
+  }
+}
+
 std::optional<error> surface_meshing::agree_on_sides() {
   constexpr int most_exchanges = 12;
-  // Exchanges with all that is asked of plane meshes. Chosen: on a box with all edges rounded, 26
-  // trimmed faces in rings, twelve do not suffice, three take minutes and one takes 9 s; a cylinder
-  // with a rounded edge has 2242, 1411 and 797 vertices with three, two and one.
-  // Against it: a ball less a cylinder has 1035 with one and 369 with three. Whole patches agree
-  // within three.
+  // Number of exchanges with all that is asked at first. Chosen: on a box with all edges rounded,
+  // 26 trimmed faces in rings, twelve do not suffice, three take minutes and one takes seconds.
+  // Whole patches agree within three.
   const bool trimmed = std::any_of(planes_.borders.begin(), planes_.borders.end(),
                                    [](const face_border& b) { return b.is_trimmed(); });
   const int full_exchanges = trimmed ? 1 : 3;
+  ask_at_first();
   for (int k = 0; k < most_exchanges; ++k) {
-    const bool stars_alone = k >= full_exchanges && !options_.keeps_angle_bound;
-    for (face_meshing& face : faces_) face.ask_for_stars_alone(stars_alone);
+    if (k >= full_exchanges && !options_.keeps_angle_bound)
+      for (face_meshing& face : faces_) face.ask_for(plane_demand::stars);
     make_borders_simple();
     if (auto failed = make_stale_faces()) return failed;
     sides_agree_ = !curves_.take_splits(patches(), is_stale_);
@@ -237,7 +247,7 @@ surface_mesh surface_meshing::of_planes() const {
   now.complete = sides_agree_;
   now.angle_bound = options_.angle_bound;
   for (const face_meshing& face : faces_)
-    if (face.has_stars_alone()) now.angle_bound = 0;
+    if (face.made_with() != plane_demand::angles) now.angle_bound = 0;
   if (!sides_agree_)
     now.reason = "patches with a common side did not come to agree how to divide it";
   for (std::size_t p = 0; p < reasons_.size() && now.complete; ++p)
@@ -379,6 +389,8 @@ surface_mesh surface_meshing::ended(std::size_t rounds) {
 }
 
 result<surface_mesh> surface_meshing::run() {
+  if (auto wrong = fault_of_count(expected_vertices(), options_.most_sites, options_.chord))
+    return *wrong;
   std::size_t round = 0;
   for (; round < options_.most_rounds; ++round) {
     // Divides curves anew only in the first rounds; later they only get more places, so that rounds
@@ -414,6 +426,7 @@ result<surface_mesh> surface_meshing::run_to_count() {
 result<surface_mesh> make_surface_mesh(const surface& s, const surface_mesh_options& options) {
   auto pieces = bezier_pieces(s);
   if (!pieces) return pieces.failure();
+  if (auto wrong = fault_of_chord(s, options.chord)) return *wrong;
   const patch_planes planes(s, std::move(pieces).value());
   auto graph = graph_of_sides(s, planes.borders);
   if (!graph) return graph.failure();

@@ -525,6 +525,25 @@ class Surface(CommandTest):
             self.assertEqual(self.run_command("surface", *arguments).returncode, 2, arguments)
         self.assertEqual(self.files(), ["fan.json"])
 
+    def test_distances_that_no_mesh_can_have_are_refused_before_any_is_made(self):
+        """Below what doubles can prove, also far from the origin, and where more vertices are wanted than are made."""
+        far = 2.0 ** 30  # of which the last bit of a coordinate is 2^-23 at most
+        self.write("far.json", json.dumps({"patches": [
+            {"degree": [1, 1], "control": [[[far, 0, 0], [far, 1, 0]], [[far + 1, 0, 0], [far + 1, 1, 1]]]}]}))
+        for name, chord, said in (("torus", "1e-300", r"the distance 1e-300 is below 1\.3e-12, the least"),
+                                  ("teapot", "1e-13", r"the distance 1e-13 is below 6\.\d+e-12, the least"),
+                                  ("far.json", "2e-7", r"the distance 2e-07 is below 2\.38e-07, the least"),
+                                  ("torus", "1e-7", r"take about \d\.\d+e\+06 vertices, and at most 1000000 are made"),
+                                  ("saddle", "1e-9", r"take about \d\.\d+e\+08 vertices, and at most 1000000")):
+            with self.subTest(name=name, chord=chord):
+                done = self.run_command("surface", name, "--chord", chord, "-o", "no.obj")
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertRegex(done.stderr, said)
+        done = self.run_command("surface", "torus", "--chord", "1e-7", "--vertices", "100", "-o", "some.obj")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(self.run_command("surface", "far.json", "--chord", "0.1", "-o", "far.obj").returncode, 0)
+        self.assertEqual(self.files(), ["far.json", "far.obj", "some.obj"])
+
 
 if __name__ == "__main__":
     unittest.main()

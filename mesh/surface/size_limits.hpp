@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Limits the distance that is asked of a surface's mesh to what doubles can prove, and the number
+// of vertices to what is made.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "asterism/core/result.hpp"
+#include "asterism/mesh/data/surface.hpp"
+
+namespace asterism::internal {
+
+// Returns the least distance that can be proved of a mesh of the surface: 2^-52 times the greatest
+// modulus of its coordinates, since a vertex whose three coordinates are rounded to nearest is up
+// to sqrt(3) 2^-53 times that modulus from its place; and the share of the surface's extent below
+// which the auditor narrows no bound.
+double least_chord(const surface& s);
+
+// Refuses a lesser distance, by name.
+std::optional<error> fault_of_chord(const surface& s, double chord);
+
+// Refuses sizes for which a mesh takes more vertices than are made, with both numbers. `expected`
+// is the number predicted.
+std::optional<error> fault_of_count(double expected, std::size_t most, double chord);
+
+}  // namespace asterism::internal
