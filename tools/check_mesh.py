@@ -295,7 +295,7 @@ class Angles:
         need(v < self.given, said)
         first, last = 3 * t + i, before(3 * t + i)
         for _ in range(plane.most):     # first goes clockwise to a segment, last counter-clockwise
-            a, b = self.corner(after(first)), self.corner(last)
+            a, b = plane.around(first)[1], plane.around(last)[0]
             if plane.is_segment(v, a) and plane.is_segment(v, b): break
             if not plane.is_segment(v, a): first = after(plane.across[first])
             if not plane.is_segment(v, b): last = before(plane.across[last])
@@ -306,10 +306,10 @@ class Angles:
             along = product(metric, to_a, to_b)
             need(min(area, along) > 0 and along ** 2 > self.high * determinant(metric) * area ** 2, said)
         self.exempt.add(t)
-    def corner(self, edge): return self.plane.triangles[edge // 3][edge % 3]
 def after(edge): return edge - 2 if edge % 3 == 2 else edge + 1
 def before(edge): return edge - 1 if edge % 3 else edge + 2
 def product(m, p, q): return p[0] * (m[0] * q[0] + m[1] * q[1]) + p[1] * (m[1] * q[0] + m[2] * q[1])
+def dual(m, x, y): return m[0] * x + m[1] * y, m[1] * x + m[2] * y
 def determinant(m): return m[0] * m[2] - m[1] * m[1]
 # ---- Point 4: neighbours stay -----------------------------------------------------------------------
 def keeps(plane, v, w, x, y):
@@ -349,14 +349,16 @@ def shows_kept(plane, v, w, x, y, witness):
     at, (a, b) = {s: (plane.x[s], plane.y[s]) for s in (v, w, x, y)}, witness
     p, q = points = [tuple(at[v][k] + (at[w][k] - at[v][k] >> GRID) * steps + (at[y][k] - at[v][k] >> GRID) * b
                            for k in (0, 1)) for steps in (a, a + WINDOW)]
-    def form(s, r, t):          # the product of r - s and t - s in the metric of s
-        return product(plane.metric[s], (r[0] - at[s][0], r[1] - at[s][1]), (t[0] - at[s][0], t[1] - at[s][1]))
-    of = {s: [form(s, r, t) for r, t in ((p, p), (q, q), (p, q))] for s in at}
+    seen = {s: [dual(plane.metric[s], r[0] - sx, r[1] - sy) for r in points] for s, (sx, sy) in at.items()}
+    def form(s, r, t):          # the product of p - s (r = 0) or q - s (r = 1) and t - s in the metric of s
+        return seen[s][r][0] * (t[0] - at[s][0]) + seen[s][r][1] * (t[1] - at[s][1])
+    of = {s: (form(s, 0, p), form(s, 1, q), form(s, 0, q)) for s in at}
     def is_nearer(s, z):
-        k = min(of_z - of_s for of_z, of_s in zip(of[z], of[s]))
-        return k > 0 and all(c > 0 or c * c < k * form(z, at[s], at[s]) for c in (form(z, r, at[s]) for r in points))
+        k, d = min(map(int.__sub__, of[z], of[s])), (at[s][0] - at[z][0], at[s][1] - at[z][1])
+        return k > 0 and all(c > 0 or c * c < k * product(plane.metric[z], d, d) for c in (
+            mx * d[0] + my * d[1] for mx, my in seen[z]))
     return (of[v][0] < of[w][0] and of[v][1] > of[w][1]                                     # (1)
-            and all(form(v, r, at[w]) > 0 and form(w, r, at[v]) > 0 for r in points)        # (2)
+            and all(form(v, r, at[w]) > 0 and form(w, r, at[v]) > 0 for r in (0, 1))        # (2)
             and all(is_nearer(s, z) for s in (v, w) for z in (x, y))                        # (3)
             and are_outside(*at.values(), points))                                          # (4)
 def are_outside(at_v, at_w, at_x, at_y, points):    # (4) for all points between these
@@ -367,11 +369,10 @@ def are_outside(at_v, at_w, at_x, at_y, points):    # (4) for all points between
 POWERS = (0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)    # of s and t, in the order of coefficients
 def is_positive(p): return p[0] + sum(min(c, 0) for c in p[1:]) > 0     # where variables are from 0 to 1
 def shows_meeting(plane, v, x, y, w, c1, m, c2, weights):
-    # Theorem 8: "On the box n + s (c1 - n) + t (c2 - n), with m across from n: (1) the weights of x and y are positive,
-    # or 0 with (2), w's is negative; the weighted sum of f_z - f_v is (2) negative, or (3) 0, that of the weights is
-    # positive, the greatest site v or w. (4) f_x > f_v where s = 0, f_x < f_v where s = 1, f_y > f_v where t = 0, f_y <
-    # f_v where t = 1, gradients turn. (5) f_z(p, u) > 0 for z = v, w, u = x, y, and x and y see each other from p. (6)
-    # v and w are outside the closed triangle x, y, p."
+    # Theorem 8: "On the box n + s (c1 - n) + t (c2 - n), m across from n: (1) the weights of x and y are positive, or
+    # 0 with (2), w's negative; the weighted sum of f_z - f_v is (2) negative, or (3) 0, that of weights positive, the
+    # greatest site v or w. (4) f_x > f_v if s = 0, f_x < f_v if s = 1, f_y > f_v if t = 0, f_y < f_v if t = 1, slopes
+    # turn. (5) f_z(p, u) > 0 for z = v, w, u = x, y; x, y see each other from p. (6) v, w are outside triangle x, y, p."
     px, py, n = plane.x, plane.y, (c1[0] + c2[0] - m[0], c1[1] + c2[1] - m[1])
     d1, d2 = ((c[0] - n[0], c[1] - n[1]) for c in (c1, c2))
     def expand(z):
@@ -443,17 +444,17 @@ class Gaps:
                 or min(min(p) for p in points) < 0 or min(a + b for a, b in points) == 0): return None
         region = self.span(v, x, y, points)
         for i, ((a, b), (c, d)) in enumerate(zip(points, points[1:])):
-            turned = a * d - b * c
-            if turned < 0 or (turned > 0 and not self.is_behind(region, i, x if i < turn else y)): return None
+            if (side := a * d - b * c) < 0 or (side and not self.is_behind(region, i, x if i < turn else y)): return None
         return region
     def is_behind(self, region, i, z):
         # Lemma 2: "A segment p-q is behind z if p^T M_v z > 0, q^T M_v z > 0 and f_v - f_z is nowhere negative on it:
         # not at p and q, and the product is not either, or its square is no more than that of the ends."
-        x, y, own, v, (of_p, of_q) = self.plane.x, self.plane.y, self.plane.metric, region[0], region[4][i:i + 2]
-        p, q, d = ((px - x[z], py - y[z]) for px, py in (*region[3][i:i + 2], (x[v], y[v])))
-        if any(product(own[v], d, (c[0] - d[0], c[1] - d[1])) >= 0 for c in (p, q)): return False
-        at_p, at_q = of_p - product(own[z], p, p), of_q - product(own[z], q, q)
-        both = region[5][i] - product(own[z], p, q)
+        plane, v, (px, py), (qx, qy) = self.plane, region[0], *region[3][i:i + 2]
+        zx, zy, vx, vy, other = plane.x[z], plane.y[z], plane.x[v], plane.y[v], plane.metric[z]
+        p, q, (mx, my) = (px - zx, py - zy), (qx - zx, qy - zy), dual(plane.metric[v], zx - vx, zy - vy)
+        if mx * (px - vx) + my * (py - vy) <= 0 or mx * (qx - vx) + my * (qy - vy) <= 0: return False
+        at_p, at_q = region[4][i] - product(other, p, p), region[4][i + 1] - product(other, q, q)
+        both = region[5][i] - product(other, p, q)
         return at_p >= 0 and at_q >= 0 and (both >= 0 or both * both <= at_p * at_q)
     def walk(self, w, around):
         # Lemma 3: "From the triangles at w, across edges that its ball meets, one comes to all that it meets."
@@ -481,9 +482,8 @@ class Gaps:
         return met
     def check(self):
         # Theorem 4: "If no w that is strictly between the rays of a gap is accepted, of those whose ball meets a
-        # triangle in which a part of the gap's region may be, none at all is. The region is in the gap's own
-        # triangle if a + b <= 2^26; else in that and the one behind, if the point is in it; else in triangles that
-        # the ball around v meets."
+        # triangle in which a part of its region may be, none is. It is in the gap's own triangle if a + b <= 2^26;
+        # else in that and the one behind, if the point is in it; else in triangles that the ball around v meets."
         plane, turn, listed, around = self.plane, self.plane.turn, {}, [[] for _ in range(self.plane.count + 4)]
         for t, v in ((t, v) for t, corners in enumerate(plane.triangles) for v in corners): around[v].append(t)
         for gap in (gap for gap, region in self.regions.items() if not region[8]):
