@@ -3,6 +3,8 @@
 
 #include <array>
 #include <map>
+#include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,7 +16,9 @@ constexpr std::uint32_t none = ~0U;
 class shell_maker {
  public:
   shell_maker(const surface& s, const patch_faces& of)
-      : surface_(s), of_(of), corner_(of.graph.corners, none) {}
+      : surface_(s), of_(of), corner_(of.graph.corners, none) {
+    find_trimmed_corners();
+  }
 
   void add_face(std::size_t p);
   surface_shell take() { return std::move(made_); }
@@ -26,21 +30,39 @@ class shell_maker {
     return static_cast<std::uint32_t>(made_.points.size() - 1);
   }
   std::uint32_t vertex_of(std::size_t p, vertex_index site);
+  void find_trimmed_corners();
 
   const surface& surface_;
   const patch_faces& of_;
   surface_shell made_;
   std::vector<std::uint32_t> corner_;
+  std::vector<std::optional<space_point>> trimmed_corner_;  // by number of the corner
   std::map<std::pair<std::size_t, double>, std::uint32_t> on_curve_;
 };
+
+// Takes for a corner of several trimmed faces the least of its points on them, which differ by
+// gaps and rounding: the order of the faces then makes no difference.
+void shell_maker::find_trimmed_corners() {
+  const auto less = [](const space_point& a, const space_point& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  trimmed_corner_.resize(of_.graph.corners);
+  for (std::size_t p = 0; p < of_.graph.corner_of.size(); ++p) {
+    if (surface_.patches[p].loops.empty()) continue;
+    for (std::size_t k = 0; k < of_.graph.corner_of[p].size(); ++k) {
+      const space_point at = of_.charts[p].lift(of_.borders[p].corner(k));
+      std::optional<space_point>& least = trimmed_corner_[of_.graph.corner_of[p][k]];
+      if (!least || less(at, *least)) least = at;
+    }
+  }
+}
 
 std::uint32_t shell_maker::vertex_of(std::size_t p, vertex_index site) {
   const surface_patch& patch = surface_.patches[p];
   const auto& corner_of = of_.graph.corner_of[p];
   if (site < corner_of.size()) {
     std::uint32_t& known = corner_[corner_of[site]];
-    if (known == none && !patch.loops.empty())
-      known = add(of_.charts[p].lift(of_.borders[p].corner(site)));
+    if (known == none && !patch.loops.empty()) known = add(*trimmed_corner_[corner_of[site]]);
     const std::size_t i = site == 1 || site == 2 ? patch.count_u - 1 : 0,
                       j = site >= 2 ? patch.count_v - 1 : 0;
     if (known == none) known = add(patch.at(i, j).at);

@@ -174,6 +174,17 @@ class Trimmed(CommandTest):
             texts.add((self.folder / "s.mesh").read_bytes() + (self.folder / "s.certificate.json").read_bytes())
         self.assertEqual(len(texts), 1)
 
+    def test_triangles_do_not_depend_on_the_order_of_faces(self):
+        """A corner of several faces is another point on each, by rounding: always the same of them is taken."""
+        for surface in (closed_can(), wall_with_top(1.001)):
+            found = []
+            for patches in (surface["patches"], surface["patches"][::-1]):
+                self.make({"patches": patches}, "--chord", 0.03)
+                points, triangles = self.mesh()
+                at = ([points[k] for k in t] for t in triangles)
+                found.append(sorted(min(t[k:] + t[:k] for k in range(3)) for t in at))
+            self.assertEqual(*found)
+
     def test_holes_near_each_other_are_divided_until_they_do_not_meet(self):
         """Polygons as coarse as the chord would cross in the rim of 0.01 between the holes."""
         plate = {"patches": [{**PLATE, "loops": [[lines([0, 0], [1, 0], [1, 1], [0, 1])],
