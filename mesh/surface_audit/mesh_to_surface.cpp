@@ -158,10 +158,20 @@ std::vector<mesh_cell> whole_triangles(const deviation_scene& scene) {
   return cells;
 }
 
+// Searches the whole surface for the nearest place of the cell's middle: from a place nearby the
+// projection may have ended at another one, as on the far side of a blunt edge.
+void confirm(const deviation_scene& scene, mesh_cell& cell) {
+  const floating_point_scope scope(rounding::upward);
+  const located anywhere = scene.locator.nearest(cell.middle());
+  if (anywhere.squared_distance < cell.below)
+    cell.at = anywhere.at, cell.below = anywhere.squared_distance;
+}
+
 narrowed<mesh_cell> narrowed_mesh(const deviation_scene& scene, std::vector<mesh_cell> cells,
                                   const narrowing_limits& limits) {
-  return narrow(std::move(cells), limits,
-                [&](const mesh_cell& cell) { return divided(scene, cell); });
+  return narrow(
+      std::move(cells), limits, [&](const mesh_cell& cell) { return divided(scene, cell); },
+      [](const mesh_cell&) {}, [&](mesh_cell& cell) { confirm(scene, cell); });
 }
 
 double root_above(const narrowed<mesh_cell>& found) {

@@ -35,18 +35,25 @@ struct narrowed {
 
 // A Cell has squared distances `above` and `below`. divide(cell) returns its parts with their
 // distances, or none if the cell cannot be divided further; give_up(cell) is then called, for one
-// cell after the other.
-template <class Cell, class Divide, class GiveUp>
+// cell after the other. confirm(cell) is called before a proposal becomes the greatest, and may
+// make `below` less: cells are not divided because of the greatest, so that one that went astray
+// would widen all bounds.
+template <class Cell, class Divide, class GiveUp, class Confirm>
 narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, const Divide& divide,
-                      const GiveUp& give_up) {
+                      const GiveUp& give_up, const Confirm& confirm) {
   narrowed<Cell> found;
   const double ratio = (1 + limits.relative_width) * (1 + limits.relative_width);
   while (true) {
     found.cells += cells.size();
     // Ignores a proposal above a proved bound: its projection went astray.
-    for (const Cell& c : cells)
-      if (!found.best || std::min(c.below, c.above) > found.below)
-        found.best = c, found.below = std::min(c.below, c.above);
+    const auto is_greatest = [&](const Cell& c) {
+      return !found.best || std::min(c.below, c.above) > found.below;
+    };
+    for (Cell& c : cells) {
+      if (!is_greatest(c)) continue;
+      confirm(c);
+      if (is_greatest(c)) found.best = c, found.below = std::min(c.below, c.above);
+    }
     double enough = std::max(found.below * ratio, limits.negligible * limits.negligible);
     if (limits.at_most) {
       const double limit = *limits.at_most * *limits.at_most;
@@ -81,6 +88,12 @@ narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, c
       std::move(parts[i].begin(), parts[i].end(), std::back_inserter(cells));
     }
   }
+}
+
+template <class Cell, class Divide, class GiveUp>
+narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, const Divide& divide,
+                      const GiveUp& give_up) {
+  return narrow(std::move(cells), limits, divide, give_up, [](const Cell&) {});
 }
 
 template <class Cell, class Divide>
