@@ -10,13 +10,37 @@
 namespace asterism::internal {
 namespace {
 
+double squared(const plain_vector& a) { return dot(a, a); }
+
+// Returns whether the side of the piece is about one point: its derivative along s (at t = 0 or 1)
+// or along t (at s = 0 or 1) is next to nothing beside that in the middle. Steers starts alone.
+bool is_about_a_point(const bezier_piece& piece, bool along_s, double side) {
+  constexpr double nothing = 1e-16;  // of the square
+  const plain_jet there = along_s ? evaluate(piece, 0.5, side) : evaluate(piece, side, 0.5);
+  const plain_jet middle = evaluate(piece, 0.5, 0.5);
+  return along_s ? squared(there.by_s) <= nothing * squared(middle.by_s)
+                 : squared(there.by_t) <= nothing * squared(middle.by_t);
+}
+
+// Returns a parameter for each line of the grid. A line on a side that is one point is moved
+// inward: all places of that side are equally near, and from a place on another meridian the
+// projection may end at a side of the piece.
+std::vector<double> grid_lines(const bezier_piece& piece, bool along_s, int count) {
+  constexpr double inward = 0.25;  // of a step
+  std::vector<double> lines;
+  for (int j = 0; j <= count; ++j) lines.push_back(static_cast<double>(j) / count);
+  if (is_about_a_point(piece, along_s, 0)) lines.front() = inward / count;
+  if (is_about_a_point(piece, along_s, 1)) lines.back() = 1 - inward / count;
+  return lines;
+}
+
 std::vector<surface_place> grid_places(const std::vector<bezier_piece>& pieces) {
   std::vector<surface_place> places;
   for (std::uint32_t k = 0; k < pieces.size(); ++k) {
-    const int nu = 2 * pieces[k].degree_u + 2, nv = 2 * pieces[k].degree_v + 2;
-    for (int i = 0; i <= nu; ++i)
-      for (int j = 0; j <= nv; ++j)
-        places.push_back({k, static_cast<double>(i) / nu, static_cast<double>(j) / nv});
+    const bezier_piece& piece = pieces[k];
+    const auto lines_t = grid_lines(piece, true, 2 * piece.degree_v + 2);
+    for (const double s : grid_lines(piece, false, 2 * piece.degree_u + 2))
+      for (const double t : lines_t) places.push_back({k, s, t});
   }
   return places;
 }
@@ -36,8 +60,6 @@ std::vector<space_box> boxes_of(const std::vector<plain_vector>& samples) {
   for (const plain_vector& p : samples) boxes.push_back(space_box::of({p.x, p.y, p.z}));
   return boxes;
 }
-
-double squared(const plain_vector& a) { return dot(a, a); }
 
 // Returns the step of Gauss and Newton; a variable that would leave its bound stays there.
 std::array<double, 2> step(const plain_jet& jet, const plain_vector& gap, bool hold_s,
