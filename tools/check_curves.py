@@ -264,7 +264,7 @@ def main():
     except NotProved as refusal:
         return print(f"NOT proved: {refusal}") or 1
     except (check_mesh.CannotSay, OSError, ValueError, LookupError, StopIteration) as failure:
-        return print(f"check_curves.py: {failure or 'a file ends early'}", file=sys.stderr) or 2
+        return print(f"check_curves.py: {str(failure) or 'a file ends early'}", file=sys.stderr) or 2
     print(f"proved: {plane.count} sites, {len(plane.inner)} triangles, no angle below "
           f"{float(asked.angle_bound):g} degrees but the domain's own; domain {asked.domain}, its curves within "
           f"{float(most):g}; metric {asked.metric}")

@@ -66,7 +66,7 @@ class Domain:
             need_file(0 <= min(ends) and max(ends) < count, f"{path}: segment {row[0]}")
             marker = int(row[3]) if {"0": False, "1": True}[head[1]] else 0
             self.segments.append((self.index[ends[0]], self.index[ends[1]], marker))
-        holes, regions, self.curves = *(take(int(next(rows, ["0"])[0])) for _ in range(2)), list(rows)
+        holes, regions, self.curves = *[take(int(next(rows, ["0"])[0])) for _ in range(2)], list(rows)
         need_file(with_curves or not self.curves, f"{path}: curves are for check_curves.py, beside this one")
         need_file(all(number(p[3]) == int(number(p[3])) for p in regions), f"{path}: regions")
         self.holes = [(number(p[1]), number(p[2])) for p in holes]
@@ -591,7 +591,7 @@ def main():
     except NotProved as refusal:
         return print(f"NOT proved: {refusal}") or 1
     except (CannotSay, OSError, ValueError, LookupError, StopIteration) as failure:
-        return print(f"check_mesh.py: {failure or 'a file ends early'}", file=sys.stderr) or 2
+        return print(f"check_mesh.py: {str(failure) or 'a file ends early'}", file=sys.stderr) or 2
     within = "" if asked.metric_tolerance is None else f", within a tolerance of {asked.metric_tolerance:g}"
     return print(f"proved: {plane.count} sites, {len(plane.inner)} triangles, no angle below "
           f"{float(asked.angle_bound):g} degrees but the domain's own; domain "

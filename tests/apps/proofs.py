@@ -205,6 +205,12 @@ class Proofs(command.CommandTest):
             self.assertIn(said, done.stderr)
             self.assertNotIn("out.poly", self.files())
 
+    def test_a_domain_that_ends_early_is_told(self):
+        self.make(SQUARE, "--size", "0.8")
+        for rows in ("2\n1 5 5\n", "0\n1\n"):     # of two holes one; of one region none
+            self.write("short.poly", "\n".join(SQUARE.split("\n")[:-3]) + "\n" + rows)
+            self.assertIn("ends early", self.check(2, domain="short.poly"))
+
     def test_a_metric_within_a_tolerance(self):
         """The bound is what verify measures, by another way."""
         self.make(SQUARE, "--metric", "expr:(x>0.5)?100:1;0;1", "--size", "0.25", "--metric-tolerance", "3")
