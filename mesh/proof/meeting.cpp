@@ -124,10 +124,10 @@ bool have_common_zero(const std::array<box_polynomial<whole>, 3>& excess) {
     return false;
   const auto slopes = [](const box_polynomial<whole>& p) {
     std::array<whole_vector, 4> found;
+    std::size_t corner = 0;
     for (const int s : {0, 1})
       for (const int t : {0, 1})
-        found[static_cast<std::size_t>(2 * s + t)] = {p[1] + 2 * s * p[3] + t * p[4],
-                                                      p[2] + s * p[4] + 2 * t * p[5]};
+        found[corner++] = {p[1] + 2 * s * p[3] + t * p[4], p[2] + s * p[4] + 2 * t * p[5]};
     return found;
   };
   const auto of_x = slopes(x), of_y = slopes(y);

@@ -86,7 +86,8 @@ class face_meshing {
  private:
   point node(int i, int k) const;
   std::size_t node_number(int i, int k) const {
-    return static_cast<std::size_t>(k * (cells_ + 1) + i);
+    const std::size_t in_row = static_cast<std::size_t>(cells_) + 1;
+    return static_cast<std::size_t>(k) * in_row + static_cast<std::size_t>(i);
   }
   struct cell_place;
   cell_place place_of(const point& p) const;
