@@ -18,8 +18,9 @@
   apply(pdf_surface_create_for_stream) apply(pdf_surface_set_metadata) apply(restore)             \
   apply(rotate) apply(save) apply(scale) apply(set_antialias) apply(set_line_cap)                 \
   apply(set_line_join) apply(set_line_width) apply(set_source_rgba) apply(status)                 \
-  apply(status_to_string) apply(stroke) apply(surface_destroy) apply(surface_finish)            \
-  apply(surface_status) apply(surface_write_to_png_stream) apply(svg_surface_create_for_stream) apply(translate)
+  apply(status_to_string) apply(stroke) apply(surface_destroy) apply(surface_finish)              \
+  apply(surface_status) apply(surface_write_to_png_stream) apply(svg_surface_create_for_stream)   \
+  apply(translate)
 // clang-format on
 
 namespace asterism::internal {
