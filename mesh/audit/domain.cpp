@@ -71,8 +71,8 @@ std::vector<chain> chains_of(const audit_context& context, vertex_index given) {
 // True if rounding can explain the distance of a split point from its segment. Each coordinate of a
 // point computed on the line of two others, and rounded once or twice, has an error below one and a
 // half units in the last place, whatever the segment's length: two units for both coordinates.
-// Where these two were split points themselves, their distances add up, a unit for each of at most
-// sixteen levels. These are allowed only if the sum is a tiny part of the segment's length too, so
+// The two others may be split points themselves, whose errors add up, a unit for each of at most
+// sixteen levels. Such a sum is allowed only if it is a tiny part of the segment's length too, so
 // that no side of the domain can vanish in it.
 bool is_explained(double distance, double ulp, const vector2<rational>& along) {
   constexpr double always = 2, at_most = 16, part_of_length = 0x1p-10;

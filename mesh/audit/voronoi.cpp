@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Is the mesh the dual of the anisotropic Voronoi diagram of its sites, restricted to the domain?
+// Decides whether the mesh is the dual of the anisotropic Voronoi diagram of its sites, restricted
+// to the domain.
 // Checked: (i) each triangle has a Voronoi vertex in the wedges of its three pairs; (ii) around
 // each edge those of its two triangles are in order, and that of a triangle on the boundary is not
 // beyond it; (iii) every other site is farther from each point of a Voronoi arc between them than

@@ -98,8 +98,7 @@ sum_sign sign_of(const product_polynomial& sum) {
 }
 
 bool is_less(const site& a, const site& b) {
-  const point &p = a.position, &q = b.position;
-  return p.x < q.x || (p.x == q.x && p.y < q.y);
+  return lexicographically_less(a.position, b.position);
 }
 
 // True if the rule for ties gives the place to x and y: the greatest of the four sites is v or w,

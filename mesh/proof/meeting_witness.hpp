@@ -10,8 +10,8 @@
 
 namespace asterism::internal::proof_detail {
 
-// What the turn of a meeting's row has more where the row is of the gap at the site, in which the
-// centre of the other would be. No row has as many points.
+// Marks, added to the turn of a meeting's row, a row around the gap in the star of the site beyond
+// the edge, which faces the gap named. No row has as many points.
 inline constexpr std::uint8_t turn_by_site = 128;
 
 // Returns the exception of the gap and the site, or null. Exceptions must be sorted by site and

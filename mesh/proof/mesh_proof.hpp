@@ -56,8 +56,8 @@ struct mesh_proof {
   // For each hole point, then each region point of the domain, a triangle that contains it. The
   // triangles of the mesh are numbered first, those outside after them.
   std::vector<std::uint32_t> places;
-  // Of the inner edges that are asked about, in their order. Zeros where a meeting shows an edge to
-  // be kept.
+  // Points of the inner edges that are asked about, in their order. Zeros where a meeting shows
+  // that an edge is kept.
   std::vector<proof_point> edges;
   std::vector<proof_gap> gaps;              // of the gaps that are asked about, in their order
   double squared_radius = 0;                // of the balls that the walks keep to

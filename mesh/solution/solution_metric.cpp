@@ -342,7 +342,8 @@ void bound_layers(const field_derivatives& found, std::size_t field, tensors& ow
     bound_aspects(*found.aspects[field], own);
 }
 
-// Returns the least of the bounds.
+// Returns the least of the bounds on aspects that computed fields ask for; none where no field
+// does.
 std::optional<double> least_aspect(const field_derivatives& found) {
   std::optional<double> least;
   for (const auto& one : found.aspects)

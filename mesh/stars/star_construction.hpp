@@ -44,7 +44,7 @@ struct constructed_star {
 
 enum class star_search { near, thorough };
 
-// What is known of a star before it is made: neighbours that it probably has; nothing by default.
+// Proposes neighbours that a star probably has, before it is made; none by default.
 struct star_proposal {
   // Neighbours that the star probably has, counter-clockwise. They are its neighbours if exact
   // tests find that each is accepted and, by_mesher, confirm them against all sites; else they are

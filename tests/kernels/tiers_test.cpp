@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which tier must decide: clear cases never reach exact arithmetic, exact ties always do, and on a
-// fixed sample of smooth metrics the share that falls through is bounded.
+// Checks which tier decides: clear cases never reach exact arithmetic, exact ties always do, and on
+// a fixed sample of smooth metrics the share that falls through is bounded.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>

@@ -141,7 +141,7 @@ TEST_CASE("layers that turn are bounded tightly, also around the centre of their
 }
 
 TEST_CASE("a box whose middle is no double is bounded up to its ends") {
-  // Of the box from 1 + u to 1 + 4 u the middle is rounded to 1 + 2 u, twice as far from the right
+  // The middle of the box from 1 + u to 1 + 4 u is rounded to 1 + 2 u, twice as far from the right
   // end as from the left. The metric is 1 - k (x - 1) there, and varies most at that end.
   constexpr double u = 0x1p-52, k = 0x1p42;
   const double most = k / 2 / std::pow(1 - 4 * u * k, 1.5);
