@@ -10,6 +10,7 @@
 #include "asterism/mesh/fill/domain_locator.hpp"
 #include "asterism/mesh/metric/field_sampler.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
+#include "asterism/mesh/numerics/eight_directions.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/metric_box.hpp"
 #include "asterism/mesh/search/site_index.hpp"
@@ -26,16 +27,6 @@ constexpr double part_of_covering = 1 - 0x1p-20;
 constexpr std::size_t most_boxes_a_site = 4096, most_boxes = 1U << 20U;
 // Covers metrics that differ on the way: beyond that no net is claimed to be one.
 constexpr double search_margin = 1.25;
-
-constexpr double root_half = 0.70710678118654752;
-constexpr std::array<point, 8> eight_directions = {{{1, 0},
-                                                    {root_half, root_half},
-                                                    {0, 1},
-                                                    {-root_half, root_half},
-                                                    {-1, 0},
-                                                    {-root_half, -root_half},
-                                                    {0, -1},
-                                                    {root_half, -root_half}}};
 
 std::array<point, 4> corners_of(const bounding_box& b) {
   return {{b.low, {b.high.x, b.low.y}, b.high, {b.low.x, b.high.y}}};

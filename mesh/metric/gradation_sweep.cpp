@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/eight_directions.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
 
@@ -32,15 +33,6 @@ constexpr double slack_at_nodes = 0.005, slack_between_nodes = 0.03;
 // edges of the grid repeatedly crosses a thin layer that it should follow, and so allows too long
 // edges; a smaller circle takes more sweeps to the same end.
 constexpr double circle_radius = 1;
-constexpr double root_half = 0.70710678118654752;
-constexpr std::array<point, 8> circle = {{{1, 0},
-                                          {root_half, root_half},
-                                          {0, 1},
-                                          {-root_half, root_half},
-                                          {-1, 0},
-                                          {-root_half, -root_half},
-                                          {0, -1},
-                                          {root_half, -root_half}}};
 
 tensor_logarithm mean(const tensor_logarithm& a, const tensor_logarithm& b) {
   return {(a.l11 + b.l11) / 2, (a.l12 + b.l12) / 2, (a.l22 + b.l22) / 2};
@@ -214,7 +206,7 @@ bool gradation_sweep::take_from_circle(std::uint32_t n) {
   const point& q = grid_.position(n);
   const unit_displacements unit = unit_circle(own.now);
   bool taken = false;
-  for (const point& u : circle) {
+  for (const point& u : eight_directions) {
     const point d{circle_radius * (u.x * unit.first.x + u.y * unit.second.x),
                   circle_radius * (u.x * unit.first.y + u.y * unit.second.y)};
     const double t = part_inside(q, d, box_);
