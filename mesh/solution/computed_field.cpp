@@ -6,10 +6,12 @@
 #include <cstddef>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/solution/element_gradients.hpp"
 #include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/quadratic_fit.hpp"
+#include "asterism/mesh/solution/solution_metric_options.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -139,11 +141,6 @@ std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
 double steepness(const mesh& m, const std::vector<double>& values) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   if (least == values.end() || !(*greatest > *least)) return 0;
-  point low = m.sites.front().position, high = low;
-  for (const site& s : m.sites) {
-    low = {std::min(low.x, s.position.x), std::min(low.y, s.position.y)};
-    high = {std::max(high.x, s.position.x), std::max(high.y, s.position.y)};
-  }
   const std::vector<point> gradients = triangle_gradients(m, values);
   const auto slope = [&](std::size_t t) {
     return std::sqrt(gradients[t].x * gradients[t].x + gradients[t].y * gradients[t].y);
@@ -157,7 +154,8 @@ double steepness(const mesh& m, const std::vector<double>& values) {
       return doubled_area(m, m.triangles[t]) * part * part * (is_third ? part : 1);
     });
   };
-  const double width = high.x - low.x, height = high.y - low.y;
+  const bounding_box box = box_of_sites(m.sites);
+  const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
   return std::sqrt(width * width + height * height) * (moment(true) / moment(false)) *
          (steepest / (*greatest - *least));
 }
@@ -170,9 +168,8 @@ std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
                        part_below(found->fitted, roughness_of_resolved, roughness_of_unresolved);
   if (!(share > 0)) return std::nullopt;
   const double bound = std::max(least_aspect_bound, aspect_of_steepness * steepness(m, values));
-  constexpr double most = 1e6;  // as --aspect
   const double grown = elementary::log(bound) / share;
-  if (!(grown < elementary::log(most))) return std::nullopt;
+  if (!(grown < elementary::log(no_aspect_named))) return std::nullopt;
   return share < 1 ? elementary::exp(grown) : bound;
 }
 

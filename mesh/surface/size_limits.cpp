@@ -4,16 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/surface_audit/number_ranges.hpp"
 
 namespace asterism::internal {
 
 double least_chord(const surface& s) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  space_point low{infinite, infinite, infinite}, high{-infinite, -infinite, -infinite};
+  space_point low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
   for (const surface_patch& patch : s.patches)
     for (const control_point& c : patch.control) {
       low = {std::min(low.x, c.at.x), std::min(low.y, c.at.y), std::min(low.z, c.at.z)};
