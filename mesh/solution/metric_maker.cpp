@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/solution/metric_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "asterism/core/elementary.hpp"
+#include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/numerics/metric_bounds.hpp"
+#include "asterism/mesh/numerics/simultaneous_reduction.hpp"
+#include "asterism/mesh/solution/graph_gradation.hpp"
+#include "asterism/mesh/solution/implied_metric.hpp"
+#include "asterism/mesh/solution/metric_steps.hpp"
+#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/solution/optimal_metric.hpp"
+#include "asterism/mesh/support/infinity.hpp"
+
+namespace asterism::internal {
+namespace {
+
+constexpr double tolerable = 0.02;  // of the target
+
+// Returns the longer side of the box around the sites.
+double extent_of(const mesh& m) {
+  const bounding_box box = box_of_sites(m.sites);
+  return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+}
+
+}  // namespace
+
+metric_maker::metric_maker(const mesh& m, const solution_metric_options& options,
+                           const std::vector<tensors>& intersected)
+    : mesh_(m),
+      options_(options),
+      others_(intersected),
+      links_(m),
+      areas_(nodal_areas(m, links_)),
+      extent_(extent_of(m)) {}
+
+std::optional<error> metric_maker::set_implied() {
+  if (!options_.step) return {};
+  auto found = implied_metric(mesh_);
+  if (!found) return found.failure();
+  implied_ = std::move(found).value();
+  return {};
+}
+
+void metric_maker::note_marks(const std::vector<std::uint8_t>& marks) {
+  const auto part = [&](clipped what) {
+    return share_of(
+        static_cast<std::size_t>(std::count_if(marks.begin(), marks.end(),
+                                               [&](std::uint8_t m) { return (m & what) != 0; })),
+        marks.size());
+  };
+  report_.share_least_size = part(clipped_by_least);
+  report_.share_greatest_size = part(clipped_by_greatest);
+  report_.share_aspect = part(clipped_by_aspect);
+  report_.share_step = part(clipped_by_step);
+  report_.share_intersected = part(clipped_by_intersection);
+}
+
+// Returns hmax, or a thousand times the extent of the mesh: greater sizes make the same triangles,
+// and their tensors lose digits. A given metric stays as it is.
+double metric_maker::greatest_size() const {
+  constexpr double times = 1000;
+  if (is_given_ && !options_.vertices && !options_.complexity) return options_.greatest_size;
+  return std::min(options_.greatest_size, times * extent_);
+}
+
+tensors metric_maker::shaped(double factor) {
+  const size_bounds bounds{options_.least_size, greatest_size(), options_.aspect};
+  tensors made(raw_.size());
+  std::vector<std::uint8_t> marks(raw_.size(), 0);
+  for_each_node(raw_.size(), [&](std::size_t v) {
+    metric_tensor m{factor * raw_[v].m11, factor * raw_[v].m12, factor * raw_[v].m22};
+    for (const tensors& other : others_) {
+      const metric_tensor both = simultaneous_intersection(m, other[v]);
+      if (!identical(both, m)) marks[v] |= clipped_by_intersection;
+      m = both;
+    }
+    if (options_.step) m = step_limited(m, implied_[v], *options_.step, marks[v]);
+    made[v] = bounded(m, bounds, marks[v]);
+  });
+  note_marks(marks);
+  return made;
+}
+
+tensors metric_maker::graded(tensors t) {
+  report_.complexity_before_gradation = complexity_of(t, areas_);
+  if (!options_.gradation) return t;
+  const auto done = grade_on_graph(
+      mesh_, links_, *options_.gradation,
+      options_.gradation_keeps_shape ? gradation_space::metric : gradation_space::mixed, t);
+  report_.share_graded = share_of(done.changed, t.size());
+  report_.gradation_rounds = done.rounds;
+  report_.gradation_ended = done.ended;
+  return t;
+}
+
+double metric_maker::error_of(const tensors& t) const {
+  double greatest = 0;
+  for (const tensors& h : recovered_)
+    greatest = std::max(greatest, predicted_error(t, h, areas_, options_.norm));
+  return greatest;
+}
+
+// Makes the metric of this factor. Returns the quantity that is to meet the target; it grows with
+// the factor.
+double metric_maker::measure(double factor) {
+  made_ = graded(shaped(factor));
+  report_.factor = factor;
+  report_.complexity_delivered = complexity_of(made_, areas_);
+  if (!options_.error) return report_.complexity_delivered;
+  const double error = error_of(made_);
+  return error > 0 ? 1 / error : infinity;
+}
+
+// Finds the factor: steps by 16 until the target lies between two factors, then the secant in
+// logarithms, or half the interval where the secant leaves it or hardly narrows it.
+void metric_maker::meet(double target) {
+  const double close = options_.gradation ? 0.008 : 0.002;
+  constexpr int most_steps = 60;
+  const auto off = [&](double got) { return elementary::log(got / target); };
+  double low = 0, high = 0, low_off = 0, high_off = 0;
+  // Begins with about the factor that is right without bounds.
+  double factor = (options_.error ? static_cast<double>(mesh_.sites.size()) : target) /
+                  complexity_of(raw_, areas_);
+  int saturated = 0;
+  double got = measure(factor), before = 0;
+  for (int step = 0; step < most_steps && std::abs(off(got)) > close; ++step) {
+    (got < target ? low : high) = factor;
+    (got < target ? low_off : high_off) = off(got);
+    if (low > 0 && high > 0) {
+      const double x = elementary::log(low), y = elementary::log(high);
+      double part = -low_off / (high_off - low_off);
+      if (!(part > 0.02 && part < 0.98) || step % 4 == 3) part = 0.5;
+      constexpr double narrowest = 1e-12;  // of the factor: the measure jumps between the two
+      if (y - x < narrowest) break;
+      factor = elementary::exp(x + part * (y - x));
+    } else {
+      // Tolerance of a saturated quantity: even sixteen to the sixth times the factor changes
+      // nothing any more.
+      constexpr double alike = 1e-9;  // far below the 2e-3 to which the target is met
+      saturated = step > 0 && std::abs(got - before) <= alike * got ? saturated + 1 : 0;
+      if (saturated == 6) break;
+      // Takes a little more than would suffice if the quantity grew with the factor; sixteen times
+      // once that did not pass the target.
+      const double ratio = std::clamp(target / got, 1.0 / 16, 16.0);
+      factor *= step < 3 ? ratio * (ratio > 1 ? 1.1 : 0.9) : got < target ? 16 : 1.0 / 16;
+      // Ends near the range of doubles, before products with tensors exceed it.
+      constexpr double least = 1e-280, most = 1e280;
+      if (!(factor > least && factor < most)) break;
+    }
+    before = got;
+    got = measure(factor);
+  }
+  say(target, got);
+}
+
+void metric_maker::say(double target, double got) {
+  report_.reached = std::abs(got / target - 1) <= tolerable;
+  if (report_.reached) return;
+  const bool too_few = got < target;
+  std::string limits;
+  const auto add = [&](double part, const char* what) {
+    if (part > 0)
+      limits += (limits.empty() ? "" : ", ") + fmt::format("{} at {:.0f} %", what, 100 * part);
+  };
+  if (too_few) add(report_.share_least_size, "hmin");
+  const bool is_named = options_.greatest_size <= greatest_size();
+  if (!too_few)
+    add(report_.share_greatest_size,
+        is_named ? "hmax" : "sizes of a thousand times the mesh's extent");
+  add(report_.share_aspect, "the aspect");
+  add(report_.share_step, "the step");
+  add(report_.share_intersected, "metrics intersected");
+  if (!too_few) add(report_.share_graded, "gradation");
+  report_.reason = fmt::format(
+      "{} {:.6g} was wanted, and the bounds allow {} {:.6g}, for any factor: {} of the vertices",
+      options_.error ? "an error of" : "a complexity of", options_.error ? 1 / target : target,
+      options_.error == std::nullopt ? (too_few ? "no more than" : "no less than")
+                                     : (too_few ? "no less than" : "no more than"),
+      options_.error ? 1 / got : got, limits.empty() ? "nothing bound" : limits);
+}
+
+result<solution_metric> metric_maker::run() {
+  if (implied_.empty())
+    if (auto failed = set_implied()) return *failed;
+  report_.steps =
+      metric_steps(options_, recovered_.size(), others_.size(), hessians_given_, layers_);
+  for (const tensors& other : others_)
+    if (other.size() != mesh_.sites.size())
+      return error{fmt::format("{} tensors to intersect with, for {} vertices", other.size(),
+                               mesh_.sites.size())};
+  const bool has_scale = is_given_ && !options_.vertices && !options_.complexity;
+  if (has_scale || options_.relative) {
+    measure(1);
+    report_.reached = true;
+  } else if (options_.error) {
+    meet(1 / *options_.error);
+  } else {
+    const double vertices = options_.vertices.value_or(static_cast<double>(mesh_.sites.size()));
+    report_.complexity_asked = options_.complexity.value_or(vertices / vertices_of_unit);
+    meet(report_.complexity_asked);
+  }
+  report_.error_predicted = error_of(made_);
+  const filtered_kernel kernel;
+  for (std::size_t v = 0; v < made_.size(); ++v) {
+    const metric_tensor& m = made_[v];
+    const bool is_finite = std::isfinite(m.m11) && std::isfinite(m.m12) && std::isfinite(m.m22);
+    if (is_finite && kernel.is_positive_definite(m)) continue;
+    return error{
+        fmt::format(
+            "vertex {}: the metric made is not finite and positive definite: coordinates, "
+            "values or the metric given are so large or so small that products of them have "
+            "no double; give them in other units",
+            v + 1),
+        error_code::invalid_metric};
+  }
+  return solution_metric{std::move(made_), std::move(report_)};
+}
+
+}  // namespace asterism::internal
