@@ -8,6 +8,7 @@
 
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/fill/domain_locator.hpp"
+#include "asterism/mesh/fill/work_meter.hpp"
 #include "asterism/mesh/metric/field_sampler.hpp"
 #include "asterism/mesh/numerics/constructions.hpp"
 #include "asterism/mesh/numerics/eight_directions.hpp"
@@ -64,6 +65,8 @@ class net_completion {
     report_.covered = cover();
     if (sampler_.failure()) return *sampler_.failure();
     report_.added = sites_.size() - kept;
+    charge();
+    proposed.work_units += charged_;
     if (report_.taken_out + report_.added > 0) proposed.stars = {};
     proposed.interior.assign(sites_.begin() + static_cast<std::ptrdiff_t>(first_inside),
                              sites_.end());
@@ -76,6 +79,12 @@ class net_completion {
     index_.insert(sites_, static_cast<vertex_index>(sites_.size() - 1));
   }
 
+  // Charges the work since the last call to the account of the run.
+  void charge() {
+    const double units = work_.units();
+    options_.stop.charge(units - std::exchange(charged_, units));
+  }
+
   void list_boundary(const filled_domain& proposed) {
     for (const point& v : domain_.vertices)
       if (const auto s = sampler_.at(v)) add(*s);
@@ -83,10 +92,11 @@ class net_completion {
       for (const site& s : division) add(s);
   }
 
-  bool has_room(const site& s) const {
+  bool has_room(const site& s) {
     const bounding_box near = box_around(s, search_margin * options_.spacing);
     const double squared = options_.spacing * options_.spacing;
     return index_.visit_box(sites_, near.low, near.high, [&](vertex_index w) {
+      work_.count_candidates(1);
       return squared_distance(sites_[w], s.position) >= squared ||
              squared_distance(s, sites_[w].position) >= squared;
     });
@@ -100,9 +110,12 @@ class net_completion {
     std::size_t looked_at = 0;
     while (!open.empty()) {
       if (++looked_at > most_boxes + most_boxes_a_site * sites_.size()) return false;
-      if (options_.stop.is_requested()) return false;
       open_box next = std::move(open.back());
       open.pop_back();
+      // Counts what is looked at to cover the box, find out whether it is wanted, and divide it.
+      work_.count_candidates(6 * (1 + next.sites.size() + next.segments.size()));
+      charge();
+      if (options_.stop.is_requested()) return false;
       note_later_sites(next);
       if (is_covered(next) || is_outside(next)) continue;
       const point middle{next.box.low.x / 2 + next.box.high.x / 2,
@@ -155,10 +168,11 @@ class net_completion {
 
   // Returns the squared distance of a point from the nearest site, as that measures, among those
   // near it in a metric; infinite where there is none.
-  double nearest_squared(const point& q, const metric_tensor& m) const {
+  double nearest_squared(const point& q, const metric_tensor& m) {
     const bounding_box near = box_around({q, m}, 2 * search_margin * options_.covering);
     double least = infinity;
     index_.visit_box(sites_, near.low, near.high, [&](vertex_index w) {
+      work_.count_candidates(1);
       least = std::min(least, squared_distance(sites_[w], q));
       return true;
     });
@@ -167,7 +181,7 @@ class net_completion {
 
   // Climbs from a wanted point to about the farthest from all sites in its hole, so that sites come
   // no nearer to each other than the domain is covered. Each step is to a farther point inside.
-  point farthest_from(const open_box& b, point q) const {
+  point farthest_from(const open_box& b, point q) {
     constexpr int halvings = 12, most_moves = 64;  // of each length of a step
     if (b.sites.empty()) return q;
     const metric_tensor& m = sites_[b.sites.front()].metric;
@@ -230,6 +244,8 @@ class net_completion {
   domain_locator locator_;
   site_index index_;
   std::vector<site> sites_;
+  work_meter work_;
+  double charged_ = 0;  // of that, to the account of the run
   net_report report_;
 };
 

@@ -34,8 +34,9 @@ struct net_report {
 
 // Completes `proposed`. Vertices and points that divide segments stay. An added site is farther
 // than 1 - 2^-20 of `covering` from all others, as they measure, so that adding ends by packing.
-// Distances are in doubles, off by some 2^-50 of themselves. Empties the likely stars of `proposed`
-// where sites have changed. Deterministic. Requires a complete fill. Fails where the field does.
+// Distances are in doubles, off by some 2^-50 of themselves. Charges the account of `stop`, and
+// adds the work to that of `proposed`. Empties the likely stars of `proposed` where sites have
+// changed. Deterministic. Requires a complete fill. Fails where the field does.
 result<net_report> complete_net(const domain& d, const metric_field& field,
                                 const net_options& options, filled_domain& proposed);
 
