@@ -36,8 +36,8 @@ std::size_t distance(const std::string& a, const std::string& b) {
 // Returns the name that the word begins: the shortest, if all others that begin with the word begin
 // with that name; empty where there is none.
 std::string completed(const std::string& word, const std::vector<std::string>& names) {
-  constexpr std::size_t least =
-      3;  // letters, the dashes of options included; of fewer none is meant
+  // Letters, the dashes of options included: fewer name nothing.
+  constexpr std::size_t least = 3;
   std::string shortest;
   const auto begins = [](const std::string& name, const std::string& with) {
     return name.compare(0, with.size(), with) == 0;
