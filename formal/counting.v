@@ -5,6 +5,21 @@ Require Import Reals Lra Lia Psatz FunctionalExtensionality.
 From formal Require Import geometry.
 Open Scope R_scope.
 
+(* Where the ray with the coefficients a and b in c and e meets the segment from c to e. *)
+Lemma place_on_row a b : 0 <= a -> 0 <= b -> 0 < a + b ->
+  0 <= b / (a + b) <= 1 /\ 0 < 1 / (a + b) /\ (1 < a + b -> 1 / (a + b) < 1) /\
+  forall c e, 1 / (a + b) * (a * c + b * e) = c + b / (a + b) * (e - c).
+Proof.
+  intros ha hb some. pose proof (Rinv_0_lt_compat _ some) as positive.
+  assert (one : (a + b) * / (a + b) = 1) by (apply Rinv_r; lra).
+  unfold Rdiv. repeat split.
+  - apply Rmult_le_pos; lra.
+  - apply Rmult_le_reg_r with (a + b); [lra | ]. rewrite Rmult_assoc, Rinv_l; lra.
+  - lra.
+  - intro beyond. apply Rmult_lt_reg_r with (a + b); [lra | ]. rewrite Rmult_assoc, Rinv_l; lra.
+  - intros c e. field. lra.
+Qed.
+
 (* A quadratic, by its values. *)
 Definition quadratic (f : R -> R) := exists a b c, forall t, f t = a * t ^ 2 + b * t + c.
 (* It has exactly so many zeros in [0, 1]: 0, 1 or 2. *)
@@ -319,16 +334,8 @@ Proof.
   { rewrite epx, epy. replace (inner V (a * cx + b * ex) (a * cy + b * ey) xx xy)
       with (a * inner V cx cy xx xy + b * inner V ex ey xx xy) by (unfold inner; ring).
     destruct (Req_dec a 0) as [-> | na]; [nra | ]. nra. }
-  set (s := 1 / (a + b)).
-  assert (hs : 0 < s <= 1).
-  { unfold s; split; [apply Rdiv_lt_0_compat; lra | ].
-    apply Rmult_le_reg_r with (a + b); [lra | ]. unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-  set (t := b / (a + b)).
-  assert (ht : 0 <= t <= 1).
-  { unfold t; split; [apply Rmult_le_pos; [lra | apply Rlt_le, Rinv_0_lt_compat; lra] | ].
-    apply Rmult_le_reg_r with (a + b); [lra | ]. unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-  assert (place : forall c e, s * (a * c + b * e) = c + t * (e - c))
-    by (intros; unfold s, t; field; lra).
+  destruct (place_on_row a b ha hb some) as (ht & positive & less & place).
+  set (s := 1 / (a + b)) in *. set (t := b / (a + b)) in *. specialize (less beyond).
   pose proof (behind t ht) as at_row. rewrite <- !place, <- epx, <- epy in at_row.
   pose proof (at_v V X xx xy hx x_is_not_v px py) as start.
   pose proof (quadratic_continuous _ (from_v_quadratic V X xx xy px py)) as cont.

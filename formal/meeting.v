@@ -5,6 +5,22 @@ Require Import Reals Lra Psatz.
 From formal Require Import geometry counting.
 Open Scope R_scope.
 
+(* What is in the cone of x and u is seen from v on the side of x. *)
+Lemma toward_in_the_cone V xx xy ux uy m n :
+  positive_definite V -> xx <> 0 \/ xy <> 0 -> 0 <= m -> 0 <= n -> 0 < m + n -> 0 < inner V ux uy xx xy ->
+  0 < inner V (m * xx + n * ux) (m * xy + n * uy) xx xy.
+Proof.
+  intros hv no hm hn some hu.
+  replace (inner V (m * xx + n * ux) (m * xy + n * uy) xx xy)
+    with (m * square V xx xy + n * inner V ux uy xx xy) by (unfold square, inner; ring).
+  pose proof (square_positive V xx xy hv no) as own.
+  assert (0 <= m * square V xx xy) by (apply Rmult_le_pos; lra).
+  assert (0 <= n * inner V ux uy xx xy) by (apply Rmult_le_pos; lra).
+  destruct (Req_dec m 0) as [zero | nm].
+  - assert (0 < n * inner V ux uy xx xy) by (apply Rmult_lt_0_compat; lra). lra.
+  - assert (0 < m * square V xx xy) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
 (* v is the origin, x a neighbour, u the direction that the page calls u0, p = m x + n u. *)
 Section cone.
 Variables (V X : metric) (xx xy ux uy px py m n : R).
@@ -26,14 +42,7 @@ Theorem meeting_in_the_cone (b : R -> R -> R) :
 Proof.
   intros hu bx bu concave bound dom. apply Rnot_le_lt; intro beyond.
   assert (toward : 0 < inner V px py xx xy).
-  { rewrite epx, epy. replace (inner V (m * xx + n * ux) (m * xy + n * uy) xx xy)
-      with (m * square V xx xy + n * inner V ux uy xx xy) by (unfold square, inner; ring).
-    pose proof (square_positive V xx xy hv x_is_not_v) as own.
-    assert (0 <= m * square V xx xy) by (apply Rmult_le_pos; lra).
-    assert (0 <= n * inner V ux uy xx xy) by (apply Rmult_le_pos; lra).
-    destruct (Req_dec m 0) as [zero | nm].
-    - assert (0 < n * inner V ux uy xx xy) by (apply Rmult_lt_0_compat; lra). lra.
-    - assert (0 < m * square V xx xy) by (apply Rmult_lt_0_compat; lra). lra. }
+  { rewrite epx, epy. apply toward_in_the_cone; assumption. }
   pose proof (concave m n hm hn) as more. rewrite <- epx, <- epy in more.
   assert (large : 1 <= b px py) by lra.
   assert (positive : 0 < b px py) by lra.

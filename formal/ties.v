@@ -3,7 +3,7 @@
    meeting lemma of docs/math/certificate.md, 4.3, say of them, and the rule of docs/math/ties.md.
    Statements in words: docs/math/formal.md. *)
 Require Import Reals Lra Lia Psatz List.
-From formal Require Import geometry counting.
+From formal Require Import geometry counting meeting.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -149,17 +149,9 @@ Theorem row_bounds_a_tie cx cy ex ey a b :
   0 <= a -> 0 <= b -> 0 < a + b -> px = a * cx + b * ex -> py = a * cy + b * ey -> a + b <= 1.
 Proof.
   intros on behind ha hb some epx epy. apply Rnot_lt_le; intro beyond.
-  set (s := 1 / (a + b)).
-  assert (hs : 0 < s < 1).
-  { unfold s; split; [apply Rdiv_lt_0_compat; lra | ].
-    apply Rmult_lt_reg_r with (a + b); [lra | ]. unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-  set (t := b / (a + b)).
-  assert (ht : 0 <= t <= 1).
-  { unfold t; split; [apply Rmult_le_pos; [lra | apply Rlt_le, Rinv_0_lt_compat; lra] | ].
-    apply Rmult_le_reg_r with (a + b); [lra | ]. unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
-  assert (place : forall c e, s * (a * c + b * e) = c + t * (e - c))
-    by (intros; unfold s, t; field; lra).
-  apply (first_meeting_at_a_tie s on hs). unfold from_v.
+  destruct (place_on_row a b ha hb some) as (ht & positive & less & place).
+  set (s := 1 / (a + b)) in *. set (t := b / (a + b)) in *. specialize (less beyond).
+  apply (first_meeting_at_a_tie s on (conj positive less)). unfold from_v.
   rewrite epx, epy, !place. apply behind; assumption.
 Qed.
 End limits.
@@ -180,15 +172,7 @@ Proof.
   intros hv hx no hm hn some epx epy to_x to_y good on hu bx bu concave bound.
   apply Rnot_lt_le; intro beyond.
   assert (toward : 0 < sees V xx xy px py).
-  { unfold sees. rewrite epx, epy.
-    replace (inner V (m * xx + n * ux) (m * xy + n * uy) xx xy)
-      with (m * square V xx xy + n * inner V ux uy xx xy) by (unfold square, inner; ring).
-    pose proof (square_positive V xx xy hv no) as own.
-    assert (0 <= m * square V xx xy) by (apply Rmult_le_pos; lra).
-    assert (0 <= n * inner V ux uy xx xy) by (apply Rmult_le_pos; lra).
-    destruct (Req_dec m 0) as [zero | nm].
-    - assert (0 < n * inner V ux uy xx xy) by (apply Rmult_lt_0_compat; lra). lra.
-    - assert (0 < m * square V xx xy) by (apply Rmult_lt_0_compat; lra). lra. }
+  { unfold sees. rewrite epx, epy. apply toward_in_the_cone; assumption. }
   pose proof (concave m n hm hn) as more. rewrite <- epx, <- epy in more.
   destruct (bound m n px py hm hn epx epy ltac:(lra)) as (t & ht & le & meets).
   assert (short : t < 1).
