@@ -20,8 +20,8 @@ using namespace internal;
 
 namespace {
 
-// Local to this translation unit, as is all that is instantiated with it: the linker would keep
-// one caller's copy for all.
+// Everything here is local to this translation unit, templates included: otherwise the linker would
+// keep one caller's copy for all.
 class own_kernel : public filtered_kernel {};
 
 #ifndef __FAST_MATH__

@@ -9,8 +9,8 @@
 namespace asterism::abuse {
 
 struct caller_answer {
-  int by_class = 0;  // filtered_kernel
-  int by_c_api = 0;  // the C function, when its status is ASTERISM_OK
+  int by_class = 0;  // answer of filtered_kernel
+  int by_c_api = 0;  // answer of the C function, valid when its status is ASTERISM_OK
   int status = 0;    // of the C function
   // The first tier in the caller's own translation unit: empty where it is undecided, and where
   // the caller is compiled with -ffast-math, which its headers refuse.

@@ -44,16 +44,17 @@ constexpr std::size_t caller_count = std::size(callers);
 struct question {
   batch_record record;
   int expected;
-  bool costly;  // takes exact arithmetic a good part of a second
+  bool costly;  // exact arithmetic takes a large part of a second
 };
 
-// Roots and sections of coordinates, or of metrics, more than 2^400 apart.
+// True if the question needs roots or sections, and its coordinates, or its metrics, are more than
+// a factor of 2^400 apart.
 bool is_costly(const batch_record& record) {
   if (record.question < predicate::voronoi_vertex_count) return false;
   struct range {
     int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
   };
-  std::array<range, 2> of;  // all are sites: of five numbers two are coordinates
+  std::array<range, 2> of;  // coordinates, metrics: a site is five numbers
   for (std::size_t k = 0; k < numbers_of(record.question); ++k) {
     if (record.numbers[k] == 0) continue;
     range& r = of[k % 5 < 2 ? 0 : 1];
@@ -113,7 +114,7 @@ std::string describe(const environment& e) {
 void report(const question& q, const std::string& by, const environment& e, int answer,
             const char* what, const char* kernel_type = "asterism::filtered_kernel") {
   static int reported = 0;
-  if (++reported > 20) return;  // the count says the rest
+  if (++reported > 20) return;  // further ones are only counted
   std::cout << "// " << by << ", " << describe(e) << ": " << what << '\n'
             << replay_test(kernel_type, q.record, q.expected, answer) << '\n';
 }

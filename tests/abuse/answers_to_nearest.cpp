@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Answers a file of records with a library that has no directed rounding; what each tier settled
-// goes to standard error.
-//     answers_to_nearest FILE
+// answers_to_nearest FILE: answers the file's records with a library that has no directed rounding.
+// Writes to standard error how many questions each tier decided.
 #include <fstream>
 #include <iostream>
 

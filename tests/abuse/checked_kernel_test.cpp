@@ -63,7 +63,8 @@ TEST_CASE("the checker finds what doubles get wrong, and each report replays it"
 }
 
 TEST_CASE("the first kernel answers", "[checker]") {
-  // (0.5, 0.5) plus two units against the line through (12, 12) and (24, 24).
+  // Asks for (0.5, 0.5) moved by two units in the last place, and the line through (12, 12) and
+  // (24, 24).
   const point p{0.5 + 0x1p-52, 0.5}, q{12, 12}, r{24, 24};
   int differences = 0;
   const auto count = [&](const kernel_difference&) { ++differences; };

@@ -19,7 +19,8 @@ DECLARING = ["kernels/filtered_kernel.hpp", "kernels/exact_kernel.hpp",
 FLAGS = {"-ffast-math": "cannot be compiled with -ffast-math",
          "-Ofast": "cannot be compiled with -ffast-math",
          "-ffinite-math-only": "cannot be compiled with -ffast-math"}
-# Parts of it, and registers longer than a double, which only g++ tells of.
+# Options that -ffast-math includes, and one that computes in registers longer than a double. Only g++ defines macros
+# for these.
 GXX_FLAGS = {"-funsafe-math-optimizations": "cannot be compiled with -ffast-math",
              "-freciprocal-math": "cannot be compiled with -ffast-math",
              "-mfpmath=387": "need doubles that are rounded to doubles"}

@@ -16,12 +16,12 @@ namespace {
 
 using namespace asterism;
 
-// Uses -2, which is no answer of any predicate.
+// Uses -2 as the wrong answer: no predicate returns it.
 void print_all(std::ostream& out) {
   constexpr const char* kernels[] = {"asterism::filtered_kernel", "asterism::interval_kernel",
                                      "asterism::exact_kernel"};
   challenge::random_source random(11);
-  std::set<std::string> printed;  // a record drawn twice would be a test of the same name
+  std::set<std::string> printed;  // a record drawn twice would give two tests of one name
   for (const char* const kernel : kernels)
     for (const challenge::input_class& from : challenge::input_classes().first(2))
       for (std::size_t p = 0; p < predicate_count; ++p) {

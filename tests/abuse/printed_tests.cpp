@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reports of differences are tests: this includes sixty as they were printed.
+// Includes sixty reports of differences, as they were printed: each report is a test.
 #include <catch2/catch.hpp>
 
 #include "asterism/kernels/batch_question.hpp"

@@ -22,7 +22,7 @@ def compiled(compiler, include, header, *flags):
 
 
 def attempts(compilers, emscripten, stub):
-    """Compiler, flags, header, whether it is to be refused."""
+    """Yields compiler, flags, header and whether the header must be refused."""
     for compiler in compilers:
         unknown = ["-U__SSE2__", "-isystem", stub]
         yield compiler, unknown, FEATURE, True
@@ -33,7 +33,7 @@ def attempts(compilers, emscripten, stub):
             web = ["--target=wasm32"]
             yield compiler, web, FEATURE, False
             yield compiler, [*web, DIRECTED], FEATURE, True
-            # Its compiler says so with -msse2, where nothing of it but the names is there.
+            # Emscripten defines __SSE2__ with -msse2, though WebAssembly has the names of SSE2 alone.
             yield compiler, [*web, "-D__SSE2__", DIRECTED], FEATURE, True
             yield compiler, [*web, "-D__SSE2__"], FEATURE, False
     for header in INTERVALS if emscripten else []:

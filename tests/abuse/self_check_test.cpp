@@ -23,7 +23,7 @@ number draw(random_source& random) {
   return number(a, a + (random.chance(2) ? 1 : 0x1p-52));
 }
 
-// Chains of operations; each one checks itself.
+// Chains operations, each of which checks itself.
 [[gnu::noinline]] double chain(random_source& random) {
   number x = draw(random);
   for (int step = 0; step < 12; ++step) {

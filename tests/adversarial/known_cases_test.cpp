@@ -22,7 +22,8 @@ TEST_CASE("four sites equidistant along a line", "[adversarial]") {
   }
   expect_agreement(
       -1, [&](const auto& kernel) { return kernel.arc_intersection_count(v, w, x); }, "");
-  // w and y are on the same side of the line, which is therefore outside their wedge; so is x's.
+  // w and y are on the same side of the line, which is therefore outside their wedge, and outside
+  // that of w and x.
   expect_agreement(
       0, [&](const auto& kernel) { return kernel.arc_intersection_count(w, y, v); }, "");
   expect_agreement(
@@ -55,7 +56,7 @@ TEST_CASE("the dominating site need not be the nearer one", "[adversarial]") {
 TEST_CASE("on the tangent ray neither dominates", "[adversarial]") {
   const site v = {{0, 0}, {1, 0, 3}}, w = {{3, 0}, {4, 0, 12}};
   const point touching = {3, 1}, beyond = {6, 2}, before = {1.5, 0.5};
-  // One common point on the segment from v and one on the segment from w.
+  // The segment from v has one common point with the bisector, and so has the segment from w.
   expect_agreement(
       sign::zero, [&](const auto& kernel) { return kernel.compare_distance(v, w, touching); }, "");
   expect_agreement(
@@ -70,7 +71,7 @@ TEST_CASE("on the tangent ray neither dominates", "[adversarial]") {
 
 TEST_CASE("encroachment: touching is no", "[adversarial]") {
   const site a = {{-1, 0}, euclidean}, b = {{1, 0}, euclidean};
-  // (0,1) is as far from the middle as a and b are.
+  // (0,1) is as far from the midpoint of the segment as a and b are.
   const auto encroaches = [&](const site& w, bool expected) {
     expect_agreement(
         expected, [&](const auto& kernel) { return kernel.encroaches(a, b, w); }, "");

@@ -65,7 +65,7 @@ TEST_CASE("the ends of the range of doubles", "[adversarial]") {
         const point q = scaled({p, {}}, coordinates, 0).position;
         expect_same(expected, ask_everything(exact, moved, q), moved, "exact, scaled");
         expect_same(expected, ask_everything(filtered, moved, q), moved, "filtered, scaled");
-        (void)ask_everything(doubles, moved, q);  // may be wrong, must return
+        (void)ask_everything(doubles, moved, q);  // may be wrong, but must return
       }
     }
   }

@@ -35,7 +35,8 @@ def solution_text(rows, types=(1,)):
 
 
 def rows_after(file, keyword, skipped):
-    """The rows of numbers of a section, its first `skipped` lines left out; the first of these has their number."""
+    """Returns the rows of numbers of a section. The first line after the keyword has their number; `skipped` lines
+    follow it before the rows."""
     lines = file.read_text().split("\n")
     start = lines.index(keyword) + 1
     return [list(map(float, line.split())) for line in lines[start + skipped:start + skipped + int(lines[start])]]
@@ -193,14 +194,14 @@ class MetricTest(AdaptationTest):
 
 
 def exact_hessian(x, y):
-    """Second derivatives of the front, and of a saddle."""
+    """Returns the second derivatives of the front, or of a saddle."""
     t = math.tanh(20 * (x * x + y * y - 0.5))
     slope, bend = 20 * (1 - t * t), -800 * t * (1 - t * t)
     return (bend * 4 * x * x + 2 * slope, bend * 4 * x * y, bend * 4 * y * y + 2 * slope)
 
 
 def data_text(rows, name):
-    """A file of gmsh with the grid's nodes and tensors at them."""
+    """Returns a gmsh file with the grid's nodes and a tensor at each."""
     points, triangles = grid(20)
     lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(points))]
     lines += [f"{k + 1} {x!r} {y!r} 0" for k, (x, y) in enumerate(points)]
@@ -223,7 +224,7 @@ def vtu_text(rows, name, width=9):
 
 
 class GivenHessianTest(AdaptationTest):
-    """Second derivatives that somebody else has."""
+    """Takes second derivatives from a file (--given-hessian) in place of recovering them."""
 
     def setUp(self):
         super().setUp()
@@ -235,7 +236,7 @@ class GivenHessianTest(AdaptationTest):
         return rows_after(self.folder / "m.sol", "SolAtVertices", 2)
 
     def test_metric_is_the_optimum_of_the_tensors(self):
-        """Where no bound holds M is D det|H|^(-1/6) |H|: its shape is that of |H|."""
+        """Where no bound applies, M = D det|H|^(-1/6) |H|, so that M and |H| have the same shape."""
         found = self.tensors("--given-hessian", "h.sol", "--vertices", "800", "--gradation", "none")
         factors = []
         for h, m in list(zip(self.rows, found))[::7]:
@@ -243,7 +244,7 @@ class GivenHessianTest(AdaptationTest):
             radius = math.sqrt(max(mean * mean - det, 0))
             low, high = sorted((abs(mean + radius), abs(mean - radius)))
             weak = ((m[0] + m[2]) - math.hypot(m[0] - m[2], 2 * m[1])) / 2
-            if weak < 10:  # sizes are bounded there
+            if weak < 10:  # sizes are bounded at the other points
                 continue
             trace = (low + high) * (low * high) ** (-1 / 6)
             factors.append((m[0] + m[2]) / trace)
@@ -300,7 +301,7 @@ class GivenHessianTest(AdaptationTest):
 
 
 class RelativeErrorTest(AdaptationTest):
-    """The error as a part of values, as adaptmesh's err."""
+    """The error is given as a part of the values, as adaptmesh's err is."""
 
     def tensors(self, values, *arguments):
         self.write("u.sol", solution_text([(u,) for u in values]))
@@ -308,7 +309,7 @@ class RelativeErrorTest(AdaptationTest):
         return rows_after(self.folder / "m.sol", "SolAtVertices", 2)
 
     def test_metric_is_the_formula(self):
-        """u = 3 x^2 + y^2 + 2: the recovery has its second derivatives to rounding on a grid."""
+        """On a grid, the recovery finds the second derivatives of u = 3 x^2 + y^2 + 2 to rounding."""
         values = [3 * x * x + y * y + 2 for x, y in self.points]
         for cutoff in (None, 0.5):
             words = () if cutoff is None else ("--cutoff", cutoff)
@@ -376,8 +377,8 @@ class SeriesTest(AdaptationTest):
         self.assertEqual(said["files"], [f"s.{k}.{e}" for k in (1, 2, 3) for e in ("mesh", "sol")])
 
     def test_complexity_of_a_window_follows_the_optimum(self):
-        """In the mean square D is one for all: a window has the integral of det|H|^(1/3) of the sum, so that one
-        whose values are eight times as great, and no direction preferred, has 8^(2/3) times as much."""
+        """In the mean square the factor D is the same for all windows. The density of a window is proportional to
+        det|H|^(1/3) of the sum. Values that are eight times as great therefore give 8^(2/3) times the complexity."""
         for name, times in (("a", 1), ("b", 8)):
             self.write(f"{name}.sol", solution_text([(times * (x * x + 2 * y * y),) for x, y in self.points]))
         first, second = self.series("--hessian", "lsq", "--gradation", "none", windows=("a.sol", "b.sol"))["windows"]
@@ -557,7 +558,7 @@ class AdaptTest(AdaptationTest):
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
     def test_what_stays_is_asked_for(self):
-        # A grid of equal sizes, and a field that wants others but no direction: exp(5x) cos(5y).
+        # The grid has equal sizes. exp(5x) cos(5y) wants other sizes, equal in all directions.
         values = [(math.exp(5 * x) * math.cos(5 * y),) for x, y in self.points]
         self.write("h.sol", solution_text(values))
         count = str(len(self.points))
@@ -651,7 +652,7 @@ class AdaptTest(AdaptationTest):
         self.assertLess(abs(said["area_common"] - 1), 1e-14)
 
     def test_another_number_than_was_wanted_is_told(self):
-        # A comb whose teeth end in points that all stay: more than the number wanted.
+        # A comb whose teeth end in vertices that must all stay: more than the number wanted.
         lines = ["MeshVersionFormatted 2", "Dimension 2", "Vertices", "302"]
         lines += [f"{i / 150!r} {0 if k == 0 else 0.2 + 0.1 * (i % 2)!r} 0" for i in range(151) for k in (0, 1)]
         triangles = [t for i in range(150) for t in ((2 * i, 2 * i + 2, 2 * i + 3), (2 * i, 2 * i + 3, 2 * i + 1))]
@@ -676,7 +677,8 @@ class AdaptTest(AdaptationTest):
 
 
 class SpoiledTest(AdaptationTest):
-    """Two hundred spoiled or hostile inputs: no crash, no hang, a sentence, nothing written."""
+    """Two hundred spoiled or hostile inputs give neither crash nor hang: each is refused by a sentence, and nothing
+    is written."""
 
     WORDS = ["nan", "inf", "-1", "0", "1e999", "99999999999999999999", "x", "", "\x00", "#", "1e-320",
              "SolAtVertices", "End", "Dimension 3", "\xff\xfe"]
@@ -686,7 +688,7 @@ class SpoiledTest(AdaptationTest):
         mesh, values = mesh_text(points, triangles), solution_text([(x * x + y,) for x, y in points])
         self.write("o.mesh", mesh)
         refused = 0
-        state = 12345  # replays: the fixed sequence of a linear congruence
+        state = 12345  # a linear congruential sequence from a fixed seed
         for i in range(200):
             texts = {"g.mesh": mesh, "u.sol": values}
             name = ("u.sol", "g.mesh")[i % 4 == 3]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What a run says to try is tried, and ends well: the table of causes in docs/manual/statuses.md, and
-polygons with vertices a rounding apart."""
+"""Follows the advice that runs print, and checks that the advised run ends with the status promised: for each row of
+the table of causes in docs/manual/statuses.md, and for polygons with vertices one rounding apart."""
 import math
 import pathlib
 import random
@@ -24,13 +24,13 @@ def rows(page):
 
 
 def advice_in(message):
-    """The first way that a message names; the others follow it."""
+    """Returns the first option that a message advises."""
     found = re.search(r"asterism: try (.*)|; (--repair-domain) mends it", message)
     return re.split(r", (?:or|which|a) ", found[1] or found[2])[0] if found else None
 
 
 def followed(arguments, advice):
-    """The arguments with the options advised, in place of those that were there."""
+    """Returns the arguments with the advised option in place of its earlier value."""
     option, *values = shlex.split(advice)
     changed = list(arguments)
     if option in changed:
@@ -43,7 +43,7 @@ def followed(arguments, advice):
 
 
 def nearly_repeated(seed):
-    """A polygon in one decimal, some of whose vertices are there twice, one rounding apart."""
+    """Returns a polygon with coordinates of one decimal. Some vertices occur twice, one rounding apart."""
     draw = random.Random(seed)
     corners, middle, ring = draw.randint(4, 10), draw.choice([0, 100, 1e4]), []
     for i in range(corners):

@@ -51,7 +51,7 @@ def choose(driver, name, index):
 
 
 def click_middle(driver):
-    """A little off the middle, where domains have vertices."""
+    """Clicks beside the middle of the canvas: in the middle, domains have vertices."""
     ActionChains(driver).move_to_element_with_offset(driver.find_element("id", "canvas"), 31, 17).click().perform()
 
 
@@ -60,7 +60,7 @@ def hover_middle(driver):
 
 
 def resize(driver, width=0, height=0):
-    """The page as on a screen of this size; without one as it was."""
+    """Shows the page as on a screen of this size. A width of 0 restores the screen."""
     if width == 0:
         driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
     else:
@@ -69,7 +69,7 @@ def resize(driver, width=0, height=0):
 
 
 def touch(driver, steps):
-    """Fingers at the places of each step in turn, in pixels of the window, then lifted."""
+    """Puts fingers at the places of each step in turn, in pixels of the window, then lifts them."""
     driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 5})
     for i, places in enumerate(steps):
         points = [{"x": x, "y": y, "id": finger} for finger, (x, y) in enumerate(places)]
@@ -80,7 +80,7 @@ def touch(driver, steps):
 
 
 def broken_words(driver):
-    """Words and numbers of tables that run over more than one line. Fingerprints may."""
+    """Returns the words and numbers of tables that run over more than one line. Fingerprints are excepted."""
     return driver.execute_script("""
         const wrong = [], range = document.createRange();
         for (const cell of document.querySelectorAll("td:not(.hash), th")) {
@@ -95,7 +95,7 @@ def broken_words(driver):
 
 
 def colours_of_canvas(driver):
-    """How many pixels of a grid have each colour, as the graphics card drew them."""
+    """Returns how many pixels of a grid have each colour, as the graphics card drew them."""
     return driver.execute_script("""
         const gl = document.getElementById("canvas").getContext("webgl2"), counts = {};
         const w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, pixels = new Uint8Array(4 * w * h);
@@ -108,7 +108,7 @@ def colours_of_canvas(driver):
 
 
 def luminance(driver, colour):
-    """Relative luminance (WCAG 2) of a computed colour."""
+    """Returns the relative luminance (WCAG 2) of a computed colour."""
     numbers = driver.execute_script(f"return {colour}.match(/\\d+/g).slice(0, 3).map(Number)")
     linear = [x / 255 / 12.92 if x / 255 <= 0.04045 else ((x / 255 + 0.055) / 1.055) ** 2.4 for x in numbers]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]

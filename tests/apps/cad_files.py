@@ -29,7 +29,7 @@ class CadFiles(CommandTest):
         return done.stdout + done.stderr
 
     def test_solids_are_certified_and_closed(self):
-        """Faces, edges and the Euler number, and the volume by the divergence theorem."""
+        """Returns the number of faces, the Euler number, and the volume by the divergence theorem."""
         for name, faces, edges, euler, volume, off in (
                 ("box.brep", 6, 12, 2, 6000, 1e-6), ("can.brep", 3, 3, 2, 628.3185, 30),
                 ("drilled.brep", 7, 15, 0, 5497.345, 30), ("drilled.step", 7, 15, 0, 5497.345, 30)):
@@ -66,7 +66,8 @@ class CadFiles(CommandTest):
                 self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
 
     def test_faces_that_bound_themselves_are_certified_and_closed(self):
-        """The volumes of a ball of radius 5 and of a ring of radii 10 and 3; a mesh within D is off by D times the area."""
+        """Compares the volumes of a ball of radius 5 and of a ring of radii 10 and 3 with their formulas. A mesh
+        within distance D may be off by D times the area."""
         for name, euler, volume, area in (("ball.brep", 2, 500 * math.pi / 3, 100 * math.pi),
                                           ("ring.brep", 0, 180 * math.pi ** 2, 120 * math.pi ** 2)):
             with self.subTest(name):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Real certificates have the fields of docs/manual/certificate.schema.json, all of them and no other, and
-the page is the schema's."""
+"""Real certificates have all fields of docs/manual/certificate.schema.json and no others, and the manual page is the
+one that the schema gives."""
 import json
 import pathlib
 import subprocess
@@ -16,7 +16,7 @@ TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "integer
 
 
 def faults(value, schema, path="certificate"):
-    """What is not as the schema says; of JSON Schema the part that this schema uses."""
+    """Returns what differs from the schema. Handles the part of JSON Schema that this schema uses."""
     names = schema["type"] if isinstance(schema["type"], list) else [schema["type"]]
     if not any(isinstance(value, TYPES[n]) and (n == "boolean" or not isinstance(value, bool)) for n in names):
         yield f"{path}: {value!r} is none of {names}"
@@ -39,8 +39,8 @@ def faults(value, schema, path="certificate"):
             yield f"{path}: {value} is out of range"
 
 
-# In certificates of meshes in pieces, of metrics placed in another box than the domain's, and where a guarantee
-# or no edge across was asked for.
+# Fields of some certificates only: of meshes in pieces, of metrics placed in another box than the domain's, and of
+# runs that asked for a guarantee or for no edge across.
 NOT_IN_ALL = {"piece", "piece-question", "metric-box", "guarantee", "split-across"}
 
 

@@ -58,7 +58,7 @@ class Certify(command.CommandTest):
         self.assertNotIn("Voronoi", self.run_certify(0, "good.mesh").stdout)
         done = self.run_certify(0, "good.mesh", "--voronoi", "-o", "same.mesh")
         self.assertIn("dual of the Voronoi diagram: proved\n", done.stdout)
-        # One site that reaches over its neighbours between the corners of their cells.
+        # One site's cell reaches over its neighbours' cells, between the corners of these.
         self.grid(8, lambda x, y: (0.05, 0, 2) if x == y == 0.5 else (1, 0, 1))
         done = self.run_certify(1, "grid.mesh", "--voronoi", "--angle-bound", "0")
         self.assertIn("dual of the Voronoi diagram: refused\n", done.stdout)
@@ -122,7 +122,7 @@ class Certify(command.CommandTest):
         self.assertTrue(claim["audit"]["certified"])
         first = (self.folder / "out.mesh").read_text().splitlines()
         start = first.index("Vertices") + 2
-        self.assertEqual(float(first[start + 6].split()[0]), 0.0)  # what was there stays
+        self.assertEqual(float(first[start + 6].split()[0]), 0.0)  # vertices that were there stay
         self.assertEqual(float(first[start + 6].split()[1]), 0.2)
 
     def test_repair_that_ends_early_says_so(self):
@@ -157,14 +157,14 @@ class Certify(command.CommandTest):
         self.assertRegex(done.stdout, "\ninverted or flat: 1\n")
         self.assertRegex(done.stderr, "no triangulation")
         self.assertNotIn("out.mesh", self.files())
-        # Beyond the side that it shares with the other triangle it can be turned over, and is folded.
+        # The corner is beyond the side that the two triangles share: turning one over folds the mesh.
         corners[3] = (0.75, 0.25, 0)
         self.write("t.mesh", medit(corners, [(1, 2, 3, 0), (1, 4, 3, 0)]))
         done = self.run_certify(1, "t.mesh", "--repair", "-o", "out.mesh")
         self.assertRegex(done.stderr, "no triangulation")
         self.assertNotIn("out.mesh", self.files())
 
-    # The sections BAMG writes, quoted names with blanks in them among them.
+    # Has the sections that BAMG writes, with quoted names that contain blanks.
     BAMG = ["MeshVersionFormatted 1", "", "Dimension", "2", "", "Identifier",
             '"B=background.mesh, G=square.mesh;2, Date: 01/02/03 10:02 43s"', "", "Geometry", '"square.mesh"', "",
             "Vertices", "4", "0 0 1", "1 0 2", "1 1 3", "0 1 4", "Edges", "4", "1 2 1", "2 3 2", "3 4 3", "4 1 4",

@@ -11,7 +11,7 @@ import unittest
 
 import command
 
-# A program that knows orient2d of whole numbers, and does {at} when it comes to record number {k}.
+# A program that answers orient2d of whole numbers, and executes {at} at record number {k}.
 PROGRAM = """#!{python} -S
 import os, signal, sys, time
 BUFFERED = {buffered}
@@ -32,7 +32,7 @@ for k, line in enumerate(lines):
     if answer is not None:
         print(answer, flush=not BUFFERED)
 """
-# Ten records, of which the sixth is the one above.
+# Ten records, of which the sixth is the record above.
 RECORDS = [f"orient2d 0 0 1 0 {k} {k}" for k in range(5)] + ["orient2d 7 7 8 8 9 10"] + [
     f"orient2d 0 0 1 0 {k} -{k}" for k in range(4)]
 ANSWERS = [0, 1, 1, 1, 1, 1, 0, -1, -1, -1]
@@ -56,7 +56,7 @@ class Challenge(command.CommandTest):
                               *options, program)
 
     def counts(self, done, name="all"):
-        """The row of the first table as a dictionary."""
+        """Returns the row of the first table as a dictionary."""
         lines = done.stdout.splitlines()
         head = re.split(r"  +", lines[0].strip())
         row = next(line for line in lines if line.startswith(name))
@@ -208,7 +208,7 @@ class Challenge(command.CommandTest):
                 if os.path.exists(p) and self.runs(p, str(self.folder))]
         self.assertEqual(left, [])
 
-    # Each leaves a process in a session of its own, and ends or goes on.
+    # Each program leaves a process in a session of its own, and then ends or goes on.
     DAEMONS = {
         "a child in a session of its own": "setsid sleep 98765 & sleep 98765",
         "a daemon of two forks": "(setsid sh -c 'sleep 98765 & exit' &) ; exit 0",
@@ -220,7 +220,7 @@ class Challenge(command.CommandTest):
     }
 
     def left_in_folder(self):
-        """The processes whose folder is this test's, with their commands."""
+        """Returns the processes whose folder is this test's, with their commands."""
         left = []
         for process in pathlib.Path("/proc").glob("[0-9]*"):
             try:
@@ -258,7 +258,7 @@ class Challenge(command.CommandTest):
                 time.sleep(0.02)
 
     def test_the_whole_run_has_a_limit(self):
-        # Never silent for long, and never done.
+        # The program answers every 50 ms, so it never exceeds the limit for one answer, and does not finish.
         program = self.program(f"#!{sys.executable} -S\nimport sys, time\n"
                                "for line in iter(sys.stdin.readline, ''):\n"
                                "    print(1, flush=True)\n    time.sleep(0.05)\n")
@@ -291,7 +291,7 @@ class Challenge(command.CommandTest):
         done = self.challenge("--classes", "a.txt", command.PROGRAM, "eval")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.counts(done, "mirror")["records"], "7")
-        # Whoever asks for less gets the same of it, in decimals too.
+        # Smaller counts, fewer classes and decimal output select the same records.
         self.challenge("--count", "3", "--classes", "mirror", "--records", "c.txt", "--decimal")
         decimal = [r for r in (self.folder / "c.txt").read_text().splitlines() if "dominates" in r]
         same = text.split("# class mirror")[1].splitlines()[1:7:2]

@@ -11,14 +11,15 @@ PROGRAM = os.environ["ASTERISM_COMMAND"]
 
 
 class CommandTest(unittest.TestCase):
-    """Each test has a folder of its own, in which the command runs."""
+    """Runs each test in a folder of its own."""
 
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="asterism-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
     def run_command(self, *arguments, text="", seconds=240, environment=None):
-        """`text` is standard input, as text or as bytes; `environment` is added to that of the tests."""
+        """Runs the command. `text` is standard input, as text or as bytes; `environment` is added to that of the
+        tests."""
         data = text if isinstance(text, bytes) else text.encode()
         done = subprocess.run([PROGRAM, *map(str, arguments)], input=data, cwd=self.folder,
                               capture_output=True, timeout=seconds, check=False,
@@ -41,6 +42,6 @@ JOB = ["mesh", "square", "--random-points", "10", "--metric", "swirl:3", "--angl
 
 
 def section(lines, keyword):
-    """Where the entries of a Medit section start, and how many there are."""
+    """Returns the line at which the entries of a Medit section start, and their number."""
     at = lines.index(keyword)
     return at + 2, int(lines[at + 1])

@@ -50,7 +50,7 @@ class Convert(command.CommandTest):
         return done.stderr
 
     def facts(self, name):
-        """What is in a file, by way of .msh, as sets that do not depend on any order."""
+        """Returns the contents of a file, converted to .msh, as sets that do not depend on any order."""
         if name != "first.msh":
             self.convert(name, "facts.msh2", "--quiet")
         text = (self.folder / ("facts.msh2" if name != "first.msh" else name)).read_text()
@@ -69,7 +69,7 @@ class Convert(command.CommandTest):
                 "names": {n for n in names.values() if not re.match("marker |region |given", n)}, "fields": fields}
 
     def test_what_survives_through_every_pair(self):
-        """The table of docs/manual/files.md."""
+        """Compares the table of docs/manual/files.md with what conversions keep."""
         first = self.facts("first.msh")
         self.assertEqual(first["fields"]["heat"], {p: (h,) for p, h in zip(POINTS, HEAT)})
         outer = [m for m in first["markers"] if m[1] != 4]
@@ -142,7 +142,7 @@ class Convert(command.CommandTest):
             self.assertIn(words, done.stderr)
 
     def test_node_data_belong_to_the_nodes_in_every_version_of_gmsh(self):
-        """Coordinates are whole numbers, so that a place can be taken for a tag; tags are in no order."""
+        """Coordinates are whole numbers, so that one could be mistaken for a tag. Tags are in no order."""
         nodes = ((7, 0, 0), (3, 2, 0), (9, 2, 2), (5, 0, 2))
         placed = "".join(f"{tag} {x} {y} 0\n" for tag, x, y in nodes)
         apart = "".join(f"{tag}\n" for tag, _, _ in nodes) + "".join(f"{x} {y} 0\n" for _, x, y in nodes)
@@ -185,8 +185,8 @@ class Convert(command.CommandTest):
         self.assertEqual(done.returncode, 0)
 
     def test_a_size_map_is_a_metric_where_one_is_wanted(self):
-        """One number a vertex beside a mesh: a size where a metric is wanted, a solution where one is wanted, and
-        nowhere in the way."""
+        """One number at each vertex beside a mesh is a size where a metric is read, a solution where one is read, and
+        ignored elsewhere."""
         self.run_command("mesh", "square", "--size", "0.5", "-o", "plain.mesh")
         (self.folder / "plain.certificate.json").unlink()
         vertices = int((self.folder / "plain.mesh").read_text().split("Vertices\n")[1].split()[0])

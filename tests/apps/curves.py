@@ -36,7 +36,7 @@ class Curves(command.CommandTest):
         return self.checked(["--regions"] if "--regions" in options else [])
 
     def checked(self, named):
-        """The certificate, after `verify` has repeated it from itself and from the file."""
+        """Returns the certificate, after `verify` has proved it again by its own words and against the file."""
         for more in ([], ["--domain", "d.poly", *named]):
             done = self.run_command("verify", "d.mesh", *more)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -60,7 +60,7 @@ class Curves(command.CommandTest):
         told = made["audit"]["curves"]
         chords = len(made["domain"]["curves"][0]["vertices"]) - 1
         self.assertEqual((told["curves"], told["vertices_off"]), (1, 0))
-        # A chord of an n-th of a circle is 1 - cos(pi / n) from it.
+        # A chord over an n-th of a unit circle is 1 - cos(pi / n) from it.
         height = 1 - math.cos(math.pi / chords)
         self.assertGreaterEqual(told["largest_distance"], height * (1 - 1e-9))
         self.assertLess(told["largest_distance"], height * 1.01)
@@ -81,7 +81,7 @@ class Curves(command.CommandTest):
         self.mesh(poly([(1, 0), (0.999, 0)], [], ["circle 1 0 0 1", "circle 2 0 0 2"], [(0, 0)]))
 
     def test_points_near_a_circle_stay_on_their_side(self):
-        # All are between the circle and the chords that it would have without them.
+        # All three points lie between the circle and the chords that it would have without them.
         near = [(0.9999 * math.cos(a), 0.9999 * math.sin(a)) for a in (0.3, 1.1, 2.9)]
         made = self.mesh(poly([(1, 0), *near], [], ["circle 1 0 0 1"]))
         self.assertEqual(made["mesh"]["given"] - len(made["domain"]["curves"][0]["vertices"]) + 1, 3)
@@ -98,7 +98,8 @@ class Curves(command.CommandTest):
         self.assertLessEqual(made["audit"]["curves"]["largest_distance"], 1.001e-4)
 
     def test_chords_are_split_on_the_curve(self):
-        # Without a size the four chords of an eighth are split for the angles near the hole.
+        # Without a size, the chords of the circle, four times an eighth of a turn, are split for the angles near the
+        # hole.
         ring = [(1.05, 0), (1.05, 0.02), (1.03, 0.02), (1.03, 0)]
         sides = [(2, 3, 1), (3, 4, 1), (4, 5, 1), (5, 2, 1)]
         text = poly([(1.1, 0), *ring], sides, ["circle 1 0 0 7"], [(1.04, 0.01)])
@@ -193,7 +194,7 @@ class Curves(command.CommandTest):
                 self.assertEqual(self.run_command("verify", "next.mesh", "--domain", "d.poly").returncode, 0)
 
     def test_chords_follow_the_size_across(self):
-        # Layers along the circle: a fifth as wide as long.
+        # Layers along the circle: edges a fifth as wide as long.
         layer = ["--size", "1", "--metric", "expr:100+2400*x*x;2400*x*y;100+2400*y*y"]
         made = self.mesh(disc(), *layer)
         self.assertLess(made["audit"]["curves"]["largest_distance"], 0.0201 / 50)
@@ -202,11 +203,11 @@ class Curves(command.CommandTest):
         self.assertEqual(chords, 2 * coarse)
 
     def test_chords_finer_than_the_metric_have_room_beside_them(self):
-        """Triangles on short chords were as high as edges wanted, and the metric delivered at half of all sites was
-        another, with lengths ten times as great or small. Fewer vertices than there is room for are still had."""
+        """Triangles on short chords had the height of a wanted edge, so that half of the tensors were replaced and
+        lengths differed by a factor of ten. The mesh has fewer vertices than wanted."""
         square, sides = [(-2, -2), (2, -2), (2, 2), (-2, 2)], [(1, 2, 1), (2, 3, 1), (3, 4, 1), (4, 1, 1)]
         self.mesh(poly([*square, (0.5, 0)], sides, ["circle 5 0 0 2"], [(0, 0)]), "--size", "0.15")
-        # Begun elsewhere, the circle has none of its chords' ends at a vertex of the mesh.
+        # The circle begins at another vertex, so that no end of its chords is a vertex of the mesh.
         self.write("turned.poly", poly([*square, (0.3, 0.4)], sides, ["circle 5 0 0 2"], [(0, 0)]))
         solved = self.solved("d.mesh")
         for wanted in (900, 2500):
@@ -308,7 +309,7 @@ class Curves(command.CommandTest):
         self.refused(poly([(1, 0), (0.2, 0)], [], ["circle 1 0 0", "circle 2 0.6 0"]),
                      "crosses or touches")
         self.refused(poly([(0, 0), (1, 0)], [(1, 2, 1)], ["bezier 1 5 5 -4 5"]), "itself")
-        # A wedge that crosses the circle twice within one chord, and no chord.
+        # The first wedge crosses the circle twice within one chord and meets no chord.
         wedge = [(1, 0), (0.9995, 0.01), (1.2, 0), (1.2, 0.02), (0.9995, 0.02)]
         ring = [(2, 3, 1), (3, 4, 1), (4, 5, 1), (5, 2, 1)]
         self.refused(poly(wedge, ring, ["circle 1 0 0"]), "crosses or touches segment")

@@ -77,7 +77,7 @@ def kinds():
                   .chain([(-0.7, 0.3), (0, 0)], 7))
 
 
-# What is wrong, the domain, and what the message must match: both places where there are two.
+# Cause, domain, and a pattern that the message matches: it names both places where two are at fault.
 REFUSED = [
     ("crossing inside", square().chain([(-0.5, 0), (0.5, 0)], 0).chain([(0, -0.5), (0, 0.5)], 0),
      r"in\.poly:16: segment 6 .*crosses segment 5 .*line 15"),
@@ -97,7 +97,7 @@ REFUSED = [
 ]
 
 
-# Refused, and repaired: what is said of it.
+# Domains that are refused, and meshed with --repair-domain; and what is then said of the repair.
 DIRTY = [
     ("crossing inside", square().chain([(-0.5, 0), (0.5, 0.1)], 0).chain([(0, -0.5), (0.1, 0.5)], 0),
      "1 crossings made vertices, 0 vertices joined"),
@@ -142,7 +142,7 @@ class Domains(command.CommandTest):
                 options = json.loads((self.folder / "m.certificate.json").read_text())["asked"]["options"]
                 self.assertRegex(options["repair-done"], done_so)
                 self.assertNotEqual(options["repair-places"], "none")
-                # An end that was cut off may lie beyond the picture.
+                # The removed end of a segment may lie outside of the picture.
                 rings = (self.folder / "m.svg").read_text().count("rgb(75%,0%,13%)")
                 self.assertIn(rings, range(1, options["repair-places"].count(";") + 2))
                 for more in ([], ["--domain", "in.poly"]):

@@ -63,7 +63,7 @@ KNOWN = [
     ("orientation +0 -0 +1. 0 0 .5", "1"),
 ]
 
-# A record, and what its error must say.
+# A record, and the pattern that its error matches.
 MALFORMED = [
     ("oreintation 0 0 1 0 0 1", "field 1: unknown predicate 'oreintation'"),
     ("Orientation 0 0 1 0 0 1", "unknown predicate"),
@@ -202,7 +202,7 @@ class Eval(command.CommandTest):
         try:
             master, slave = pty.openpty()
             ends.append(slave)
-        except OSError:  # a machine without terminals to give; the pipe is tested all the same
+        except OSError:  # no terminal can be had here; the pipe is tested all the same
             slave = None
         for end in ends:
             asked = subprocess.Popen([command.PROGRAM, "eval"], stdin=end, stdout=subprocess.PIPE)

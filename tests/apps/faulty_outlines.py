@@ -8,7 +8,8 @@ import command
 
 
 def coastline(levels=8, seed=2, digits=3):
-    """A ring made rougher by moving midpoints, then rounded to few digits: it crosses itself."""
+    """Returns a ring that crosses itself: midpoints are moved repeatedly, and the coordinates rounded to few
+    digits."""
     numbers = random.Random(seed)
     ring = [(1.0, 0.0), (-0.5, 0.87), (-0.5, -0.87)]
     for _ in range(levels):
@@ -20,7 +21,7 @@ def coastline(levels=8, seed=2, digits=3):
     return [(round(x, digits), round(y, digits)) for x, y in ring]
 
 
-# Lines as a drawing has them: ends that miss each other by 1e-5, one line on another, gaps in a hole's ring.
+# Lines with a drawing's faults: ends that miss each other by 1e-5, one line on another, gaps in a hole's ring.
 DRAWING = [((0, 0), (4.00001, 0)), ((4, -0.00001), (4, 3)), ((4, 3.00001), (2.5, 3)), ((2.5, 3), (2.5, 2)),
            ((2.5, 2.00001), (1.5, 2)), ((1.5, 2), (1.5, 3.00002)), ((1.50001, 3), (0, 3)),
            ((0, 3.00001), (0, 0.00001)), ((0, 3), (0, 1)), ((0.5, 0.5), (1, 0.5)), ((1, 0.50001), (1, 1)),
@@ -59,7 +60,7 @@ class FaultyOutlines(command.CommandTest):
         self.assertRegex(done["repair-done"], r"13 vertices joined")
 
     def test_what_is_left_beside_corners_is_said_with_what_to_try(self):
-        # Segments of less than a degree inside the domain: what lies between them stays too thin.
+        # Segments of less than a degree inside the domain: the triangles between them stay thin.
         text = poly([(-2, -2), (2, -2), (2, 2), (-2, 2), (0, 0), (1.5, 0), (1.5, 0.02)],
                     [(1, 2), (2, 3), (3, 4), (4, 1), (5, 6), (5, 7)])
         self.write("d.poly", text)
@@ -70,7 +71,7 @@ class FaultyOutlines(command.CommandTest):
         self.assertIn("try --angle-bound 10, or a domain without corners that sharp", done.stderr)
 
     def test_one_hopeless_corner_does_not_keep_others_from_being_mended(self):
-        # As above, and a corner of three degrees elsewhere: all low angles were left as they were.
+        # The same with a corner of three degrees elsewhere: before, no low angle at all was improved.
         text = poly([(0, 0), (10, 0), (10, 10), (0, 10), (2, 3), (5, 3), (5, 3.0419), (5, 7), (8, 7), (7.9959, 7.157)],
                     [(1, 2), (2, 3), (3, 4), (4, 1), (5, 6), (5, 7), (8, 9), (8, 10)])
         self.write("d.poly", text)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Meshes and domains as other programs write them: read as they are meant, with a note for what is changed
-or passed over, or refused by file and line."""
+"""Meshes and domains in the forms that other programs write: each is read in its program's sense, with a note for
+what is changed or passed over, or refused by file and line."""
 import json
 import struct
 import unittest
@@ -119,24 +119,24 @@ class ReaderTest(command.CommandTest):
         return json.loads((self.folder / name).with_suffix(".certificate.json").read_text())
 
     def made(self):
-        """Whether it is certified, and the area of each region, of which there is one at least."""
+        """Returns whether the mesh is certified, and the area of each region, of which there is at least one."""
         claim = self.certificate("out.msh")["audit"]
         rows = claim.get("regions", [])
         return {"certified": claim["certified"],
                 "regions": [{"number": r["region"], "area": round(r["area"], 9)} for r in rows]}
 
     def mesh(self, name, content, *options):
-        """Meshes the file; the certificate, and what was noted."""
+        """Meshes the file; returns the certificate and the notes."""
         self.write(name, content)
         done = self.run_command("mesh", name, "--size", "0.5", "-o", "out.msh", *options)
         self.assertEqual(done.returncode, 0, done.stderr)
-        # The line between the regions is in none of the files.
+        # Passes over the note on the line between the regions, which none of the files lists.
         notes = [line for line in done.stderr.splitlines() if line.startswith("asterism: note: ")
                  and "edges between triangles of different regions" not in line]
         return self.made(), notes
 
     def area(self):
-        """Of the mesh written last, exactly enough."""
+        """Returns the area of the mesh written last, within the tests' tolerance."""
         text = (self.folder / "out.msh").read_text()
         lines = text.split("$Nodes\n")[1].split("$EndNodes")[0].split("\n")
         count = int(lines[0].split()[1])
@@ -160,7 +160,7 @@ class ReaderTest(command.CommandTest):
         return total
 
     def expect_note(self, name, content, *parts):
-        """Meshed, with one note that says all of it, which --strict refuses."""
+        """Meshes the file with a single note, which --strict refuses."""
         made, notes = self.mesh(name, content)
         self.assertEqual(len(notes), 1, notes)
         for part in parts:
@@ -180,7 +180,7 @@ class ReaderTest(command.CommandTest):
 
 
 class OrderTest(ReaderTest):
-    """What is put in order whatever the format."""
+    """Faults that are put in order in every format."""
 
     def test_clockwise_triangles_are_turned_over(self):
         turned = [((a, c, b), r) for (a, b, c), r in TRIANGLES]
@@ -219,12 +219,12 @@ class OrderTest(ReaderTest):
         done = self.run_command("transfer", "m.mesh", "u.sol", "plain.mesh", "-o", "v.sol")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([float(x) for x in (self.folder / "v.sol").read_text().split()[8:-1]], field)
-        # Onto it the values have a row for each vertex of the file.
+        # A transfer to this mesh writes a row for each vertex of the file.
         self.write("w.sol", solution(field))
         done = self.run_command("transfer", "plain.mesh", "w.sol", "m.mesh", "-o", "x.sol")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([float(x) for x in (self.folder / "x.sol").read_text().split()[8:-1]], [0, *field, 0])
-        # The metric of a file has a row for each of its vertices, too.
+        # The metric of a file has a row for each vertex of its mesh, isolated ones included.
         (self.folder / "u.sol").unlink()
         self.write("m.sol", HEAD + "SolAtVertices\n8\n1 3\n" + "4 0 4\n" * 7 + "1e300 0 1e300\nEnd\n")
         done = self.run_command("certify", "m.mesh")
@@ -249,7 +249,7 @@ class OrderTest(ReaderTest):
     def test_quadrilaterals_are_split(self):
         self.expect_note("m.mesh", medit(triangles=(), quadrilaterals=QUADRILATERALS), "2 quadrilaterals")
         self.assertAlmostEqual(self.area(), 2)
-        # One corner inward: one diagonal alone is inside.
+        # With one corner moved inward, only one diagonal is inside.
         points = [(0, 0), (2, 0), (0.5, 0.5), (0, 2)]
         dart = medit(points, (), (), [((0, 1, 2, 3), 1)])
         self.expect_note("n.mesh", dart, "1 quadrilateral is split")
@@ -281,7 +281,8 @@ class MeditTest(ReaderTest):
         self.mesh("m.mesh", medit().replace("End", "Normals\n2\n0 0 1\n0 0 1\nRidges\n1\n1\nEnd"))
 
     def test_one_file_may_be_read_for_two_things(self):
-        """A mesh with the metric in the .sol of its name; one with its fields, brought to another."""
+        """A mesh with its metric in the .sol file of its name, and a mesh with fields that is converted to another
+        format."""
         self.write("m.mesh", medit())
         self.write("m.sol", solution([0.3, 0.3, 0.5, 0.5, 0.4, 0.4]))
         nodes = "".join(f"{k + 1} {x * x}\n" for k, (x, _) in enumerate(POINTS))
@@ -319,7 +320,7 @@ class MeditTest(ReaderTest):
         edges = HEAD + SQUARE + "Edges\n4\n1 2 1\n2 3 2\n3 4 3\n4 1 4\nMaximalAngleOfCorner 91\n"
         made = edges + "Corners\n3\n1 2 3\nEnd\n"
         self.expect_note("m.mesh", made, "edges are straight here", "through 1 of their vertices", "vertex 4")
-        # BAMG's own geometries have it before the dimension.
+        # BAMG's own geometries have this line before the dimension.
         before = made.replace("MaximalAngleOfCorner 91\n", "").replace("Dimension", "MaximalAngleOfCorner 91\nDimension")
         self.expect_note("b.mesh", before, "through 1 of their vertices", "vertex 4")
         for text in (edges + "Corners\n4\n1 2 3 4\nEnd\n", edges.replace("91", "89") + "End\n",
@@ -339,7 +340,7 @@ class MeditTest(ReaderTest):
         self.assertAlmostEqual(self.area(), 1)
 
     def test_parts_of_a_geometry(self):
-        """BAMG's sub-domains: a part for each side of an edge, or a hole."""
+        """BAMG's sub-domains: each names a region by an edge and its side, or a hole."""
         points = [(0, 0), (3, 0), (3, 3), (0, 3), (1, 1), (2, 1), (2, 2), (1, 2)]
         edges = [(a, b, 1) for a, b in ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4))]
         text = medit(points, (), edges)
@@ -418,7 +419,7 @@ class GmshTest(ReaderTest):
         written = (self.folder / "out.msh").read_text()
         self.assertIn('"all+left"', written)
         self.assertIn('"all+right # one"', written)
-        # Version 2 lists such elements once for each group.
+        # Version 2 lists an element once for each of its groups.
         elements = gmsh_elements() + [f"{20 + k} 2 2 1 9 " + " ".join(str(v + 1) for v in c)
                                       for k, (c, _) in enumerate(TRIANGLES)]
         self.write("n.msh", gmsh("2.2", elements, names))
@@ -440,7 +441,7 @@ class GmshTest(ReaderTest):
         self.expect_refusal("o.msh", gmsh("2.2", ["1 4 2 5 5 1 2 3 4"]), "element of type")
 
     def test_medit_under_the_same_name(self):
-        """BAMG's meshes are named so."""
+        """BAMG names its meshes .msh."""
         made, notes = self.mesh("m.msh", medit())
         self.assertEqual({r["number"]: r["area"] for r in made["regions"]}, {3: 1, 4: 1})
 
@@ -525,7 +526,7 @@ class NewFormatsTest(ReaderTest):
         self.assertIn('"right"', (self.folder / "out.msh").read_text())
         self.mesh("n.stl", stl(binary=True))
         self.assertAlmostEqual(self.area(), 2)
-        # A cube has corners above each other, whichever comes first.
+        # A cube's corners lie above each other in the plane; the file may list either first.
         text = stl().decode()
         above = text + text.replace(" 0\n", " 1\n").replace("facet normal 0 0 1", "facet normal 0 0 -1")
         self.expect_refusal("p.stl", above, "above each other")
@@ -533,7 +534,7 @@ class NewFormatsTest(ReaderTest):
         self.expect_refusal("o.stl", stl().replace(b"vertex 1 1 0", b"vertex 1 1 3"), "o.stl:", "is not 0")
 
     def test_every_format_is_certified_and_told(self):
-        """In the plane metric where there is none, said aloud."""
+        """Without a metric the mesh is judged in the identity, and the output says so."""
         files = {"a.mesh": medit(), "b.msh": gmsh("2.2", gmsh_elements()), "c.su2": su2(), "d.14": fort14(),
                  "e.2dm": sms(), "f.vtk": vtk(), "g.stl": stl(True), "h.grd": fort14()}
         for name, content in files.items():
@@ -541,7 +542,7 @@ class NewFormatsTest(ReaderTest):
                 self.write(name, content)
                 done = self.run_command("certify", name, "--all-edges")
                 self.assertIn("metric: identity", done.stdout)
-                # Whatever the verdict: squares are ties, and the line between the regions is not listed.
+                # The verdict is not compared: squares are ties, and the line between the regions is not listed.
                 self.assertIn("6 sites, 4 triangles, 6 boundary edges", done.stdout)
                 self.assertIn("worst angle 45.00", done.stdout)
                 done = self.run_command("info", name)

@@ -52,7 +52,7 @@ cout << "GOT " << Th.nv << " " << Tb.nv << endl;
 """
 
 
-# Two of these meshes' regions of the boundary are near each other: a slender rectangle.
+# Two regions of this boundary are near each other, since the rectangle is slender.
 BOUNDARY = """
 mesh Th = square(12, 3, [x, y / 4]);
 fespace Vh(Th, P1);
@@ -90,7 +90,7 @@ cout << "GOT " << Th.nv << endl;
 """
 
 
-# A hundred times the second derivatives of tanh(10 (x - y^2)), of either sign.
+# A hundred times the second derivatives of tanh(10 (x - y^2)), with either sign.
 INDEFINITE = """
 mesh Th = square(12, 12);
 fespace Vh(Th, P1);
@@ -109,8 +109,8 @@ for (int i = 0; i < 4; ++i) {
 cout << "GOT " << Tb.nv << endl;
 """
 
-# A vortex and a scalar. adaptmesh measures errors relative to values by the length of a vector, which vanishes in the
-# middle alone, where each component vanishes on a line.
+# A vortex and a scalar. adaptmesh measures errors relative to values by the length of a vector. The length vanishes
+# in the middle alone; each component vanishes on a line.
 VECTORS = """
 mesh Th = square(16, 16), Tb = Th;
 fespace Vh(Th, P1);
@@ -159,7 +159,8 @@ class IncludeTest(unittest.TestCase):
         self.assertEqual(files, ["script.edp"])
 
     def test_sizes_and_tensors(self):
-        """A mesh of unit edges has 1.155 times its metric's area of vertices, and half its boundary's."""
+        """A mesh of unit edges has 1.155 vertices for each unit of its area in the metric, and half a vertex for each
+        unit of its boundary's length."""
         status, numbers, text, _ = run(METRICS)
         self.assertEqual(status, 0, text)
         self.assertLess(abs(numbers[0][0] / (1.155 * 400 + 40) - 1), 0.15)

@@ -69,7 +69,8 @@ class Frozen(command.CommandTest):
     def check(self, name, region=2):
         at, triangles = self.read(name)
         self.assertEqual(self.placed(at, triangles, region), self.placed(self.at, self.triangles, region))
-        # A mesh: every side has one triangle on the left, inner ones one on each, and the area is all.
+        # Checks for a mesh: every side has one triangle on its left, inner ones also one on the right, and the areas
+        # add up.
         sides = [side for a, b, c, _ in triangles for side in ((a, b), (b, c), (c, a))]
         self.assertEqual(len(sides), len(set(sides)))
         self.assertEqual(len(at), len(set(at)))
@@ -94,7 +95,7 @@ class Frozen(command.CommandTest):
         self.assertLess(claim["mesh"]["triangles"], len(triangles))
         said = self.done("verify", "new.mesh")
         self.assertIn("frozen, not judged: 288 triangles of the regions 2, as in old.mesh", said)
-        # Loops go on with it.
+        # The written mesh is the input of the loop's next step.
         self.done("adapt", "new.mesh", "--solution", "new_u.sol", "--vertices", "600", "--frozen", "2", "-o", "next.mesh")
         self.check("next.mesh")
         self.done("verify", "next.mesh")

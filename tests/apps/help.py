@@ -19,7 +19,7 @@ COMMANDS = ["mesh", "verify", "certify", "check", "adapt", "metric", "transfer",
 
 class Help(command.CommandTest):
     def options_of(self, name):
-        """Those listed, not those mentioned in examples."""
+        """Returns the options that help lists. Options in examples do not count."""
         listed = self.run_command(name, "--help").stdout
         return set(re.findall(r"^  (?:-\w,)?(--[a-z][a-z-]*)", listed, re.M))
 
@@ -92,7 +92,8 @@ class Help(command.CommandTest):
         return {one.split("\t")[0] for one in done.stdout.splitlines()}
 
     def ask_zsh(self, line, setting="fpath=(functions $fpath); autoload -Uz compinit; compinit -u -D"):
-        """What zsh makes of the line after two tabs: it lists what there is, then takes the first."""
+        """Returns what zsh shows after two tabs: the first lists the completions, the second takes the first of
+        them."""
         (self.folder / "functions").mkdir(exist_ok=True)
         self.write("functions/_asterism", self.run_command("completion", "zsh").stdout)
         process, terminal = pty.fork()
@@ -271,7 +272,7 @@ class Help(command.CommandTest):
         self.assertIn("try --repair", done.stderr)
 
     def at_terminal(self, **environment):
-        """Standard output of a run at a terminal."""
+        """Returns standard output of a run at a terminal."""
         ours, theirs = pty.openpty()
         subprocess.run([command.PROGRAM, "mesh", "square", "-o", "m.mesh"], cwd=self.folder, stdout=theirs,
                        stderr=subprocess.DEVNULL, check=True,
@@ -281,7 +282,7 @@ class Help(command.CommandTest):
         try:
             while part := os.read(ours, 100000):
                 text += part
-        except OSError:  # Linux's end of a terminal that nobody writes to
+        except OSError:  # Linux: no process has the terminal open any more
             pass
         os.close(ours)
         return text.decode()

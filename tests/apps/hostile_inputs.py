@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Inputs of up to 5,000 vertices that have taken minutes, or were made up to: domains, and meshes with metrics.
-
-Each is made by a small program, the same every time. `CASES` names them, with the jobs that are tried on each."""
+"""Inputs of up to 5,000 vertices that have taken minutes, or were made to: domains, and meshes with metrics. Each is
+made by a function that returns the same every time. `CASES` names them, with the jobs that are run on each."""
 import math
 import random
 
 
 def poly_text(points, segments, holes=()):
-    """A .poly file; `segments` are pairs of indices from 0."""
+    """Returns a .poly file; `segments` are pairs of indices from 0."""
     lines = [f"{len(points)} 2 0 0", *(f"{i + 1} {x!r} {y!r}" for i, (x, y) in enumerate(points)),
              f"{len(segments)} 1", *(f"{i + 1} {a + 1} {b + 1} 1" for i, (a, b) in enumerate(segments)),
              str(len(holes)), *(f"{i + 1} {x!r} {y!r}" for i, (x, y) in enumerate(holes)), ""]
@@ -19,7 +18,7 @@ def ring(first, count):
 
 
 def mesh_texts(points, triangles, tensors):
-    """A .mesh file and its .sol; indices from 0."""
+    """Returns a .mesh file and its .sol; indices from 0."""
     head = ["MeshVersionFormatted 2", "Dimension 2"]
     mesh = [*head, "Vertices", str(len(points)), *(f"{x!r} {y!r} 0" for x, y in points),
             "Triangles", str(len(triangles)), *(f"{a + 1} {b + 1} {c + 1} 1" for a, b, c in triangles), "End", ""]
@@ -28,7 +27,8 @@ def mesh_texts(points, triangles, tensors):
 
 
 def grid(columns, rows, jitter=0.0, seed=1):
-    """Points of the unit square and triangles between them; those inside are moved by up to `jitter` of a cell."""
+    """Returns points of the unit square and triangles between them. Inner points are moved by up to `jitter` of a
+    cell."""
     rng = random.Random(seed)
     points, triangles = [], []
     for j in range(rows + 1):
@@ -205,7 +205,7 @@ def hole_an_ulp_from_the_side():
     return poly_text(points, [*ring(0, 4), *ring(4, 4)], [(0.3, 0.5)])
 
 
-# Domains: what makes the .poly file, and the options with which it is meshed.
+# Domains: the function that makes the .poly file, and the options with which it is meshed.
 SWIRL = ("--metric", "swirl:12")
 DOMAINS = {
     "fan360": (lambda: fan(360, 1), ((), SWIRL, (*SWIRL, "--size", "0.1"))),
@@ -227,7 +227,7 @@ DOMAINS = {
     "parallel_ulp": (parallel_slits, ((), SWIRL)),
 }
 
-# Meshes with metrics: what makes the .mesh and the .sol.
+# Meshes with metrics: the function that makes the .mesh and the .sol.
 MESHES = {
     "sliver_1e-8": lambda: flat_rectangle(1e-8),
     "random_1e4": lambda: random_tensors(9, 1e4),
@@ -242,7 +242,7 @@ MESHES = {
     "big_tensor": lambda: big_tensor(10),
 }
 
-# Built-in domains in fields that hurt.
+# Metrics for built-in domains that take much work.
 THIN = "expr:1e8;0;1"
 TURNED = "expr:1e8;9999.9999999;1"
 WAVES = "expr:1+1e6*sin(1000*x)^2;0;1+1e6*cos(1000*y)^2"
@@ -263,7 +263,7 @@ FIELDS = {
 
 
 def jobs_on_mesh(name, files):
-    """What is tried on a mesh with a metric."""
+    """Yields the jobs that are run on a mesh with a metric."""
     source = f"{name}.mesh"
     yield f"certify {name}", files, ("certify", source)
     yield f"certify --repair {name}", files, ("certify", source, "--repair", "-o", "out.mesh")
@@ -274,7 +274,7 @@ def jobs_on_mesh(name, files):
 
 
 def jobs_on_folder(folder):
-    """The same, and two metrics for each domain, of the files of a folder that is not part of the project."""
+    """Yields the same jobs, and two metrics for each domain, for the files of a folder outside of the project."""
     for path in sorted(folder.glob("*.mesh")):
         metric = path.with_suffix(".sol")
         if metric.exists():
@@ -286,7 +286,7 @@ def jobs_on_folder(folder):
 
 
 def jobs():
-    """All jobs: a name, the files it reads by their names, and the words of the command."""
+    """Yields all jobs: a name, the input files by their names, and the words of the command."""
     for name, (make, variants) in DOMAINS.items():
         text = make()
         for options in variants:

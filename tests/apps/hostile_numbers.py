@@ -14,7 +14,7 @@ import unittest
 import command
 
 NUMBERS = ("1e-300", "1e-155", "1e-77", "1e-7", "1e7", "1e77", "1e155", "1e300")
-EXTREMES = ("1e-300", "1e-77", "1e77", "1e300")  # for commands that take longer
+EXTREMES = ("1e-300", "1e-77", "1e77", "1e300")  # fewer numbers, for commands that take longer
 MOST_SECONDS = 30
 CELLS = 6
 
@@ -32,7 +32,7 @@ def grid_points(side):
 
 
 def grid(side):
-    """A square of this side, CELLS x CELLS cells, each cut in two."""
+    """Returns a square of this side: CELLS x CELLS cells, each cut in two."""
     n = CELLS + 1
     triangles = [t for j in range(CELLS) for i in range(CELLS) for a in [j * n + i + 1]
                  for t in ((a, a + 1, a + n, 1), (a + 1, a + n + 1, a + n, 1))]
@@ -50,7 +50,7 @@ def poly(side):
 
 
 def files(number):
-    """The inputs of a row: domain and mesh of this side, values and tensors of this size."""
+    """Returns the inputs of a row: domain and mesh of this side, values and tensors of this size."""
     x = float(number)
     bump = [math.exp(-8 * ((a - 0.4)**2 + (b - 0.6)**2)) for a, b in grid_points(1.0)]
     count = len(bump)
@@ -66,7 +66,7 @@ def files(number):
     }
 
 
-# Commands; {} is the number. Those whose run is long by what they ask for have a limit on sites.
+# Commands; {} is the number. Commands whose run would be long have a limit on sites.
 MESH = ["mesh square --complexity {}", "mesh square --metric swirl:3 --complexity {}", "mesh square --size {}",
         "mesh square --metric swirl:3 --size {}", "mesh square --size 0.3 --gradation {}",
         "mesh square --metric swirl:{} --size 0.3", "mesh square --metric sink:{} --size 0.3",
@@ -104,9 +104,9 @@ OTHERS = ["info big.poly", "info big.mesh", "info scaled.sol", "draw big.mesh -o
           "mesh big.mesh --metric swirl:3 --vertices 100 --max-sites 300 -o out.html"]
 ROWS = MESH + METRIC + TRANSFER + CERTIFY + OTHERS
 
-# A number that is none, as any of the programs and formats spells it, where a number stands.
+# Spellings of infinity and NaN in any of the programs and formats, in a place for a number.
 NO_NUMBER = re.compile(r"(?<![\w.-])[-+]?(nan|inf|infinity)(?![\w.:-])", re.IGNORECASE)
-# Numbers too large for a double, which a reader makes infinity of.
+# Numbers beyond the range of doubles, which readers take for infinity.
 HUGE = re.compile(r"(?<![\w.])\d(?:\.\d+)?e\+?(?:309|3[1-9]\d|[4-9]\d\d)(?!\w)", re.IGNORECASE)
 
 

@@ -12,7 +12,7 @@ import hostile_inputs
 
 
 def grid_files(cells):
-    """A grid in the identity metric, and a solution on it, as texts."""
+    """Returns a grid in the identity metric and a solution on it, as texts."""
     points, triangles = hostile_inputs.grid(cells, cells, 0.3)
     mesh, metric = hostile_inputs.mesh_texts(points, triangles, [(float(cells**2), 0.0, float(cells**2))] * len(points))
     values = ["MeshVersionFormatted 2", "Dimension 2", "SolAtVertices", str(len(points)), "1 1",
@@ -20,11 +20,11 @@ def grid_files(cells):
     return mesh, metric, "\n".join(values)
 
 
-# An insertion test whose exact answer takes long: many metrics, no two bits alike.
+# An insertion test whose exact answer takes long: metrics with many digits, no two alike.
 SLOW_RECORD = " ".join(["insertion_test", "0.1 0.2 1.7 0.3 2.9", "0.9000000000000001 0.3 3.3 -0.7 1.9",
                         "0.4 1.1000000000000001 2.2 0.1 1.3", "1.3 0.7 1.1 0.9 2.7"])
 
-# Commands that end what they do and say so, with status 1.
+# Commands that conclude when a signal comes, say so, and end with status 1.
 CONCLUDING = {
     "mesh": ("mesh", "square", "--metric", "swirl:24", "--size", "0.001", "--max-sites", "5000000", "-o", "out.mesh"),
     "mesh, one vertex": ("mesh", "fan.poly", "--metric", "swirl:12", "-o", "out.mesh"),
@@ -35,7 +35,7 @@ CONCLUDING = {
     "verify": ("verify", "wild.mesh", "--angle-bound", "1"),
     "adapt": ("adapt", "grid.mesh", "--solution", "u.sol", "--vertices", "80000", "-o", "out.mesh"),
 }
-# Commands that have nothing to conclude: the signal ends them, as it ends most programs.
+# Commands without a conclusion: the signal ends them at once.
 PLAIN = {
     "metric": ("metric", "grid.mesh", "--solution", "u.sol", "--vertices", "5000", "--gradation", "1.01", "-o", "out.mesh"),
     "transfer": ("transfer", "grid.mesh", "u.sol", "grid.mesh", "--transfer", "project", "-o", "out.sol"),
@@ -47,14 +47,14 @@ PLAIN = {
 
 
 def processor_seconds(pid):
-    """What a process has used so far."""
+    """Returns the processor seconds that a process has used so far."""
     with open(f"/proc/{pid}/stat", encoding="ascii") as stat:
         fields = stat.read().rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 class Interrupts(command.CommandTest):
-    # Of the processor, both threads, after the signal; and of the clock, on a machine that does other work.
+    # Seconds after the signal: of the processor, over both threads, and of the clock, on a machine with other work.
     MOST_WORKED, MOST_WAITED = 3.0, 20.0
 
     def setUp(self):
@@ -109,9 +109,9 @@ class Interrupts(command.CommandTest):
                 with self.subTest(name, after=after):
                     ended = self.end_by_signal(words, which, after)
                     if ended is not None:
-                        # 0: it was done before the signal came.
+                        # Status 0 means that the command had finished before the signal came.
                         self.assertIn(ended[0], (-which, 0), ended[1])
-                        # All files of the command, whole, where the signal came while they were written.
+                        # If the signal came during the writing, all files of the command are there, whole.
                         all_files = {"transfer": {"out.sol"}, "draw": {"out.html"}}.get(name, {"out.mesh", "out.sol"})
                         self.assertIn(set(self.files()) - set(self.inputs), (set(), all_files))
                     self.remove_outputs()

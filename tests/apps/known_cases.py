@@ -26,7 +26,8 @@ SLOW_QUESTIONS = (
 
 
 def rotated_strip(cells=16, aspect=1e4, degrees=30):
-    """A grid of a strip 1 long and 1/aspect wide, turned, in the metric that makes it square, as .mesh and .sol."""
+    """Returns as .mesh and .sol a grid on a strip of length 1 and width 1/aspect, turned, in the metric that makes it
+    square."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     n = cells + 1
     points = [(c * i / cells - s * j / cells / aspect, s * i / cells + c * j / cells / aspect, 0)
@@ -107,7 +108,7 @@ class KnownCases(command.CommandTest):
 
 
 class BoundedWork(command.CommandTest):
-    """Processor seconds of hostile jobs. The limit is 30 on one core; the jobs of every day are those that take a few."""
+    """Measures processor seconds of hostile jobs. The limit is 30 on one core; ordinary jobs take a few."""
     MOST_SECONDS = 30
 
     def bounded(self, *words):
@@ -179,7 +180,7 @@ class BoundedWork(command.CommandTest):
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
                 done = self.run_command("mesh", f"{name}.poly", "--metric", "swirl:12", "--max-seconds", "1", "-o",
                                         f"{name}.mesh")
-                # Two threads for what is allowed, and one for what follows.
+                # The limit of one second counts two threads; what follows it runs on one.
                 self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 8)
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn("1 seconds have passed", done.stderr)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Runs that limits or an interrupt end through the real command: what is certain is written and
-says so."""
+"""Runs ended by a limit or an interrupt, through the real command: the part that is certain is written, and the
+output says how far the run came."""
 import json
 import resource
 import signal
@@ -88,7 +88,7 @@ class HostileJobs(command.CommandTest):
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
                 done = self.run_command(*words, "--max-seconds", "1")
                 self.assertIn(done.returncode, (0, 1), done.stderr)
-                # Two threads for the second that is allowed, and one for what follows.
+                # The limit of one second counts two threads; what follows it runs on one.
                 spent = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
                 self.assertLess(spent, 5)
                 if "1 seconds have passed" in done.stderr:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A limit on memory is kept within a tenth, whatever takes the memory: filling, refining, the audit
-or the writing. What is resident at most is measured by the system."""
+"""A limit on memory is kept within a tenth, whether the fill, the refinement, the audit or the writing takes the
+memory. The system measures the greatest resident size."""
 import json
 import subprocess
 import sys
@@ -9,10 +9,10 @@ import unittest
 import command
 
 SWIRL = ["--metric", "swirl:12", "--max-sites", "1000000"]
-BIG = ["square", *SWIRL, "--size", "0.005"]  # takes some 400 megabytes
-SMALL = ["square", *SWIRL, "--size", "0.02"]  # 33,000 sites: take 27 megabytes
+BIG = ["square", *SWIRL, "--size", "0.005"]  # a job of some 400 megabytes
+SMALL = ["square", *SWIRL, "--size", "0.02"]  # 33,000 sites take 27 megabytes
 
-# In a small program of its own: the system counts what the parent of a program holds when it starts it.
+# Starts the command from a small program: the system counts the memory of the parent at the start.
 MEASURE = """
 import os, sys
 _, status, usage = os.wait4(os.spawnv(os.P_NOWAIT, sys.argv[1], sys.argv[1:]), 0)
@@ -22,7 +22,7 @@ print(os.waitstatus_to_exitcode(status), usage.ru_maxrss)
 
 class MemoryLimit(command.CommandTest):
     def run_within(self, megabytes, *arguments):
-        """Returns status, standard error, and the most that was resident, in megabytes."""
+        """Returns status, standard error, and the greatest resident size in megabytes."""
         words = [command.PROGRAM, "mesh", *arguments, "--max-memory", str(megabytes), "--quiet"]
         done = subprocess.run([sys.executable, "-S", "-c", MEASURE, *words], cwd=self.folder, capture_output=True,
                               text=True, timeout=240, check=True)

@@ -22,7 +22,7 @@ BOXES = """12 2 0 0
 """
 
 
-# One triangle, exempt at its sharp corner.
+# A domain of one triangle. Its sharp corner is exempt.
 NEEDLE = "3 2 0 0\n1 0 0\n2 10 0\n3 10 0.5\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n"
 
 
@@ -46,8 +46,8 @@ class Mesh(command.CommandTest):
         self.assertEqual(lines[start:start + count], [str(v + 1) for v in range(14)])
 
     def test_a_metric_at_the_vertices_of_a_mesh(self):
-        """Made by local changes; how far the metric is from the one wanted is said, written down
-        and measured again, until the file with the one wanted changes."""
+        """The mesh is made by local changes. The distance of its metric from the wanted one is said and written.
+        `verify` measures it again, until the file of the wanted metric changes."""
         done = self.run_command("mesh", "square", "--metric", "shock:20", "--size", "0.6", "--quiet",
                                 "-o", "first.mesh")
         self.assertIn(done.returncode, (0, 1), done.stderr)
@@ -113,7 +113,7 @@ class Mesh(command.CommandTest):
         self.assertLess(delivered["worst_angle_as_wanted"], 20)
         self.assertLessEqual(low[-1], claim["mesh"]["triangles"])
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
-        # A certificate that hid its low triangles was believed.
+        # Before, a certificate that did not list its low triangles was believed.
         hidden = json.loads((self.folder / "m.certificate.json").read_text())
         hidden["outcome"]["delivered"]["low_triangles_as_wanted"] = []
         (self.folder / "hidden.json").write_text(json.dumps(hidden))
@@ -270,14 +270,14 @@ class Mesh(command.CommandTest):
         self.assertGreater(sites[1], 4 * sites[0])
 
     def sections_kept(self, name):
-        """Vertices, triangles and edges of a mesh, and its metric."""
+        """Returns vertices, triangles and edges of a mesh, and its metric."""
         text = (self.folder / f"{name}.mesh").read_text()
-        listed = text.split("Dimension 2")[1].split("#segments")[0]  # the head may hold the reason
+        listed = text.split("Dimension 2")[1].split("#segments")[0]  # the head may contain the reason
         return listed, (self.folder / f"{name}.sol").read_bytes()
 
     def test_meshing_a_mesh_again_changes_nothing(self):
         limited = ["--metric", "swirl:3", "--size", "0.01", "--max-sites", "500"]
-        # Twice as many sites as in the mesh made first would be within the limit: they were added.
+        # Before, a repeated run added sites up to its limit: twice as many as in the first mesh.
         self.write("boxes.poly", BOXES)
         for first, job, status in (("airfoil", ["--metric", "swirl:12"], 0),
                                    ("boxes.poly", ["--size", "0.05", "--max-sites", "2000"], 1),
@@ -332,7 +332,7 @@ class Mesh(command.CommandTest):
         self.assertGreater(float(asked["size-delivered"]), 1e-3)
 
     def test_what_a_mesh_without_demands_does_not_meet_was_counted_as_none(self):
-        for limit in range(87, 140):  # where no coarser mesh is within it
+        for limit in range(87, 140):  # where no coarser mesh is within the tolerance
             done = self.run_command("mesh", "airfoil", "--size", "0.3", "--max-sites", str(limit),
                                     "-o", "m.mesh")
             self.assertEqual(done.returncode, 1)
@@ -418,8 +418,8 @@ class Mesh(command.CommandTest):
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
     def test_what_a_metric_says_outside_of_the_domain_was_counted(self):
-        """A quarter of the square that the metric is given on: edges were five times too short for the
-        metric that the certificate named, and the status 0."""
+        """The domain is a quarter of the square on which the metric is given. Before, edges were five times too short
+        for the metric that the certificate named, with status 0."""
         self.background()
         self.write("quarter.poly", "4 2 0 0\n1 -1 -1\n2 0 -1\n3 0 0\n4 -1 0\n"
                    "4 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n0\n")
@@ -433,10 +433,11 @@ class Mesh(command.CommandTest):
                 self.assertGreater(share, 95)
 
     def test_edges_far_from_the_length_asked_for_are_told_with_their_own(self):
-        """A size beyond the domain gave "0.00% unit edges" of a mesh that cannot be coarser, and no more."""
+        """For a size far larger than the domain the summary names the mean length. Before, it said "0.00% unit edges"
+        alone, though no coarser mesh exists."""
         done = self.run_command("mesh", "square", "--size", "1e9", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
-        # Four sides of 2 and a diagonal.
+        # The mesh has four edges of length 2 and a diagonal.
         mean = (4 * 2 + math.sqrt(8)) / 5 / 1e9
         self.assertIn(f", 0.00% unit edges (mean length in the metric {mean:.3g}, not 1)\n", done.stdout)
         done = self.run_command("mesh", "square", "--size", "0.5", "-o", "m.mesh")
@@ -462,7 +463,7 @@ class Mesh(command.CommandTest):
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
     def spikes(self, count, inner):
-        """A star with so many spikes, in spikes.poly."""
+        """Returns a star with `count` spikes, in spikes.poly."""
         points = []
         for i in range(2 * count):
             radius, angle = (inner if i % 2 else 1.0), math.pi * i / count
@@ -534,7 +535,7 @@ class Mesh(command.CommandTest):
         self.assertEqual((audit["certified"], audit["voronoi"]), (True, "proved"))
         self.assertIn("dual of the Voronoi diagram: proved",
                       self.run_command("verify", "m.mesh").stdout)
-        # Too coarse for the metric: the stars agree, and arcs leave their wedges.
+        # The mesh is too coarse for the metric: stars agree, and arcs leave their wedges.
         done, audit = make(1, "--metric", "swirl:24")
         self.assertEqual((audit["certified"], audit["voronoi"]), (True, "refused"))
         self.assertRegex(done.stderr, r"not proved to be the dual.*: triangle \d+ of vertex")
@@ -560,7 +561,7 @@ class Mesh(command.CommandTest):
 
     def test_without_cairo_all_but_pictures_is_made(self):
         self.make("-o", "there.mesh")
-        self.write("libcairo.so.2", "")  # the first that the loader finds
+        self.write("libcairo.so.2", "")  # the loader finds this one first
         without = {"LD_LIBRARY_PATH": str(self.folder)}
         done = self.run_command(*command.JOB, "-o", "again.mesh", "-o", "again.html", environment=without)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -40,7 +40,7 @@ FILES = {
 }
 NO_MESH = "MeshVersionFormatted 2\nDimension 2\n"
 
-# As typed after `asterism`, and what the answer must say.
+# Words after `asterism`, and the pattern that the answer matches.
 MISTAKES = [
     # Commands
     ("mehs square -o x.mesh", "did you mean mesh"),
@@ -57,7 +57,7 @@ MISTAKES = [
     ("--mesh square", "--help"),
     ("help mehs", "mesh|--help"),
     ("--verison", "version|--help"),
-    # Options of others, and slips
+    # Options of other commands, and misspelt ones
     ("mesh square -hmax 0.1 -o x.mesh", "--size|--hmax"),
     ("mesh square --min-angle 30 -o x.mesh", "--angle-bound"),
     ("mesh square --minangle 30 -o x.mesh", "--angle-bound"),
@@ -109,7 +109,7 @@ MISTAKES = [
     ("metric a.mesh -o x.sol", "--solution"),
     ("convert a.mesh", "OUT"),
     ("challenge", "PROGRAM|COMMAND|--help"),
-    # What cannot be left out is shown, and what is too much
+    # A required argument is named, and so is one too many
     ("check a.mesh", "usage: asterism check MESH PROOF --angle-bound B --metric SOL"),
     ("check a.mesh not.proof", "usage: asterism check MESH PROOF --angle-bound B --metric SOL"),
     ("deviation tetra.obj", "usage: asterism deviation MESH SURFACE"),
@@ -122,7 +122,7 @@ MISTAKES = [
     ("completion", "usage: asterism completion SHELL"),
     ("completion powershell", "bash,zsh,fish"),
     ("man nosuch", "mesh,verify"),
-    # Names begun, and those that others use
+    # Beginnings of names, and names that other programs use
     ("adapt a.mesh --sol u.sol -o x.mesh", "did you mean --solution"),
     ("adapt a.mesh --solution u.sol --nv 100 -o x.mesh", "here it is --vertices"),
     ("adapt a.mesh --solution u.sol --target 100 -o x.mesh", "here it is --vertices"),

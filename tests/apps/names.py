@@ -6,7 +6,7 @@ import unittest
 
 import command
 
-# The command, with the one name and with another spelling; what help must show, and must not.
+# The command, with the one name and with another spelling; words that help must show, and must not.
 ALIKE = [
     ("mesh", ["square", "--size", "0.5", "--voronoi"], ["square", "--size", "0.5", "--certify", "voronoi"],
      "--voronoi", "--certify "),
@@ -22,7 +22,7 @@ ALIKE = [
     ("draw", ["a.mesh", "--colour-by", "size"], ["a.mesh", "--color-by", "size"], "--colour-by", "--color-by"),
 ]
 OUTPUT = {"draw": "out.svg"}
-# The name of each thing, and the commands that have it.
+# The one name of each thing, and the commands that have the option.
 EVERYWHERE = {
     "--metric": "mesh adapt metric verify certify", "--size": "mesh verify certify", "--hmin": "mesh adapt metric",
     "--hmax": "mesh adapt metric", "--aspect": "mesh adapt metric", "--gradation": "mesh adapt metric verify",
@@ -40,7 +40,8 @@ class Names(command.CommandTest):
                    + "".join(f"{(v * 7) % 11}\n" for v in range(count)) + "End\n")
 
     def written(self, name, arguments):
-        """What the command writes, the words of the certificate aside that repeat how it was asked."""
+        """Returns the files that the command writes. Leaves out the words of the certificate that repeat the command
+        line."""
         before = set(self.files())
         done = self.run_command(name, *arguments, "-o", OUTPUT.get(name, "out.mesh"))
         self.assertEqual(done.returncode, 0, f"{name} {arguments}: {done.stderr}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The commands that README and the manual show work as they stand, a page at a time and in its order, where the
-reader's own files are there. Those of results take minutes,
-those of the gallery have a test of their own."""
+"""The commands that README and the manual show run as they stand, page by page and in their order, beside the files
+that a reader would have. Results are left out, since their commands take minutes; the gallery has a test of its
+own."""
 import json
 import math
 import os
@@ -16,13 +16,13 @@ from trimmed_surfaces import drilled_plate
 TOP = pathlib.Path(__file__).resolve().parents[2]
 PAGES = ["README.md", "docs/tutorial/README.md", *sorted(str(p.relative_to(TOP)) for p in (TOP / "docs/manual").glob("*.md"))]
 SHOWN = re.compile(r"^    ((?:asterism |echo .*\| ?asterism )(?:.*\\\n)*.*)$", re.M)
-# What a reader has: an outline, one with a fault, meshes of other programs, a solution.
+# Files that a reader has: an outline, one with a fault, meshes of other programs, a solution.
 OUTLINE = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n"
 FAULTY = "5 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n5 -0.1 0.5\n6 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n5 5 3 5\n6 5 1 6\n0\n"
 DISC = "1 2 0 0\n1 1 0\n0 1\n0\n0\ncurves 1\n1 circle 1 0 0 1\n"
 LAKE = ('{"type": "Polygon", "coordinates": [[[-1, -1], [2, -1], [2, 1], [-1, 1], [-1, -1]],\n'
         '[[0.5, -0.3], [0.5, 0.3], [1, 0], [0.5, -0.3]]]}\n')
-# Lines that cannot be run: forms with [options], WORDS to fill in, programs of the reader's.
+# Lines that cannot be run: forms with [options] or WORDS to fill in, and the reader's own programs.
 FORM = re.compile(r"\[[A-Z-]|\.\.\.|\b(?!BAMG\b)[A-Z]{2,}\b|\||challenge \./")
 
 

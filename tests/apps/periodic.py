@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Periodic sides through the real command: both have the same points, verify proves it again, and what cannot
-match is refused."""
+"""Periodic sides through the real command: both sides have the same points, `verify` proves it again, and sides that
+cannot match are refused."""
 import collections
 import fractions
 import json
@@ -40,7 +40,7 @@ class Periodic(command.CommandTest):
         return json.loads((self.folder / f"{name}.certificate.json").read_text())
 
     def sides(self, name="m.mesh"):
-        """Points of each marker's edges, as fractions."""
+        """Returns the points of each marker's edges as fractions."""
         words = (self.folder / name).read_text().split()
         at = words.index("Vertices")
         points = [tuple(fractions.Fraction(float(x)) for x in words[at + 2 + 3 * i:at + 4 + 3 * i])
@@ -100,7 +100,7 @@ class Periodic(command.CommandTest):
         self.assertIn((1, fractions.Fraction(11, 16)), sides[2])
 
     def test_metric_that_differs(self):
-        """The finer side's size is that of both, and the summary says how far they differ."""
+        """Both sides get the smaller of their sizes, and the summary says how far the sizes differ."""
         told, (match,) = self.mesh(SLANTED, "--metric", "expr:(1+3*x)^2;0;(1+3*x)^2", "--size", "0.2",
                                    "--periodic", "4,2")
         self.assertIn("lengths of partners apart by up to ", told)
@@ -148,7 +148,7 @@ class Periodic(command.CommandTest):
         self.assertIn("--periodic: both sides want the whole domain", done.stderr)
 
     def test_spoiled_matchings(self):
-        """Claims of sides that do not match are refused by name, whatever else holds."""
+        """A claim of matching sides that do not match is refused by name, whatever else holds."""
         self.mesh(SLANTED, "--size", "0.2", "--periodic", "4,2")
         path = self.folder / "m.certificate.json"
         claim = self.certificate()
@@ -201,7 +201,7 @@ class Periodic(command.CommandTest):
         self.assertEqual({(x, y + 2) for x, y in sides[1]}, sides[3])
         again = self.run_command("verify", "m.mesh")
         self.assertEqual(again.returncode, 0, again.stdout)
-        # What is delivered stays, with sides that match, and not where they do not.
+        # A mesh whose sides match is kept as it is. Without --periodic, so is one whose sides do not match.
         stays = self.run_command("adapt", "m.mesh", "--metric", "m.sol", "--periodic", "4,2", "-o", "same.mesh")
         self.assertIn("stays as it is", stays.stdout)
         self.assertIn("periodic: 4 and 2: ", stays.stdout)

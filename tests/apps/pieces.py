@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes in pieces: made, verified, spoiled, cut off and shared out among ranks."""
+"""Meshes in pieces: made, verified, spoiled, interrupted and distributed among ranks."""
 import json
 import os
 import pathlib
@@ -114,7 +114,7 @@ class Pieces(command.CommandTest):
                 self.assertEqual(done.returncode, 0, done.stdout)
                 index = self.index(name)
                 self.assertEqual(len(index["pieces"]), JOBS[name][1])
-                # Euler: vertices on seams are counted once, so that all pieces are one mesh.
+                # Euler's formula, with vertices on seams counted once: all pieces together are one mesh.
                 vertices, edges, triangles = self.whole(name)
                 self.assertEqual(index["outcome"]["vertices"], len(vertices))
                 self.assertEqual(index["outcome"]["triangles"], triangles)
@@ -124,7 +124,7 @@ class Pieces(command.CommandTest):
                 self.assertEqual(one.returncode, 0, one.stdout + one.stderr)
 
     def whole(self, folder):
-        """Vertices, edges by their ends and the number of triangles of all pieces together."""
+        """Returns vertices, edges by their ends and the number of triangles of all pieces together."""
         vertices, edges, triangles = set(), set(), 0
         for path in sorted((self.folder / folder).glob("piece_*.mesh")):
             lines = path.read_text().split("\n")
@@ -176,7 +176,7 @@ class Pieces(command.CommandTest):
         self.assertEqual(lines[at + 1:at + 3], ["6", "0"])
         told = json.loads(self.run_command("info", "p/pieces.msh", "--json").stdout)
         self.assertEqual((told["vertices"], told["triangles"]), (index["outcome"]["vertices"], index["outcome"]["triangles"]))
-        # Each edge once: of the pieces' own, those of seams count twice there.
+        # Counts each edge once. Pieces list an edge on a seam twice.
         markers, seams = {}, {}
         for piece in sorted((self.folder / "p").glob("piece_*.mesh")):
             rows = piece.read_text().split("\n")
@@ -252,7 +252,7 @@ class Pieces(command.CommandTest):
     # ---- spoiled pieces
 
     def spoil(self, pieces, chance):
-        """Changes one thing in the folder; returns what, or nothing where nothing came of it."""
+        """Changes one thing in the folder; returns what, or None if the files are still the same."""
         folder = self.folder / "spoiled"
         files = sorted(p.name for p in folder.iterdir())
         how = chance.choice(["lose", "exchange", "number", "number", "number", "foreign", "cut off"])
@@ -312,8 +312,8 @@ class Pieces(command.CommandTest):
             shutil.rmtree(self.folder / "foreign")
 
     def is_another(self, good, spoiled):
-        """False where a file differs in nothing that means something: the last places of a number
-        that read back to the same double, in a mesh."""
+        """False if the meshes of both folders have the same values: changed last digits may read back to the same
+        double."""
         for path in good.iterdir():
             other = spoiled / path.name
             if not other.exists():
@@ -401,7 +401,7 @@ class Pieces(command.CommandTest):
 
 
     def ranks_of(self, parent):
-        """Processes of the command below this one."""
+        """Returns the processes of the command below this one."""
         below, found = [parent], []
         while below:
             one = below.pop()

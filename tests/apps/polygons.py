@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""GeoJSON and well-known text through the command: what is meshed is what the formats say, each part of it
-in the region of its feature, and `verify` holds the mesh against the same file."""
+"""GeoJSON and well-known text through the command: the domain is what the formats define, each feature's part is in
+its region, and `verify` compares the mesh with the same file."""
 import json
 import os
 import unittest
@@ -31,7 +31,7 @@ def features(*geometries):
 
 class Polygons(CommandTest):
     def areas(self, name):
-        """Of the triangles of a mesh, by region."""
+        """Returns the areas of a mesh's triangles, summed by region."""
         lines = (self.folder / name).read_text().split("\n")
         at, count = section(lines, "Vertices")
         points = [tuple(map(float, line.split()[:2])) for line in lines[at:at + count]]
@@ -44,7 +44,7 @@ class Polygons(CommandTest):
         return found
 
     def check(self, name, content, areas, *options, notes=()):
-        """Meshes and verifies a file; what is said must be these notes."""
+        """Meshes and verifies a file, and checks that the run prints exactly these notes."""
         self.write(name, content)
         done = self.run_command("mesh", name, *options, "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -68,7 +68,7 @@ class Polygons(CommandTest):
                 if all(1 <= float(x) <= 2 for x in line.split()[:2])}
         at, count = section(lines, "Edges")
         between = [line for line in lines[at:at + count] if near.issuperset(map(int, line.split()[:2]))]
-        self.assertGreaterEqual(len(between), 4)  # the ring between is there, too
+        self.assertGreaterEqual(len(between), 4)  # the ring between the two belongs to the domain too
 
     def test_a_gap_between_parts_that_touch_in_points(self):
         self.check("a.wkt", "MULTIPOLYGON(((0 0,3 0,2 1,1 1,0 0)),((3 0,3 3,2 2,2 1,3 0)),"
@@ -88,7 +88,8 @@ class Polygons(CommandTest):
                                          parts([box(4, 3, 6, 5)], [box(6, 1, 7, 3)])), {1: 16, 2: 4, 3: 6})
 
     def test_features_that_overlap(self):
-        """Refused where they cross, by both names; else the first has what they share, with a note."""
+        """Features that cross are refused, both named. With the repair, the first has the part that both contain,
+        with a note."""
         note = "parts in which features overlap, numbered as the first of them: 1, feature 1 and feature 2"
         two = features(polygon(box(0, 0, 4, 4)), polygon(box(2, 2, 6, 6)))
         self.write("a.geojson", two)
@@ -120,7 +121,7 @@ class Polygons(CommandTest):
                    notes=["rings without area dropped: 1, ring 2 of polygon 1"])
         self.check("a.wkt", "POLYGON EMPTY; POLYGON((0 0,1 0,0 1,0 0))", {1: 0.5},
                    notes=["empty geometries passed over: 1, on line 1"])
-        # A point is counted once, however many coordinates it has beyond two.
+        # Coordinates beyond two do not distinguish points.
         self.check("a.wkt", "POLYGON ZM((0 0 1 2,1 0 1 2,0 1 1 2,0 0 1 2))", {1: 0.5},
                    notes=["points whose coordinates beyond x and y were dropped: 4, the first: on line 1"])
 
@@ -151,7 +152,7 @@ class Polygons(CommandTest):
                                    file_actions=[(os.POSIX_SPAWN_DUP2, said.fileno(), 2)])
             _, status, used = os.wait4(child, 0)
         self.assertEqual(os.waitstatus_to_exitcode(status), 2)
-        self.assertLess(used.ru_maxrss, 100000)  # in kilobytes; 5,000 times the key is 512 MB
+        self.assertLess(used.ru_maxrss, 100000)  # kilobytes; 5,000 copies of the key would take 512 MB
 
     def test_a_certificate_is_a_file_that_ends(self):
         self.check("a.wkt", "POLYGON((0 0,1 0,0 1,0 0))", {1: 0.5})

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What tools/check_mesh.py takes for shown at an edge, against quadratics along segments, in fractions."""
+"""Compares the conditions under which tools/check_mesh.py accepts an edge with quadratics along segments, in
+fractions."""
 import pathlib
 import random
 import sys
@@ -11,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import check_mesh  # noqa: E402
 
 SEED, TRIES, REACH, PARTS = 5, 4000, 12, 6
-# Coordinates are as the checker scales them; so great a part of an edge lets few witnesses do.
+# The checker's scale of coordinates. Edges of this length in units of it leave room for few witnesses.
 UNIT = check_mesh.ONE
 
 
@@ -39,7 +40,8 @@ def squared(plane, s, p):
 
 
 def is_nearer_all_the_way(plane, s, z, p):
-    """If f_z > f_s on the segment from s to p: at its ends, and at the vertex of the parabola if it is between."""
+    """True if f_z > f_s on the whole segment from s to p: tests its ends, and the vertex of the parabola if it lies
+    between."""
     def excess(t):
         at = plane.x[s] + t * (p[0] - plane.x[s]), plane.y[s] + t * (p[1] - plane.y[s])
         return squared(plane, z, at) - squared(plane, s, at)
@@ -52,7 +54,7 @@ def is_nearer_all_the_way(plane, s, z, p):
 
 
 def balanced(plane, choose):
-    """A witness (a, b) about a point of the bisector of v and w, by halving between the two."""
+    """Returns a witness (a, b) near a point of the bisector of v and w, found by bisection between the two."""
     b = choose.randint(-2 * UNIT, 2 * UNIT)
     low, high = 0, UNIT
 
@@ -89,8 +91,9 @@ class EdgeConditions(unittest.TestCase):
         self.assertGreater(looking_away, 10)
 
     def test_what_is_not_nearer_all_the_way_is_not_shown(self):
-        # The witness is half-way from v to w, at (2, 0). y is beside the way from v to it and sees
-        # its ends as more than a right angle; the less its tensor counts across, the nearer it comes.
+        # The witness is (2, 0), half-way from v to w. y is beside the segment from v to it, and its metric sees the
+        # segment's ends at more than a right angle. The smaller its tensor is across, the nearer it is to the
+        # segment.
         answers, p = [], (2 * UNIT, 0)
         for m22 in range(1, 41):
             plane = types.SimpleNamespace(x=[0, 4 * UNIT, 2 * UNIT, UNIT], y=[0, 0, -9 * UNIT, UNIT],
@@ -98,7 +101,7 @@ class EdgeConditions(unittest.TestCase):
             holds = all(is_nearer_all_the_way(plane, s, z, p) for s in (0, 1) for z in (2, 3))
             shown = check_mesh.shows_kept(plane, 0, 1, 2, 3, (UNIT // 2 - check_mesh.WINDOW // 2, 0))
             answers.append((holds, shown))
-        # 4 * 200 m > 64 (200 + m) from 18 on: the quadratic has no zero.
+        # From m = 18 on, 4 * 200 m > 64 (200 + m): the quadratic has no zero.
         self.assertEqual(answers, [(False, False)] * 17 + [(True, True)] * 23)
 
 

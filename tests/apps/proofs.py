@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Proofs through the real command, and tools/check_mesh.py as a stranger runs it."""
+"""Proofs through the real command, checked by tools/check_mesh.py as a reader would run it."""
 import json
 import math
 import pathlib
@@ -13,7 +13,7 @@ import command
 CHECKER = pathlib.Path(__file__).resolve().parents[2] / "tools/check_mesh.py"
 CURVE_CHECKER = CHECKER.with_name("check_curves.py")
 SQUARE = "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n0\n"
-# A hole, an island in it, a segment inside that is split by the end of another, a region, a point.
+# A hole, an island in it, a segment inside that ends on another and splits it, a region, a point.
 ROOMS = ("15 2 0 0\n1 0 0\n2 6 0\n3 6 4\n4 0 4\n5 1 1\n6 3 1\n7 3 3\n8 1 3\n9 1.75 1.75\n10 2.25 1.75\n"
          "11 2 2.25\n12 4 0\n13 4.25 4\n14 5 1.5\n15 4.125 2\n13 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n"
          "5 5 6 2\n6 6 7 2\n7 7 8 2\n8 8 5 2\n9 9 10 3\n10 10 11 3\n11 11 9 3\n12 12 13 4\n13 14 15 5\n"
@@ -43,7 +43,7 @@ CURVE = "1 2\n1 1 0\n0\n0\n0\ncurves 1\n1 circle 1 0 0\n"
 
 
 def medit_texts(points, tensors, triangles):
-    """A mesh whose edges with one triangle are segments, and its metric."""
+    """Returns a mesh whose edges with one triangle are segments, and its metric."""
     sides = {(t[i], t[i - 2]) for t in triangles for i in range(3)}
     edges = sorted((a, b) for a, b in sides if (b, a) not in sides)
     mesh = ["MeshVersionFormatted 2", "Dimension 2", "Vertices", str(len(points))]
@@ -56,7 +56,7 @@ def medit_texts(points, tensors, triangles):
 
 
 def lattice(step, tensor):
-    """Squares, each cut by the diagonal that its greatest corner is no end of."""
+    """Returns squares, each cut by the diagonal that does not end at the square's greatest corner."""
     count = 6
     points = [(i * step, k * step) for i in range(count) for k in range(count)]
     triangles = [t for v in (i * count + k for i in range(count - 1) for k in range(count - 1)) for t in (
@@ -65,7 +65,8 @@ def lattice(step, tensor):
 
 
 def ring():
-    """Twelve sites of as many metrics, all equally far from the origin; the greatest is cut off, and so on."""
+    """Returns twelve sites of different metrics, all equally far from the origin. Ears are cut off in order, the
+    greatest site's first."""
     points, quarter = [], [(5.0, 0.0), (4.0, 3.0), (3.0, 4.0)]
     for _ in range(4):
         points += quarter
@@ -78,7 +79,7 @@ def ring():
     return points, [(1 + x * x / 64, x * y / 64, 1 + y * y / 64) for x, y in points], triangles
 
 
-# Ties of different kinds, and what is nearly one: in tenths the doubles are not symmetric.
+# Ties of different kinds, and near ties: with steps of a tenth the doubles are not symmetric.
 TIES = {"product of two lines": lattice(1.0, lambda x, y: (1 + x / 8, 0.0, 1 + y / 4)),
         "mirrored": lattice(1.0, lambda x, y: (1 + x / 8, 0.0, 1 + x * x / 16)),
         "nearly mirrored": lattice(0.1, lambda x, y: (1 + x / 8, 0.0, 1 + math.sqrt(x))),
@@ -118,11 +119,11 @@ class Proofs(command.CommandTest):
     def test_holes_regions_points_and_segments_inside(self):
         self.make(ROOMS, "--metric", "sink:3", "--size", "0.4")
         self.check(0)
-        for old, new in (("1 1.25 1.25\n", "1 2 2\n"),            # another hole
-                         ("1\n1 1.25 1.25\n", "0\n"),             # none
-                         ("1 5.5 3.5 7", "1 5.5 3.5 8"),          # another region
-                         ("12 12 13 4", "12 12 13 5"),            # another marker
-                         ("15 4.125 2", "15 4.125 2.0001")):      # another point
+        for old, new in (("1 1.25 1.25\n", "1 2 2\n"),  # the hole elsewhere
+                         ("1\n1 1.25 1.25\n", "0\n"),  # no hole
+                         ("1 5.5 3.5 7", "1 5.5 3.5 8"),  # the region's number changed
+                         ("12 12 13 4", "12 12 13 5"),  # the marker changed
+                         ("15 4.125 2", "15 4.125 2.0001")):  # the point moved
             self.assertIn(old, ROOMS)
             self.write("d.poly", ROOMS.replace(old, new))
             self.assertIn("NOT proved: ", self.check(1))
@@ -144,7 +145,7 @@ class Proofs(command.CommandTest):
         self.check(2, domain="none.poly")
 
     def test_every_form_of_domain_in_its_plain_form(self):
-        """GeoJSON with features, well-known text, a name, a mesh with a hole, edges alone."""
+        """Domains of GeoJSON with features, well-known text, a built-in name, a mesh with a hole, and edges alone."""
         self.write("lake.geojson", LAKE)
         self.write("two.wkt", "MULTIPOLYGON (((0 0, 5 0, 5 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1)), "
                               "((7 0, 9 0, 9 3, 7 3, 7 0)))")
@@ -166,10 +167,10 @@ class Proofs(command.CommandTest):
         self.make_of("lake.geojson", "--size", "0.8")
         self.assertEqual(self.run_command("convert", "lake.geojson", "d.poly").returncode, 0)
         rows = (self.folder / "d.poly").read_text().splitlines()
-        # One hole, the ring of water around the island; a number for each of the three features.
+        # The domain has one hole, the ring of water around the island, and a number for each of three features.
         self.assertEqual((rows[-6], rows[-4]), ("1", "3"))
         self.assertEqual([row.split()[-1] for row in rows[-3:]], ["1", "2", "3"])
-        for k, other in ((-5, "1 2 1.9"), (-1, rows[-1][:-1] + "4")):     # on the island; another number
+        for k, other in ((-5, "1 2 1.9"), (-1, rows[-1][:-1] + "4")):  # a hole on the island; another number
             self.write("other.poly", "\n".join([*rows[:k], other, *rows[len(rows) + k + 1:]]) + "\n")
             self.assertIn("NOT proved", self.check(1, domain="other.poly"))
         again = self.run_command("convert", "d.poly", "again.poly")
@@ -207,12 +208,12 @@ class Proofs(command.CommandTest):
 
     def test_a_domain_that_ends_early_is_told(self):
         self.make(SQUARE, "--size", "0.8")
-        for rows in ("2\n1 5 5\n", "0\n1\n"):     # of two holes one; of one region none
+        for rows in ("2\n1 5 5\n", "0\n1\n"):  # one of two holes; no region of one
             self.write("short.poly", "\n".join(SQUARE.split("\n")[:-3]) + "\n" + rows)
             self.assertIn("ends early", self.check(2, domain="short.poly"))
 
     def test_a_metric_within_a_tolerance(self):
-        """The bound is what verify measures, by another way."""
+        """The bound of the proof is the one that `verify` measures by another route."""
         self.make(SQUARE, "--metric", "expr:(x>0.5)?100:1;0;1", "--size", "0.25", "--metric-tolerance", "3")
         done = self.run_command("convert", "m.mesh", "asked.mesh", "--metric", "expr:(x>0.5)?100:1;0;1",
                                 "--size", "0.25")
@@ -251,7 +252,8 @@ class Proofs(command.CommandTest):
         return done.stdout + done.stderr + same.stdout + same.stderr
 
     def test_curves_are_as_near_as_the_certificate_says(self):
-        """The auditor's bound, by another way: of arcs the same number, of cubics with nearly the same places."""
+        """Compares the bound with the auditor's, which has another derivation: the same number for arcs, nearly the
+        same for cubics."""
         for domain, slack in ((CURVE, 1e-12), (HALF, 1e-12), (BENT, 1e-6), (SPLINES, 1e-6)):
             with self.subTest(domain=domain):
                 self.make(domain, "--metric", "sink:2", "--size", "0.3")
@@ -282,7 +284,7 @@ class Proofs(command.CommandTest):
         claim = json.loads((self.folder / "m.certificate.json").read_text())
         nearest = claim["audit"]["curves"]["largest_distance"]
         lines = (self.folder / "m.mesh").read_text().splitlines()
-        at = lines.index("Vertices") + 3    # the second, which the circle was divided at
+        at = lines.index("Vertices") + 3  # the second vertex, at which the circle was divided
         x, y, _ = map(float, lines[at].split())
         self.assertAlmostEqual(math.hypot(x, y), 1)
         for factor in (0.98, 1.02):
@@ -318,7 +320,8 @@ class Proofs(command.CommandTest):
                 self.check(0, domain=None, bound="5")
                 size = (self.folder / "m.proof").stat().st_size
                 self.assertLess(size, (3000 if name == "ring" else 300) * len(triangles))
-                # A vertex is moved by 2^-40 (of the ring inwards), or has another tensor: weights are of others.
+                # Moves a vertex by 2^-40 (of the ring inwards), or changes its tensor: the weights then belong to
+                # other sites.
                 inside = 8 if name != "ring" else 0
                 x, y = points[inside]
                 points = [*points[:inside], (x - 2**-40 if name == "ring" else x + 2**-40, y), *points[inside + 1:]]
@@ -346,7 +349,7 @@ class Proofs(command.CommandTest):
                 self.check(0, domain=None)
 
     def test_edges_of_which_a_neighbour_looks_away_are_proved(self):
-        # At all places of an edge's arc one product of a neighbour with its end is negative.
+        # At all places of an edge's arc, the product of a neighbour with its end is negative.
         corners = [(math.cos(2 * math.pi * i / 5), math.sin(2 * math.pi * i / 5)) for i in range(5)]
         pentagon = "5 2 0 0\n" + "".join(f"{i + 1} {x!r} {y!r}\n" for i, (x, y) in enumerate(corners)) + "5 1\n" + (
             "".join(f"{i + 1} {i + 1} {(i + 1) % 5 + 1} 1\n" for i in range(5)) + "0\n0\n")
