@@ -23,7 +23,7 @@ class Plane:
         self.edges = list(edges)  # a, b, marker
 
     def areas(self):
-        """By region, exactly."""
+        """Returns the area of each region, in fractions."""
         areas = collections.defaultdict(Fraction)
         for t, region in zip(self.triangles, self.regions):
             (ax, ay), (bx, by), (cx, cy) = (tuple(map(Fraction, self.points[v])) for v in t)
@@ -31,7 +31,7 @@ class Plane:
         return dict(areas)
 
     def sides(self):
-        """The triangles on an edge, by its two ends."""
+        """Returns the triangles on each edge, by the edge's two ends."""
         at = collections.defaultdict(list)
         for k, t in enumerate(self.triangles):
             for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
@@ -96,7 +96,7 @@ class Plane:
 
 
 def read_medit(text):
-    """The mesh of a file as the command writes it."""
+    """Reads the mesh of a .mesh file as the command writes it."""
     lines = text.splitlines()
 
     def rows(keyword):
@@ -109,7 +109,7 @@ def read_medit(text):
 
 
 def grid(n, region_of, place=lambda x, y: (x, y)):
-    """n x n cells of side 1, each cut in two, the lower right half first."""
+    """Returns n x n cells of side 1, each cut in two, the lower right half first."""
     points = [place(float(i), float(j)) for j in range(n + 1) for i in range(n + 1)]
     triangles, regions = [], []
     for j in range(n):
@@ -143,7 +143,7 @@ def random_plane(chance):
 
 
 def junctions(plane):
-    """Where three regions meet, or two and what is outside."""
+    """Returns the vertices where three regions meet, or two regions and the outside."""
     of = collections.defaultdict(set)
     for ends, at in plane.sides().items():
         kinds = [plane.regions[k] for k in at] + [None] * (2 - len(at))
@@ -154,7 +154,7 @@ def junctions(plane):
 
 
 def lengths_of_markers(plane):
-    """Square roots of squared lengths, summed for each marker; of edges with a marker."""
+    """Returns the length of each marker's edges. Edges without a marker are left out."""
     lengths = collections.defaultdict(float)
     for a, b, marker in plane.edges:
         (x, y), (u, v) = plane.points[a], plane.points[b]
@@ -188,7 +188,7 @@ class RegionTest(command.CommandTest):
         rows = {row["region"]: row for row in told["regions"]}
         self.assertEqual(set(rows), set(wanted))
         for region, row in rows.items():
-            # Exact sums, rounded once: as Python rounds fractions.
+            # Python rounds a sum of fractions once, and so does the program.
             self.assertEqual(row["area_before"], float(wanted[region]))
             self.assertEqual(row["area_after"], float(found[region]))
 
@@ -216,7 +216,7 @@ class PropertyTest(RegionTest):
                 self.assertLessEqual(junctions(plane), set(made.points))
                 done = self.run_command("verify", "new.mesh")
                 self.assertEqual(done.returncode, 0, done.stdout)
-                # The file of the other format holds the same.
+                # The same mesh in the other format gives the same regions and markers.
                 told, _ = self.run_json("mesh", f"other.{form}", "-o", "again.mesh")
                 again = read_medit((self.folder / "again.mesh").read_text())
                 self.assert_kept(made, again, told)
@@ -224,7 +224,7 @@ class PropertyTest(RegionTest):
 
 
 class KindsTest(RegionTest):
-    """Single shapes of regions, none of whose edges is listed."""
+    """Keeps regions of a single triangle or of few, none of whose edges the file lists."""
 
     def kept(self, plane, form="mesh", note=True):
         self.write_plane(plane, form)
@@ -278,7 +278,7 @@ class KindsTest(RegionTest):
         self.assertLessEqual({plane.points[9 * j + 4] for j in range(9)}, set(made.points))
 
     def test_curved_sides_and_areas_are_both_told(self):
-        # Sides that are curved outwards, and a straight line between the regions.
+        # Two regions with sides that curve outwards and a straight line between them.
         n = 12
         plane = grid(n, lambda i, j, h: 3 if i < n // 2 else 8,
                      lambda x, y: (x + 0.05 * y * (n - y) * (2 * x / n - 1), y))
@@ -337,7 +337,7 @@ class KindsTest(RegionTest):
 
 
 class WordTest(RegionTest):
-    """What is said about regions is so, and what is not so is found."""
+    """What a certificate says about regions is proved by `verify`, and changes of it are found."""
 
     def setUp(self):
         super().setUp()
@@ -405,7 +405,7 @@ class WordTest(RegionTest):
 
 
 class SidesTest(RegionTest):
-    """Boundary edges that a list leaves out."""
+    """Adds a note for boundary edges that the file's list leaves out."""
 
     def test_sides_that_are_not_listed_have_marker_0(self):
         plane = grid(2, lambda i, j, h: 1)

@@ -54,7 +54,7 @@ class RoundTrips(CommandTest):
         self.expected = self.content("t.mesh")
 
     def content(self, name, digits=10):
-        """Triangles by their corners' places, with regions; edges likewise, with markers."""
+        """Returns triangles by the places of their corners, with regions; edges likewise, with markers."""
         lines = iter((self.folder / name).read_text().split("\n"))
         sections = {}
         for line in lines:
@@ -69,7 +69,8 @@ class RoundTrips(CommandTest):
                        capture_output=True, timeout=120)
 
     def check_certified(self, name, digits=10):
-        """The mesh is read, certified in the same metric, and has everything it had."""
+        """The mesh of the file is certified in the same metric, and has all vertices, triangles, regions, edges and
+        markers of t.mesh."""
         done = self.run_command("certify", name, *FORMULA, "-o", "again.mesh")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(self.content("again.mesh", digits), self.content("t.mesh", digits))
@@ -117,7 +118,7 @@ Physical Curve("floor", 7) = {1}; Physical Curve("rest", 8) = {2,3,4}; Physical 
         self.assertEqual(set(read.cell_data_dict["gmsh:physical"]["line"].tolist()), {7, 8})
 
     def test_sides_of_a_geometry_in_no_physical_group(self):
-        """gmsh leaves their lines out of the file; they are sides all the same, with marker 0."""
+        """gmsh leaves the edges of unnamed lines out of the file. They are sides of the mesh, with marker 0."""
         self.write("plate.geo", """lc = 0.3; Point(1) = {0,0,0,lc}; Point(2) = {1,0,0,lc}; Point(3) = {1,1,0,lc}; Point(4) = {0,1,0,lc};
 Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,4}; Line(4) = {4,1}; Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1};
 Physical Curve("floor", 7) = {1}; Physical Surface("air", 2) = {1};
@@ -164,7 +165,7 @@ Physical Curve("floor", 7) = {1}; Physical Surface("air", 2) = {1};
         self.assertEqual(len(set(made)), 1)
 
     def test_written_as_it_is_without_a_metric_file(self):
-        """certify -o of a mesh whose metric is in it, or found beside it, by no name."""
+        """Certifies, with -o, a mesh whose metric is in its own file or in the file of its name."""
         self.run_command("certify", "t.mesh", "-o", "t.msh", "-o", "t.meshb")
         for name in ("t.msh", "t.meshb"):
             done = self.run_command("certify", name, "-o", "w.mesh")
@@ -176,7 +177,7 @@ Physical Curve("floor", 7) = {1}; Physical Surface("air", 2) = {1};
             self.assertEqual(done.returncode, 2 if output == "t.meshb" else 0, done.stderr)
 
     def check_triangles(self, name):
-        """Triangles and regions are there; what else a program keeps is its affair."""
+        """Compares triangles and regions alone: a program may drop the rest."""
         done = self.run_command("certify", name, *FORMULA, "-o", "again.msh")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         read = meshio.read(self.folder / "again.msh", file_format="gmsh")
@@ -184,7 +185,7 @@ Physical Curve("floor", 7) = {1}; Physical Surface("air", 2) = {1};
                          sorted(r for _, r in self.expected["Triangles"]))
 
     def test_point_data_of_vtk_and_meshio(self):
-        """A raw file with a solution, by VTK's own writer, is what `metric` reads."""
+        """`metric` reads a file with raw bytes and a solution, as VTK's own writer makes it."""
         read = meshio.read(self.folder / "t.vtu")
         read.point_data["u"] = numpy.tanh(20 * (read.points[:, 0] - 1))
         meshio.write(self.folder / "u.vtu", meshio.Mesh(read.points, read.cells, point_data={"u": read.point_data["u"]}),
@@ -215,7 +216,7 @@ Physical Curve("floor", 7) = {1}; Physical Surface("air", 2) = {1};
     def test_freefem(self):
         self.write("trip.edp", 'mesh Th = readmesh("t.mesh"); savemesh(Th, "f.mesh");\n')
         subprocess.run(["FreeFem++-nw", "-v", "0", "trip.edp"], cwd=self.folder, check=True, capture_output=True, timeout=120)
-        self.check_certified("f.mesh", digits=8)  # of which FreeFEM writes ten
+        self.check_certified("f.mesh", digits=8)  # FreeFEM writes ten digits
 
     def test_meshio_and_medit(self):
         meshio.write(self.folder / "m.mesh", meshio.read(self.folder / "t.mesh"))
@@ -233,7 +234,7 @@ Physical Curve("floor", 7) = {1}; Physical Surface("air", 2) = {1};
         self.assertIn('1 13 "outlet"', (self.folder / "again.msh").read_text())
 
     def test_polygons_of_shapely(self):
-        """GeoJSON and WKT as shapely writes them, holes and all; the mesh is as large as the polygons."""
+        """Reads GeoJSON and WKT as shapely writes them, with holes. The areas of mesh and polygons are equal."""
         try:
             from shapely import geometry, ops
         except ImportError:
@@ -250,7 +251,7 @@ Physical Curve("floor", 7) = {1}; Physical Surface("air", 2) = {1};
             self.assertLess(made.symmetric_difference(shape).area, 1e-12)
 
     def test_triangles_own_files(self):
-        """.node, .ele and .edge, as Triangle's pages describe them: the mesh with its regions and markers."""
+        """Reads .node, .ele and .edge as Triangle's pages describe them, with regions and markers."""
         self.run_command("certify", "t.mesh", "-o", "t.node")
         tables = {kind: [line.split() for line in (self.folder / f"t.{kind}").read_text().splitlines() if not line.startswith("#")]
                   for kind in ("node", "ele", "edge")}

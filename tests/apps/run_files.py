@@ -20,13 +20,13 @@ NAMES = sorted([*OUTPUTS, "m.sol", "m.certificate.json"])
 
 
 def job(size):
-    """The job that makes the old files with one size and the new ones with another."""
+    """Returns a job that writes all files. Two sizes make the old files and the new ones."""
     return [command.PROGRAM, "mesh", "square", "--metric", "swirl:3", "--size", size, "--quiet",
             *(word for name in OUTPUTS for word in ("-o", name))]
 
 
 def ticks_of(process):
-    """Hundredths of seconds that a processor worked for it."""
+    """Returns the processor time of a process in hundredths of a second."""
     fields = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
     return int(fields[11]) + int(fields[12])
 
@@ -53,13 +53,14 @@ class RunFiles(command.CommandTest):
             (self.folder / name).write_bytes(data)
 
     def check_unit(self, where):
-        """Returns whether the files are the new ones."""
+        """Returns whether the files are the new ones, and checks that they are all old or all new."""
         found = self.contents()
         self.assertEqual(sorted(found), NAMES, where)
         certificate = "m.certificate.json"
         said, new = json.loads(found[certificate]), json.loads(self.new[certificate])
         if (said["theorem"] or {}).get("reason") == "not all was measured: interrupted":
-            # Told to end after the audit, when the theorem on nets was asked about: all else is as it is in the end.
+            # A signal between the audit and the hypotheses of the theorem on nets leaves those open. All other fields
+            # have their final values.
             self.assertEqual({**said, "theorem": None}, {**new, "theorem": None}, where)
             found[certificate] = self.new[certificate]
         is_new = found == self.new
@@ -86,7 +87,7 @@ class RunFiles(command.CommandTest):
         self.assertEqual(self.files(), [])
 
     def test_a_full_disk(self):
-        """Disks of some kilobytes, where that can be had: as root, outside a container."""
+        """Fills disks of some kilobytes. Such a disk needs root, outside of a container."""
         if shutil.which("mount") is None:
             self.skipTest("there is no mount here")
         needed = sum(map(len, [*self.old.values(), *self.new.values()]))
@@ -108,7 +109,8 @@ class RunFiles(command.CommandTest):
                     subprocess.run(["umount", place], check=True)
 
     def test_no_signal_mixes_them(self):
-        """At moments all over a run, and close together while it writes; replayed by the seed."""
+        """Ends runs at moments spread over the whole run, and close together during the writing. The seed replays
+        them."""
         moments = random.Random(14)
         ended = {True: 0, False: 0}
         for turn in range(45):
@@ -125,7 +127,7 @@ class RunFiles(command.CommandTest):
                 run.communicate(timeout=240)
             found = self.contents()
             if number in (signal.SIGINT, signal.SIGTERM) and run.returncode == 1:
-                # Noted before the writing began: what was certain then is written, all of it.
+                # A signal noted before the writing began: all files are written, with what was certain then.
                 self.assertEqual(sorted(found), NAMES)
                 self.assertNotEqual([name for name in NAMES if found[name] == self.old[name]], NAMES)
                 self.assertIn(b"interrupted", found["m.certificate.json"])
@@ -135,12 +137,13 @@ class RunFiles(command.CommandTest):
         self.assertGreater(ended[True], 10)
 
     def test_a_directory_that_comes_where_a_file_is_to_be(self):
-        """After the places were checked: the renamings before it are undone, and it stays."""
+        """A place becomes unwritable after it was checked: the renamings before it are undone, and the old files
+        stay."""
         for blocked in ("m.sol", "m.svg", "m.certificate.json"):
             self.put_old()
             line = job("0.02")
             with subprocess.Popen(line, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
-                while run.poll() is None and ticks_of(run.pid) < 10:  # the check takes one or two
+                while run.poll() is None and ticks_of(run.pid) < 10:  # the check of places takes one or two
                     time.sleep(0.001)
                 (self.folder / blocked).unlink()
                 (self.folder / blocked).mkdir()

@@ -15,7 +15,7 @@ PLATE = ("5 2\n1 -2 -2\n2 2 -2\n3 2 2\n4 -2 2\n5 0.7 0\n4 1\n1 1 2 1\n2 2 3 2\n3
 
 
 def elements(path):
-    """Nodes and elements by type of a .msh of version 2."""
+    """Returns nodes, and elements by type, of a .msh of version 2."""
     text = path.read_text()
     body = {head: rows.split("\n") for head, rows in
             re.findall(r"\$(Nodes|Elements)\n\d+\n(.*?)\n\$End", text, re.S)}
@@ -57,7 +57,7 @@ class SecondOrder(command.CommandTest):
         self.assertEqual(told["on_curves"], on_circle)
         self.assertEqual(told["triangles"], len(kinds[9]))
         self.assertTrue(told["proved"])
-        # The area of the curved mesh is that of the plate to fourth order; straight sides miss it by 1 %.
+        # The area of the curved mesh equals the plate's to fourth order. The straight mesh is off by 1 %.
         area = 0
         for a, b, c, d, e, f in kinds[9]:
             for p, q, m in ((a, b, d), (b, c, e), (c, a, f)):
@@ -165,8 +165,8 @@ class SecondOrder(command.CommandTest):
         self.assertEqual(again.returncode, done.returncode, again.stdout)
 
     def test_a_side_that_would_fold_its_triangle_stays_straight(self):
-        # Beside the chord of an eighth of a turn a triangle with an angle of 4 degrees at its end, where the
-        # circle rises by 22.5.
+        # A triangle beside the chord of an eighth of a turn has an angle of 4 degrees at the chord's end. The circle
+        # leaves the chord at 22.5 degrees there, so that the curved triangle would fold.
         x = 0.75 * math.sqrt(0.5)
         text = PLATE.replace("5 2\n", "6 2\n", 1).replace("5 0.7 0\n", f"5 0.7 0\n6 {x} {x}\n")
         done = self.mesh(text, "--angle-bound", "0", "--chord-tolerance", "1", "--order", "2", "-o", "d.msh2")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Sizes at places through the real command: what is asked is in the mesh, the certificate holds it, and
-verify judges it again."""
+"""Sizes at places through the real command: edges have the size asked for, the certificate records it, and `verify`
+proves it again."""
 import json
 import math
 import unittest
@@ -79,7 +79,7 @@ class Sizes(command.CommandTest):
         return sorted(heights)
 
     def test_sizes_are_met_where_they_are_asked_for(self):
-        near = 1.5  # edges of a mesh are up to about that long in its metric
+        near = 1.5  # edges may be this long in the metric
         for option, value, is_there, size in [
                 ("--size-at", "0.2,0.1,0.3:0.03", lambda v: math.dist(v[:2], (0.2, 0.1)) < 0.3, 0.03),
                 ("--size-box", "-0.5,-0.5,0,0:0.03", lambda v: -0.5 <= v[0] <= 0 and -0.5 <= v[1] <= 0, 0.03),

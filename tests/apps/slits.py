@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Meshes with slits, whose vertices are there twice: both sides stay apart through every command that takes a
-mesh, in every format that holds one."""
+"""Meshes with slits, whose vertices are in the file twice. Every command that takes a mesh keeps the two sides apart,
+in every format."""
 import json
 import math
 import re
@@ -10,8 +10,8 @@ import command
 
 
 def grid(n, slit, both=(1, 1)):
-    """A square of 2 n^2 triangles on [-1, 1]^2 with a slit along y = 0 from the left side to x = slit; the tip is
-    there once. Markers: 1 outside, `both` above and below the slit."""
+    """Returns a square of 2 n^2 triangles on [-1, 1]^2 with a slit along y = 0 from the left side to x = slit.
+    Vertices on the slit are there twice, the tip once. Markers: 1 outside, `both` above and below the slit."""
     at = [(-1 + 2 * i / n, -1 + 2 * j / n) for j in range(n + 1) for i in range(n + 1)]
     middle = n // 2
     doubled = [i for i in range(n + 1) if -1 + 2 * i / n < slit - 1e-9]
@@ -53,7 +53,7 @@ def values(at, field):
 
 class Slits(command.CommandTest):
     def read(self, name):
-        """Vertices, triangles and edges of a .mesh."""
+        """Returns vertices, triangles and edges of a .mesh."""
         lines = (self.folder / name).read_text().split("\n")
         made = []
         for section in ("Vertices", "Triangles", "Edges"):
@@ -67,8 +67,8 @@ class Slits(command.CommandTest):
         return made
 
     def check_parted(self, name, tip, sides=(1, 1)):
-        """The file has a slit from x = -1 to the tip with the vertices of both sides, and no triangle goes from
-        one side to the other through it."""
+        """Checks that the file has a slit from x = -1 to the tip, with the vertices of both sides, and that no
+        triangle crosses it."""
         at, triangles, edges = self.read(name)
         on = {v for v, (x, y) in enumerate(at) if y == 0 and x < tip - 1e-12}
         ys = {}
@@ -121,7 +121,7 @@ class Slits(command.CommandTest):
 
     def test_adapt_brings_a_field_that_jumps(self):
         at, triangles, edges = grid(12, 0, (2, 3))
-        # sqrt(r) sin(theta / 2), which jumps over the slit; triangles tell which side a vertex is of.
+        # sqrt(r) sin(theta / 2) jumps across the slit. The triangles decide which side a vertex is on.
         upper = {v for t in triangles for v in t if at[v][1] == 0 and sum(at[w][1] for w in t) > 0}
 
         def angle(v):
@@ -147,7 +147,7 @@ class Slits(command.CommandTest):
         for v, side in signs.items():
             self.assertIn(side, ({(True, False, True)}, {(False, True, False)}), new[v])
         self.done("verify", "n.mesh")
-        # The next step of the loop takes what this one wrote.
+        # The loop's next step reads what this step wrote.
         self.done("adapt", "n.mesh", "--solution", "n_u.sol", "--vertices", "300", "-o", "m.mesh", "--solution-out",
                   "m_u.sol")
         self.check_parted("m.mesh", 0, (2, 3))
@@ -177,7 +177,7 @@ class Slits(command.CommandTest):
         ring = [(math.cos(math.pi * k / 3), math.sin(math.pi * k / 3)) for k in range(6)]
         at = ring + [(0.0, 0.0)] * 3
         triangles = [(k, (k + 1) % 6, 6 + k // 2) for k in range(6)]
-        # The ends of the cracks, at the outside, are there twice.
+        # The outer ends of the cracks are there twice.
         for k in (0, 2, 4):
             at.append(at[k])
             first = triangles[(k - 1) % 6]

@@ -41,7 +41,7 @@ class SpacePage(CommandTest):
         return self.driver.execute_script("return " + script)
 
     def picture(self):
-        """The pixels, as a text."""
+        """Returns the pixels as a text."""
         browser.repaint(self.driver)
         return self.ask('document.getElementById("canvas").toDataURL()')
 

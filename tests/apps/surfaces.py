@@ -25,7 +25,7 @@ def cross(a, b):
 
 
 def squared_distance(p, t):
-    """Of a point from a triangle, exactly."""
+    """Returns the squared distance of a point from a triangle, exactly."""
     a, b, c = t
     n = cross(less(b, a), less(c, a))
     if dot(n, n) and all(dot(cross(less(y, x), less(p, x)), n) >= 0 for x, y in ((a, b), (b, c), (c, a))):
@@ -44,7 +44,7 @@ def bernstein(n, i, t):
 
 
 def point_of(patch, u, v):
-    """Of a Bezier patch without weights."""
+    """Returns the point of a Bezier patch without weights."""
     p, q = patch["degree"]
     at = [0, 0, 0]
     for i in range(p + 1):
@@ -55,14 +55,14 @@ def point_of(patch, u, v):
 
 
 def wavy():
-    """A bicubic patch over the unit square."""
+    """Returns a bicubic patch over the unit square."""
     numbers = random.Random(5)
     return {"degree": [3, 3], "control": [[[i / 3, j / 3, numbers.uniform(-.35, .35)] for j in range(4)]
                                           for i in range(4)]}
 
 
 def grid(patch, n):
-    """Points on the patch, and the triangles between."""
+    """Returns points on the patch and the triangles between them."""
     points = [point_of(patch, i / n, j / n) for i in range(n + 1) for j in range(n + 1)]
     triangles = []
     for i in range(n):
@@ -78,7 +78,7 @@ def obj(points, triangles):
 
 
 def written(points, triangles):
-    """The mesh in every format, by name; coordinates that a float holds."""
+    """Returns the mesh in every format, by file name. A float holds all coordinates."""
     corners = [[points[v] for v in t] for t in triangles]
     lines = lambda rows: "".join(" ".join(map(str, row)) + "\n" for row in rows)
     count, last = len(points), len(triangles)
@@ -138,8 +138,8 @@ class Deviation(CommandTest):
         self.assertGreater(least, F(from_surface["low"]) ** 2)
         self.assertLessEqual(least, F(from_surface["high"]) ** 2)
         self.assertLessEqual(from_surface["high"], 1.011 * from_surface["low"])
-        # No point of the surface is nearer to the other witness: a sample, and every cell of it
-        # within the length of its control polygon.
+        # Proves that no point of the surface is nearer to the other witness: samples it, and bounds each cell around
+        # a sample by the length of its control polygon.
         from_mesh = found["mesh_to_surface"]
         a, b, c = exact[from_mesh["witness"]["triangle"] - 1]
         s, t = F(from_mesh["witness"]["s"]), F(from_mesh["witness"]["t"])
@@ -160,7 +160,7 @@ class Deviation(CommandTest):
             found = self.answer(name, "s.json")
             answers.add((found["mesh_to_surface"]["high"], found["surface_to_mesh"]["high"]))
         self.assertEqual(len(answers), 1)
-        # The curve z = 2 y (1 - y) over chords of half its width, which rise as far as they go.
+        # z = 2 y (1 - y) is 1/8 above a chord of half its width, measured along z; the chord's slope is 1.
         self.assertAlmostEqual(max(answers.pop()), .125 / 2 ** .5, delta=.001)
 
     def test_a_distance_is_proved_or_refused(self):
@@ -172,7 +172,7 @@ class Deviation(CommandTest):
         done = self.run_command("deviation", "m.obj", "plane.json", "--at-most", "0.4")
         self.assertEqual(done.returncode, 1)
         self.assertIn("REFUSED: farther than 0.4", done.stdout)
-        # A mesh of half of the surface is on it, and the surface is not on the mesh.
+        # A mesh of half of the surface lies on it. The other half of the surface is far from the mesh.
         self.write("half.obj", obj([(0, 0, 0), (1, 0, 0), (1, 1, 0)], [(0, 1, 2)]))
         found = self.answer("half.obj", "plane.json")
         self.assertLess(found["mesh_to_surface"]["high"], 1e-9)
@@ -250,7 +250,7 @@ class Surface(CommandTest):
         self.assertEqual(self.files(), ["s.certificate.json", "s.mesh", "s.obj"])
         claim = json.loads((self.folder / "s.certificate.json").read_text())
         self.assertLessEqual(claim["distance"], 0.05)
-        # The other program for distances knows nothing of the plane meshes.
+        # `deviation` sees the mesh in space alone, and not the plane meshes.
         done = self.run_command("deviation", "s.obj", "saddle", "--at-most", "0.05", "--json")
         self.assertEqual(done.returncode, 0, done.stdout)
         found = json.loads(done.stdout)
@@ -262,8 +262,8 @@ class Surface(CommandTest):
         self.assertEqual(self.run_command("verify", "s.mesh", "--metric", "swirl:3").returncode, 2)
 
     def test_no_surface_ends_a_little_beyond_the_chord(self):
-        # Meshes made anew have other triangles beyond the chord: without keeping vertices the saddle
-        # ended at 0.0065.
+        # A mesh made anew has other triangles whose distance exceeds the chord. Before vertices were kept, the rounds
+        # of the saddle ended at 0.0065.
         self.write("wavy.json", json.dumps({"patches": [wavy()]}))
         for surface, chord in (("wavy.json", 0.01), ("saddle", 0.006), ("octant", 0.01), ("wing", 0.003),
                                ("torus", 0.01)):
@@ -274,7 +274,7 @@ class Surface(CommandTest):
             self.assertEqual(self.run_command("verify", "s.mesh").returncode, 0)
 
     def test_bends_sharper_than_the_chord_are_not_folded_over(self):
-        # A lip of radius 0.03 along a quarter of a circle, at a chord as large.
+        # A lip of radius 0.03 along a quarter of a circle, with a chord tolerance as large.
         def turned(radius, height):
             c = radius * 0.5522847498
             return [[radius, 0, height], [radius, c, height], [c, radius, height], [0, radius, height]]
@@ -312,7 +312,8 @@ class Surface(CommandTest):
             self.assertIn("curve.json: no triangle has three corners in space", done.stderr)
 
     def test_a_surface_that_is_folded_itself_ends_soon_and_says_where(self):
-        # No finer mesh would be unfolded: the rounds went on to four times the vertices before.
+        # A fold of the surface itself stays folded in finer meshes. Before, refinement went on to four times as many
+        # vertices.
         for name, corners in (("crossed", [[[0, 0, 0], [0, 1, 0]], [[1, 1, 0], [1, 0, 0]]]),
                               ("askew", [[[0, 0, 0], [0, 1, 0]], [[1, .7, 0], [1, .2, 0]]])):
             self.write(name + ".json", json.dumps({"patches": [{"degree": [1, 1], "control": corners}]}))
@@ -349,7 +350,7 @@ class Surface(CommandTest):
         first = [(self.folder / name).read_bytes() for name in names]
         self.assertEqual([one[:4] for one in first], [b"\x89PNG", b"<?xm", b"%PDF"])
         triangles = self.make("octant", "--chord", "0.05", "-o", "o.svg", "-o", "o.obj").split(" triangles")[0].split()[-1]
-        # A filled outline each, on a page of paper.
+        # Draws a filled outline for each triangle, on a page of paper.
         self.assertEqual(first[1].count(b"stroke-width"), int(triangles))
         self.make("octant", "--chord", "0.05", "--threads", "1", *(word for name in names for word in ("-o", name)))
         self.assertEqual([(self.folder / name).read_bytes() for name in names], first)
@@ -362,7 +363,7 @@ class Surface(CommandTest):
         self.assertNotIn("://", page)
 
     def test_every_format_with_vertices_is_verified(self):
-        """Files without numbers of faces ended verify with a signal."""
+        """Files without numbers of faces are refused. Before, they ended `verify` by a signal."""
         for ending in ("obj", "ply", "vtu", "msh", "mesh"):
             with self.subTest(ending):
                 self.make("octant", "--chord", "0.05", "-o", f"o.{ending}", "--certificate", "c.json")
@@ -382,7 +383,8 @@ class Surface(CommandTest):
     def test_two_patches_share_their_edge(self):
         left = {"degree": [2, 2], "control": [[[i, j, (i - 1) ** 2 * .3 + j % 2 * .4] for j in range(3)]
                                               for i in range(3)]}
-        # From its greatest u to its least: its edge runs the other way, and it is seen from below.
+        # u runs from its greatest value to its least, so that the edge runs the other way and the patch is seen from
+        # below.
         right = {"degree": [2, 2], "control": [[[i, j, (i - 3) ** 2 * .3 + j % 2 * .4] for j in range(3)]
                                                for i in (4, 3, 2)]}
         self.write("s.json", json.dumps({"patches": [left, right]}))
@@ -393,15 +395,15 @@ class Surface(CommandTest):
         self.assertEqual(self.run_command("verify", "s.mesh").returncode, 0)
 
     def triangles_of(self, name):
-        """As their corners' texts, each from its least corner on, in order."""
+        """Returns the triangles as texts of their corners, each from its least corner on, sorted."""
         rows = [line.split() for line in (self.folder / name).read_text().split("\n") if line]
         points = [tuple(row[1:]) for row in rows if row[0] == "v"]
         corners = [[points[int(v) - 1] for v in row[1:]] for row in rows if row[0] == "f"]
         return sorted(c[c.index(min(c)):] + c[:c.index(min(c))] for c in corners)
 
     def test_the_order_of_patches_does_not_matter(self):
-        # Four patches about a common corner, one given from behind; sides evaluate to other last digits by the one
-        # patch than by the other.
+        # Four patches meet in a corner, and one of them is given from behind. The two patches of a side evaluate it
+        # to different last digits.
         heights = [[random.Random(f"{i} {j}").uniform(-.4, .4) for j in range(5)] for i in range(5)]
         net = lambda rows, columns: [[[i * .7, j * .3, heights[i][j]] for j in columns] for i in rows]
         low, high = (0, 1, 2), (2, 3, 4)
@@ -463,18 +465,18 @@ class Surface(CommandTest):
             lines, text = list(mesh), claim
             at = triangles + draw.randrange(last)
             how = k % 5
-            if how == 0:  # a vertex moved by twice the distance
+            if how == 0:  # moves a vertex by twice the distance
                 v = points + draw.randrange(count)
                 x = list(map(float, lines[v].split()))
                 x[draw.randrange(3)] += draw.choice((-.4, .4))
                 lines[v] = "%r %r %r 0" % tuple(x[:3])
-            elif how == 1:  # a triangle turned
+            elif how == 1:  # turns a triangle over
                 a, b, c, f = lines[at].split()
                 lines[at] = f"{b} {a} {c} {f}"
-            elif how == 2:  # a triangle dropped
+            elif how == 2:  # drops a triangle
                 del lines[at]
                 lines[triangles - 1] = str(last - 1)
-            elif how == 3:  # a number of the certificate forged
+            elif how == 3:  # forges a number of the certificate
                 name = draw.choice(("chord", "distance", "vertices", "triangles", "euler", "open_edges",
                                     "vertex_distance", "normal_tangent", "least_angle"))
                 start = text.index(f'"{name}": ') + len(name) + 4
@@ -483,7 +485,7 @@ class Surface(CommandTest):
                 number = number / 3 if name in ("chord", "distance") else number + draw.choice((1, 2, .5))
                 text = text[:start] + (str(int(number)) if name in ("vertices", "triangles", "euler", "open_edges")
                                        and number == int(number) else repr(number)) + text[end:]
-            else:  # an edge cracked: a vertex of a triangle doubled, both files changed alike
+            else:  # cracks an edge: doubles a vertex of one triangle, in both files
                 corners = lines[at].split()
                 v = int(corners[0])
                 lines.insert(points + count, lines[points + v - 1])
@@ -495,7 +497,7 @@ class Surface(CommandTest):
             self.assertNotEqual(done.returncode, 0, f"{k}: {done.stdout}")
 
     def test_counts_that_are_not_whole_are_refused(self):
-        # A reader that cuts numbers off reads 9.5 vertices as 9.
+        # A reader that truncates numbers reads 9.5 vertices as 9.
         self.make("saddle", "--chord", "0.2", "-o", "s.mesh")
         claim = (self.folder / "s.certificate.json").read_text()
         for name in ("vertices", "triangles", "edges", "open_edges", "collapsed", "euler"):
@@ -526,8 +528,9 @@ class Surface(CommandTest):
         self.assertEqual(self.files(), ["fan.json"])
 
     def test_distances_that_no_mesh_can_have_are_refused_before_any_is_made(self):
-        """Below what doubles can prove, also far from the origin, and where more vertices are wanted than are made."""
-        far = 2.0 ** 30  # of which the last bit of a coordinate is 2^-23 at most
+        """Refuses distances below what doubles can prove, also far from the origin, and distances for which too many
+        vertices would be needed."""
+        far = 2.0 ** 30  # coordinates have a last bit of 2^-23
         self.write("far.json", json.dumps({"patches": [
             {"degree": [1, 1], "control": [[[far, 0, 0], [far, 1, 0]], [[far + 1, 0, 0], [far + 1, 1, 1]]]}]}))
         for name, chord, said in (("torus", "1e-300", r"the distance 1e-300 is below 1\.3e-12, the least"),

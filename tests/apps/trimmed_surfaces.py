@@ -38,7 +38,7 @@ def drilled_plate():
 
 
 def wall_with_top(radius=1.0):
-    """A drilled wall and the quarter disc on it; the disc's own arc has the radius."""
+    """Returns a drilled wall and the quarter disc on it. The disc's own arc has the given radius."""
     top = {"name": "top", "degree": [1, 1], "control": [[[0, 0, 2], [0, 2, 2]], [[2, 0, 2], [2, 2, 2]]]}
     r = radius / 2
     arc = {"degree": 2, "control": [[r, 0], [r, r], [0, r]], "weights": [1, HALF, 1], "edge": "rim"}
@@ -58,14 +58,14 @@ def closed_can():
                        line([4, 1], [0, 1], edge="top", backward=True), line([0, 1], [0, 0], edge="seam", backward=True)]]}
     lid = {"degree": [1, 1], "control": [[[-2, -2, 2], [-2, 2, 2]], [[2, -2, 2], [2, 2, 2]]],
            "loops": [[circle(.5, .5, .25, edge="top")]]}
-    # The floor's v runs down, so that its loop goes around as the bottom edge does backward.
+    # The floor's v runs down: its loop follows the bottom edge of the wall against that edge's direction.
     floor = {"degree": [1, 1], "control": [[[-2, 2, 0], [-2, -2, 0]], [[2, 2, 0], [2, -2, 0]]],
              "loops": [[circle(.5, .5, .25, edge="bottom", backward=True)]]}
     return {"patches": [side, lid, floor]}
 
 
 def trim_at(curve, place):
-    """A point of a curve whose knots stand as often as its degree, by its Bezier pieces."""
+    """Returns a point of a curve whose inner knots have full multiplicity, from its Bezier pieces."""
     degree = curve.get("degree", 1)
     control = curve["control"]
     pieces = (len(control) - 1) // degree
@@ -105,7 +105,8 @@ class Trimmed(CommandTest):
         return total
 
     def chord_distance(self, surface, lift):
-        """The greatest distance in space of points of the curves from their chords, at the same share."""
+        """Returns the greatest distance in space between points of the curves and points of their chords at equal
+        parameters."""
         worst = 0.0
         for patch, face in zip(surface["patches"], self.claim()["faces"]):
             curves = [c for loop in patch["loops"] for c in loop]
@@ -131,7 +132,7 @@ class Trimmed(CommandTest):
                 self.assertIn("certified: ", self.make(plate, "--chord", chord))
                 claim = self.claim()
                 self.assertLessEqual(claim["distance"], 1e-6 * chord)
-                # The curves are an ellipse of half axes 0.6 and 0.4 in space.
+                # In space the curves are an ellipse with half axes 0.6 and 0.4.
                 self.assertLess(abs(self.area() - (2.4 * 1.6 - pi * .6 * .4)), 3.2 * claim["trim_distance"])
                 sampled = self.chord_distance(plate, lambda _, x: (3 * x[0], 2 * x[1], 0))
                 self.assertLessEqual(sampled, claim["trim_distance"] * (1 + 1e-9))
@@ -150,7 +151,7 @@ class Trimmed(CommandTest):
                 self.assertLessEqual(gap * (1 - 1e-9), claim["trim_gap"])
                 self.assertLessEqual(claim["trim_gap"], 1.06 * gap + 1e-11)
                 self.assertLessEqual(claim["vertex_distance"], claim["trim_gap"] + 1e-11)
-                # One component with one hole: the rim is no open edge.
+                # The mesh is one component with one hole, so that no edge at the rim is open.
                 self.assertEqual(claim["euler"], 0)
                 self.assertEqual(self.run_command("verify", "s.mesh").returncode, 0)
         said = self.make(wall_with_top(1.05), "--chord", .01, status=2)
@@ -175,7 +176,8 @@ class Trimmed(CommandTest):
         self.assertEqual(len(texts), 1)
 
     def test_triangles_do_not_depend_on_the_order_of_faces(self):
-        """A corner of several faces is another point on each, by rounding: always the same of them is taken."""
+        """By rounding, a corner of several faces is a different point on each. All faces use the same one of
+        these."""
         for surface in (closed_can(), wall_with_top(1.001)):
             found = []
             for patches in (surface["patches"], surface["patches"][::-1]):
@@ -186,7 +188,7 @@ class Trimmed(CommandTest):
             self.assertEqual(*found)
 
     def test_holes_near_each_other_are_divided_until_they_do_not_meet(self):
-        """Polygons as coarse as the chord would cross in the rim of 0.01 between the holes."""
+        """Polygons within the chord tolerance would cross in the bridge of width 0.01 between the holes."""
         plate = {"patches": [{**PLATE, "loops": [[lines([0, 0], [1, 0], [1, 1], [0, 1])],
                                                  [circle(.3, .5, .195, clockwise=True)],
                                                  [circle(.7, .5, .195, clockwise=True)]]}]}

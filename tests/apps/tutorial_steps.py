@@ -17,15 +17,16 @@ def text_of(name):
 
 
 def commands_that_work_here(body):
-    """Without the lines of programs that are not installed: None if one is missing."""
+    """Returns the lines; None if they need a program that is not installed."""
     missing = [name for name in ("FreeFem++-nw",) if name in body and shutil.which(name) is None]
     return None if missing else body
 
 
 def run(body, folder, program):
-    """Raises AssertionError, with what was said, unless the commands end as the tutorial says."""
+    """Raises AssertionError, with the output, unless the commands end as the tutorial says."""
     path = os.pathsep.join([str(pathlib.Path(program).resolve().parent), os.environ["PATH"]])
-    # A line at a time would lose loops; -e ends at the first command that fails and is not asked for it.
+    # Runs the lines together, so that loops work. -e ends the script at the first failing command; lines that end in
+    # a test of $? are excepted.
     script = re.sub(r"^(.*); (test \$\? -eq \d)$", r"set +e; \1; \2 || exit 99; set -e", body, flags=re.M)
     done = subprocess.run(["bash", "-ec", script], cwd=folder, capture_output=True, text=True, timeout=600,
                           check=False, env={**os.environ, "PATH": path})
@@ -33,7 +34,7 @@ def run(body, folder, program):
 
 
 def quoted(path, body):
-    """True if the lines stand in the file, one after the other, but for their indentation."""
+    """True if the lines stand in the file, in a row, up to their indentation."""
     def lines(text):
         return [line.strip() for line in text.splitlines() if line.strip()]
 
@@ -42,7 +43,7 @@ def quoted(path, body):
 
 
 def follow(name, folder, program):
-    """Does all steps. Returns the pictures that the page shows and the steps made, by their names."""
+    """Does all steps. Returns the pictures that the page shows, and the names of the steps."""
     text, skipped = text_of(name), False
     for kind, path, body in FENCE.findall(text):
         if path:

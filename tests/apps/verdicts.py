@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What certified and the exit status say, through the real command: sharp corners, edges that a file
-lists, lost and forged certificates, and the files of a run as one unit."""
+"""What "certified" and the exit status mean, through the real command: sharp corners, edges that a file lists, lost
+and forged certificates, and the files of a run as one unit."""
 import json
 import math
 import re
@@ -27,14 +27,14 @@ def identity(count):
 
 class Verdicts(command.CommandTest):
     def judged(self, name, *arguments):
-        """The statuses of certify and of verify, which are the same, and what they say."""
+        """Checks that certify and verify end with the same status, and what they print."""
         one = self.run_command("certify", name, "--angle-bound", "20", *arguments)
         two = self.run_command("verify", name, "--angle-bound", "20", *arguments)
         self.assertEqual(one.returncode, two.returncode, one.stdout + two.stdout + two.stderr)
         return one.returncode, one.stdout, two.stdout
 
     def strip(self, reference, required=False, every=True):
-        """40 triangles of less than a degree, all edges listed."""
+        """Returns 40 triangles with an angle of less than a degree each, all edges listed."""
         n, shear = 20, 200.0
         points = [(i + shear * j, j, 0) for j in (0, 1) for i in range(n + 1)]
         low, high = list(range(1, n + 2)), list(range(n + 2, 2 * n + 3))
@@ -93,7 +93,7 @@ class Verdicts(command.CommandTest):
         self.assertEqual(len(set(told)), 1)
 
     def test_only_the_sharp_corners_own_angle_is_exempt(self):
-        # 19 degrees at the tip; the apex of the first triangle is so low that its other angle is 0.1.
+        # The domain's corner has 19 degrees. The first triangle's apex is so low that its other angle is 0.1 degrees.
         far = (math.cos(math.radians(19)), math.sin(math.radians(19)))
         near = 0.005
         points = [(0, 0, 0), (1, 0, 0), (near * far[0], near * far[1], 0), (*far, 0)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What verify finds, through the real command, in meshes and certificates that were altered."""
+"""Alters meshes and certificates, and checks through the real command what `verify` finds in them."""
 import unittest
 
 import command
@@ -22,7 +22,7 @@ class Verify(command.CommandTest):
         (self.folder / "m.certificate.json").unlink()
 
     def altered(self, keyword, entry, change):
-        """The mesh with lines `entry` of a section replaced by what `change` makes of its words."""
+        """Replaces lines `entry` of a section by what `change` makes of their words."""
         lines = self.mesh.splitlines()
         start, count = command.section(lines, keyword)
         new = change(lines[start + entry].split())
@@ -31,7 +31,7 @@ class Verify(command.CommandTest):
         return "\n".join(lines) + "\n"
 
     def spoiled(self):
-        """What was done, the mesh, and what the witness must match."""
+        """The change, the mesh, and the pattern of the witness."""
         yield ("one index altered",
                self.altered("Triangles", 5, lambda w: [[1 if w[0] != "1" else 2, *w[1:]]]),
                r"triangle")
@@ -57,7 +57,7 @@ class Verify(command.CommandTest):
         self.assertRegex(done.stdout, r"\Ano bound asked for: not certified: ")
 
     def test_sites_near_a_line_in_one_metric_are_verified_as_well(self):
-        """Each star sees thousands of sites: to hold all against it took more than the most work."""
+        """Each site sees thousands of others. Testing all stars against all sites would exceed the limit on work."""
         many = 3000
         lines = [f"{many + 4} 2 0 0", "1 -1 -1", "2 1 -1", "3 1 1", "4 -1 1"]
         lines += [f"{i + 5} {-0.9 + 1.8 * i / many!r} {0.25 + 1e-9 * (i * i % 101) / 101!r}" for i in range(many)]

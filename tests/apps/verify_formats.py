@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A mesh is verified from whatever format it was written in, with the certificate beside it, as from a .mesh."""
+"""Verifies a mesh from each format that it was written in, beside its certificate, and from a .mesh."""
 import json
 import unittest
 
@@ -14,7 +14,7 @@ PARTS = """8 2 0 0
 2
 1 1 1 3 0\n2 3 1 8 0
 """
-# A spline of two segments, a cubic and a circle for a hole, of which the last of the file is divided first.
+# A spline of two segments, a cubic, and a circle for a hole. The circle is listed last and divided first.
 CURVES = """9 2 0 0
 1 0 0\n2 4 0\n3 4 3\n4 0 3\n5 2 1\n6 4.5 1.2\n7 1 2.5\n8 0.7 1.2\n9 1.2 1.2
 7 1
@@ -27,8 +27,8 @@ curves 3
 2 spline 2 3
 3 bezier 5  -0.4 2 -0.3 1
 """
-WHOLE = ("mesh", "meshb", "msh", "msh2", "vtu")  # what a mesh has, all of it
-OF_SOLVERS = ("su2", "14", "grd", "2dm")         # no metric, and no place for segments
+WHOLE = ("mesh", "meshb", "msh", "msh2", "vtu")  # formats that hold everything a mesh has
+OF_SOLVERS = ("su2", "14", "grd", "2dm")  # formats without a metric and without segments
 
 
 class VerifyFormats(command.CommandTest):
@@ -48,7 +48,7 @@ class VerifyFormats(command.CommandTest):
         path.write_text(text.replace(old, new, count))
 
     def forge_a_number(self):
-        """A number of the audit, which is compared where the question is the certificate's."""
+        """Changes a number of the audit. It is compared only where the certificate's own question is asked."""
         path = self.folder / "m.certificate.json"
         claim = json.loads(path.read_text())
         claim["audit"]["largest_boundary_deviation"] = 0.25
@@ -104,7 +104,7 @@ class VerifyFormats(command.CommandTest):
         self.write("parts.poly", PARTS)
         self.made("parts.poly", "su2", "--size", "0.4")
         first = (self.folder / "m.su2").read_text().split("MARKER_ELEMS= ")[1].splitlines()[1]
-        # An edge of the first marker is put among those of the last.
+        # Moves an edge of the first marker to the last marker.
         text = (self.folder / "m.su2").read_text()
         head, tail = text.split(first + "\n", 1)
         count = int(head.split("MARKER_ELEMS= ")[-1].split()[0])

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The question that verify answers: what its options ask is judged, and what they leave open is taken from the
-certificate and named. Each test makes a mesh that a certificate's own word used to pass."""
+"""The question that `verify` answers: what its options ask is judged; what they leave open is taken from the
+certificate and named in the output. Each test makes a mesh that passed before, by a word of its certificate."""
 import json
 import math
 import pathlib
@@ -12,8 +12,8 @@ from verdicts import identity, medit
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# A square with a slot from its left side and an island of one segment: fine as it stands. Repaired within 0.45 the
-# slot is closed.
+# A square with a slot from its left side and an island of one segment. It is valid as it stands; a repair within 0.45
+# closes the slot.
 SLOT = """12 2 0 0
 1 0 0\n2 10 0\n3 10 10\n4 0 10\n5 5 5\n6 5.4 5\n7 5.4 5.4\n8 5 5.4\n9 0 3\n10 4 3\n11 0 3.3\n12 4 3.3
 9 1
@@ -177,7 +177,7 @@ class Question(command.CommandTest):
             with self.subTest(edits=[name for name, _ in edits]):
                 if edits[-1][0] != "outcome/reason" or edits[-1][1]:
                     self.verdict(1)
-                else:  # names no metric, and says so
+                else:  # the certificate names no metric, and says so
                     self.assertIn("the certificate names none; it says lengths up to 2.89", self.verdict(0))
         self.folder.joinpath("m.certificate.json").write_text(json.dumps(claim))
         self.forge(done, tolerance, ("outcome/reason", reason[1] + ", in the metric delivered"))
@@ -192,10 +192,10 @@ class Question(command.CommandTest):
 
 
 class NothingJudged(command.CommandTest):
-    """Slivers all of whose sides are segments: every low angle is the domain's own."""
+    """Returns slivers whose sides are all segments: every low angle is the domain's own."""
 
     def strip(self, good=0, inner_marked=True):
-        """40 slivers; `good` rhombi beside them, whose short diagonals are free."""
+        """Returns 40 slivers, and beside them `good` rhombi whose short diagonals are no segments."""
         n, shear = 20, 150.0
         points = [(i + shear * j, j, 0) for j in (0, 1) for i in range(n + 1)]
         low, high = list(range(1, n + 2)), list(range(n + 2, 2 * n + 3))
@@ -255,10 +255,10 @@ class NothingJudged(command.CommandTest):
 
 
 class OwnMeshes(command.CommandTest):
-    """What mesh makes verify confirms, by the certificate and by options that ask the same."""
+    """`verify` confirms what `mesh` makes, by the certificate alone and by options that ask the same."""
     METRICS = ("identity", "swirl:3", "sink:3", "layer:0.1,0.2", "shock:10", "linear", "polar-1", "polar-2", "circle-1",
                "expr:1+x*x;0.1;1+y*y")
-    # Metrics that are dense have a larger size, for the time it takes.
+    # Metrics with short lengths get a larger size, to save time.
     DENSE = {"polar-1": 8, "polar-2": 8, "circle-1": 8}
     DOMAINS = {"square": 0.5, "airfoil": 4, "plate.poly": 2, "fillets.poly": 8, "spline_airfoil.poly": 2,
                "bulge.poly": 0.5, "disc.poly": 0.5}

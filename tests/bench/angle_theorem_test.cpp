@@ -38,7 +38,8 @@ double distortion(const metric_tensor& p, const metric_tensor& q) {
   return std::sqrt(std::max({1.0, greatest, greatest * dp / dq}));
 }
 
-// Three sites at distance 1 from the origin by their own metrics, a first.
+// Holds three sites, each at distance 1 from the origin in its own metric. The first is a, at which
+// the angle is bounded.
 struct configuration {
   std::array<vector, 3> at;
   std::array<metric_tensor, 3> metric;
@@ -61,7 +62,8 @@ class random_configurations {
     return low + (high - low) * static_cast<double>(draw_() >> 11) * 0x1p-53;
   }
 
-  // Draws often at the limits of the hypotheses, where the theorem is nearest to failing.
+  // Often draws values at the limits of the hypotheses, where the bound is nearest to being
+  // exceeded.
   double eigenvalue() {
     const double most = -2 * std::log(1 - s_);
     const double kind = uniform(0, 3);
@@ -98,14 +100,14 @@ class random_configurations {
   std::mt19937_64 draw_{7};
 };
 
-// Returns the configuration as a sees it, a at (-1, 0) from the common point: the proof ranges
-// over these.
+// Maps the configuration so that a's metric is round, the common point is the origin and a is at
+// (-1, 0): the proof divides these configurations into boxes.
 std::array<vector, 2> as_first_sees(const configuration& c) {
   const metric_tensor& m = c.metric[0];
   const double a = std::sqrt(m.m11), b = m.m12 / a, d = std::sqrt(m.m22 - b * b);
   const auto into_frame = [&](const vector& p) { return vector{a * p.x + b * p.y, d * p.y}; };
   const vector first = into_frame(c.at[0]);
-  const auto turned = [&](const vector& p) {  // first goes to (-1, 0)
+  const auto turned = [&](const vector& p) {  // rotates so that the first site is at (-1, 0)
     const double size = std::sqrt(inner(first, first));
     const vector e{-first.x / size, -first.y / size};
     return vector{inner(p, e), cross(e, p)};
@@ -170,7 +172,7 @@ TEST_CASE("angles that configurations are known to fall below are not proved") {
   CHECK_FALSE(prove(make_hypotheses(0.052, 1, 25), 1'000'000).proved);
   CHECK_FALSE(prove(make_hypotheses(0.08, 1, 22), 1'000'000).proved);
   CHECK_FALSE(prove(make_hypotheses(0.113, 1, 18), 1'000'000).proved);
-  // Equal metrics: an edge of the least length on the greatest circle.
+  // With equal metrics, an edge of the least length in the greatest circle has the least angle.
   CHECK_FALSE(prove(make_hypotheses(0, 1, 30.01), 1'000'000).proved);
   CHECK_FALSE(prove(make_hypotheses(0, 1.25, 23.58), 1'000'000).proved);
 }

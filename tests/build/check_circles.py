@@ -11,16 +11,17 @@ import re
 
 import sources
 
-# Circles that are left: the modules of each, sorted.
+# Circles that are excepted: the modules of each, sorted.
 CIRCLES = set()
-# Headers that are a list of functions of one kind, each in a source of its own, and whoever includes them
-# calls most of what they list.
+# Headers that list functions of one kind, each defined in a source of its own. A file that includes one calls most of
+# its functions.
 CONTENTS = {
     "apps/base/commands.hpp": "the commands, which the program adds one after another",
     "mesh/audit/checks.hpp": "the checks, which the auditor goes through",
     "mesh/io/listed_readers.hpp": "the readers of meshes, of which the table of kinds of files has a row each",
 }
-# Headers of what a public module shows to the library alone, as its installed header may not: the module.
+# Headers that show the insides of a public module to the library alone, and that module. The installed header may not
+# show them.
 INSIDE = {
     "kernels/filtered_edge_test.hpp": "kernels/filtered_kernel",
     "mesh/io/medit_writer.hpp": "mesh/io/medit",
@@ -28,7 +29,7 @@ INSIDE = {
 }
 
 COMMENT = re.compile(r"//[^\n]*")
-# A declaration or definition that begins a line, as clang-format leaves those of a namespace.
+# Matches a declaration or definition that begins a line: clang-format does not indent those of a namespace.
 HEADING = re.compile(r"^(?!static|inline|template|using|struct|class|enum|namespace|extern|return|constexpr|typedef)"
                      r"[A-Za-z_][^\n;{}()=]*?\b([A-Za-z_][\w:]*)\((?:[^;{}]|\{\})*?\)"
                      r"(?:\s*(?:const|noexcept))*\s*([;{])", re.MULTILINE)
@@ -39,7 +40,7 @@ def stem(name):
 
 
 def module_of(name, headers):
-    """The header's module for its sources, found by the longest part of the name that a header has."""
+    """Returns for a source the module of the header whose name is the longest beginning of the source's name."""
     if name.endswith(".h"):
         return name
     own = stem(name)
@@ -61,7 +62,7 @@ def graph_of(top, paths, headers):
 
 
 def circles_in(graph):
-    """The strongly connected parts of more than one module, by Tarjan's algorithm without recursion."""
+    """Returns the strongly connected components of more than one module, by Tarjan's algorithm without recursion."""
     found, number, lowest, stack, on_stack = [], {}, {}, [], set()
     for start in sorted(graph):
         if start in number:
@@ -99,8 +100,8 @@ def headings(top, path, ending):
 
 
 def foreign_headers(top, paths, headers):
-    """By header, the functions it declares that only sources of other modules define; of these only
-    such as include it, as names are used twice."""
+    """Returns for each header the functions that it declares and that only sources of other modules define. Counts a
+    source only if it includes the header, since other functions may have the same name."""
     definers = collections.defaultdict(set)
     for path in paths:
         if path.suffix == ".cpp":

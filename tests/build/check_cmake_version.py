@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 OLDEST = (3, 16)
-# Command, a word among its arguments (or none), and the version that it came with.
+# Command, one of its arguments (or none), and the version of CMake that introduced it.
 LATER = [
     ("block", None, (3, 25)), ("cmake_language", None, (3, 18)), ("cmake_path", None, (3, 20)),
     ("file", r"ARCHIVE_CREATE|ARCHIVE_EXTRACT|CONFIGURE", (3, 18)), ("file", r"REAL_PATH|CHMOD", (3, 19)),
@@ -26,7 +26,7 @@ LATER = [
     ("if", r"PATH_EQUAL", (3, 24)), ("elseif", r"PATH_EQUAL", (3, 24)), ("return", r"PROPAGATE", (3, 25)),
     ("set_tests_properties", r"ENVIRONMENT_MODIFICATION", (3, 22)),
 ]
-# In any argument: variables and generator expressions.
+# Variables and generator expressions, in any argument, with the version that introduced them.
 LATER_WORDS = [(r"PROJECT_IS_TOP_LEVEL", (3, 21)), (r"\$<PATH", (3, 24)), (r"\$<TARGET_RUNTIME_DLLS", (3, 21)),
                (r"\$<(HOST_LINK|DEVICE_LINK)", (3, 18)), (r"\$<LINK_(LIBRARY|GROUP)", (3, 24)),
                (r"CMAKE_CURRENT_FUNCTION", (3, 17)),

@@ -5,7 +5,8 @@ import re
 
 import sources
 
-# Exact or correctly rounded everywhere, and therefore allowed: sqrt, fma, ldexp, frexp, rounding.
+# Matches functions whose results differ between machines. sqrt, fma, ldexp, frexp and rounding are exact or correctly
+# rounded everywhere, and allowed.
 DIFFERS = re.compile(r"\b(?:std::)(a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|cbrt|hypot|"
                      r"erfc?|[lt]gamma|beta)\s*\(|\blong double\b")
 

@@ -50,7 +50,8 @@ def files_in_comments(top, path):
 
 
 def missing_in_suppressions(top):
-    """Files of the project that the thread sanitizer is told of: an entry for one that moved hides nothing."""
+    """Reports entries of the thread sanitizer's suppressions for files that do not exist: such an entry suppresses
+    nothing."""
     listed = (top / "tests/thread_sanitizer.supp").read_text(encoding="utf-8")
     for name in re.findall(r"^race_top:([a-z_]+/.*\.hpp)$", listed, flags=re.MULTILINE):
         if not is_there(top, name):

@@ -7,11 +7,11 @@ import sources
 
 INLINE = r"(?:inline|constexpr|template|using|namespace|typedef|struct|enum|static|extern \"C\"|friend)\b"
 FUNCTION = re.compile(rf"^(?!{INLINE}|ASTERISM_|#|//| |\}}|/\*)[\w:<>,&*\[\] ]+\(")
-# A class whose functions are in a source file; structs mark theirs one by one.
+# Matches a class. A class is marked as a whole; the functions of a struct are marked one by one.
 CLASS = re.compile(r"^class (?!ASTERISM_EXPORT)(\w+)(?!.*;)")
 
 
-# Declared in the class that begins here, and defined in a source file.
+# True if the class that begins here has a function without a body, which a source file defines.
 def has_function_elsewhere(after):
     body = after[:after.index("};")]
     return any(re.search(r"\)( const)?( noexcept)?;$", line) for line in body)

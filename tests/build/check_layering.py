@@ -10,7 +10,8 @@ AUDITORS = {"mesh/audit": COMMON + ("mesh/audit",),
 
 
 def project_includes(top, path):
-    """Paths relative to `top`; a name without asterism/ is looked up beside the including file."""
+    """Maps the name in an include to a path relative to `top`. A name without asterism/ is looked up beside the
+    including file."""
     for name in sources.includes(top / path):
         if name.startswith("asterism/"):
             yield name.removeprefix("asterism/")

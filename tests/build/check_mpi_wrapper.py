@@ -14,7 +14,7 @@ source, binary, cmake = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sy
 shutil.rmtree(binary, ignore_errors=True)
 (binary / "programs").mkdir(parents=True)
 wrapper = binary / "programs" / "mpicxx"
-# Tells where headers would be, and finds none.
+# Answers where MPI's headers would be: in a folder that does not exist.
 wrapper.write_text('#!/bin/sh\ncase "$1" in -show*) echo "-I/nowhere/include -L/nowhere/lib -lmpi";; *) exit 1;; esac\n')
 wrapper.chmod(0o755)
 (binary / "CMakeLists.txt").write_text(

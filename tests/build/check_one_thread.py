@@ -15,7 +15,7 @@ TOP = sources.root()
 
 @functools.cache
 def reached(path):
-    """The file and all of the project's own files that it includes, by others too."""
+    """Returns the file and all of the project's own files that it includes, directly or not."""
     return {path}.union(*(reached(pathlib.Path(name)) for name in sources.own_includes(TOP, path)))
 
 
@@ -24,7 +24,7 @@ def uses_threads(path):
 
 
 def sources_of_users(paths):
-    """Chooses, one after another, the source that reaches the most files that are left to reach."""
+    """Chooses sources one by one, each time the source that reaches the most files not yet reached."""
     left = {user for user in set().union(*map(reached, paths)) if uses_threads(user)}
     if not left:
         sys.exit("no source reaches oneTBB's headers: is the pattern right?")

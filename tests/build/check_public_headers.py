@@ -28,7 +28,7 @@ def install_and_move(build, work):
 
 
 def place_problems(prefix):
-    """A prefix that many programs share has files in its usual folders alone."""
+    """Reports files outside of the usual folders of a prefix, which other programs share."""
     usual = {"bin", "include", "lib", "share"}
     yield from (f"{p.name} is installed beside the folders of the prefix"
                 for p in sorted(prefix.iterdir()) if p.name not in usual)
@@ -61,7 +61,7 @@ def without_comments(text):
 
 
 def outside_namespace(code):
-    """The code that stands in no `namespace asterism {...}`."""
+    """Returns the code that stands outside of `namespace asterism {...}`."""
     outside, depth, kept_from = [], 0, 0
     for mark in re.finditer(r"namespace asterism(?:::\w+)*\s*\{|[{}]", code):
         if mark.group() == "}":
@@ -93,7 +93,7 @@ def name_problems(include, name):
 
 
 def target_problems(prefix):
-    """Exported targets: libraries are handed on for linking alone, and no definition is."""
+    """Reports exported targets that hand on definitions, or libraries for more than linking."""
     files = list(prefix.rglob("Asterism*.cmake"))
     if not files:
         yield "no exported targets"

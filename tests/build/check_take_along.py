@@ -36,7 +36,8 @@ def check_image():
 
 
 def run_action(**inputs):
-    """The status of the step, as a forge calls it: inputs by environment, defaults of action.yml filled in."""
+    """Runs the step as a forge would: inputs come from the environment, defaults from action.yml. Returns its
+    status."""
     declared = dict(re.findall(r'^  (\w+):\n    description:.*\n(?:    required: true\n|    default: "?(.*?)"?\n)', text("action.yml"), re.M))
     check(set(inputs) <= set(declared), f"action.yml: has no {set(inputs) - set(declared)}")
     given = {f"INPUT_{name.upper()}": value for name, value in {**declared, **inputs}.items()}

@@ -25,14 +25,14 @@ _TOGETHER = re.compile(r"asterism_unite\([^)]*?\bTOGETHER ([^)]*)\)")
 
 
 def parameter_types(text: str) -> tuple[str, ...]:
-    """The types alone: names and defaults of parameters tell no functions apart."""
-    commas = re.compile(r",(?![^<>]*>)")  # not those of templates
+    """Returns the types of parameters. Names and default values do not distinguish functions."""
+    commas = re.compile(r",(?![^<>]*>)")  # commas between parameters, but not those of templates
     return tuple(re.sub(r"(?<=[\w&*>]) *\b\w+$", "", re.sub(r"\s*=.*", "", " ".join(one.split())))
                  for one in commas.split(re.sub(r"/\*.*?\*/", "", text)) if one.strip())
 
 
 def hidden_things(text: str) -> set[tuple[str, str, str]]:
-    """What unnamed namespaces define at their top: the namespace around, the name, and what it is."""
+    """Returns what unnamed namespaces define at their top level: the enclosing namespace, the name, and its kind."""
     found: set[tuple[str, str, str]] = set()
     for block in _HIDDEN.finditer(text):
         part, around = block[1], ["", *_AROUND.findall(text[:block.start()])][-1]
@@ -43,7 +43,7 @@ def hidden_things(text: str) -> set[tuple[str, str, str]]:
 
 
 def can_meet(kinds: list[str]) -> bool:
-    """Overloads, and one alias said twice."""
+    """True for overloads, and for an alias that is declared twice alike."""
     all_functions = all(kind.startswith("of ") for kind in kinds)
     one_alias = kinds[0].startswith("alias ") and len(set(kinds)) == 1
     return one_alias or (all_functions and len(set(kinds)) == len(kinds))
@@ -65,21 +65,21 @@ def lists_of(folder: pathlib.Path) -> str:
 
 
 def united_files(folder: pathlib.Path) -> list[pathlib.Path]:
-    """Those of a folder that are compiled with others."""
+    """Returns the files of a folder that are compiled together with others."""
     alone = {pathlib.PurePath(name).name for names in _ALONE.findall(lists_of(folder)) for name in names.split()}
     return [file for file in sorted(folder.glob("*.cpp")) if file.name not in alone]
 
 
 def joined_folders(source: pathlib.Path) -> list[list[pathlib.Path]]:
-    """What TOGETHER names, which must be there."""
+    """Returns the folders that TOGETHER joins, each of which must exist."""
     return [[file.parent / name for name in word.split("+")]
             for file in sorted(source.glob("*/CMakeLists.txt"))
             for words in _TOGETHER.findall(file.read_text()) for word in words.split()]
 
 
 def types_of_headers(source: pathlib.Path) -> list[str]:
-    """A type that two headers define differently under one name is an error that no linker tells: functions of
-    templates over it, of which it keeps one, have one name as well."""
+    """Reports a type that two headers define differently under one name. No linker tells: template functions over it
+    have one name too, and the linker keeps one of them."""
     homes = collections.defaultdict(set)
     for top in ("core", "predicates", "kernels", "challenge", "mesh", "apps", "python/src"):
         for file in (source / top).rglob("*.hpp"):

@@ -13,18 +13,18 @@ LAYERS = ["core", "predicates", "kernels", "challenge", "mesh/support", "mesh/da
           "mesh/surface", "mesh/pieces", "mesh/c_interface", "mesh",
           "apps/base", "apps/help", "apps/options", "apps/run", "apps/text", "apps/job", "apps/pieces", "apps/verify", "apps/commands",
           "apps"]
-FOLDERS = ["core", "predicates", "kernels", "challenge", "mesh", "apps"]  # with all that is below them
+FOLDERS = ["core", "predicates", "kernels", "challenge", "mesh", "apps"]  # with all subfolders
 CODE = {".hpp", ".cpp", ".h", ".c"}
 
 
 def root():
-    """The project's folder: the first argument, or where this file lies."""
+    """Returns the project's folder: the first argument, or else the folder above this file's."""
     given = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]
     return pathlib.Path(given).resolve()
 
 
 def files(top, folders, suffixes):
-    """Paths relative to `top` of the files below `folders` with one of `suffixes`, sorted."""
+    """Returns paths relative to `top`, sorted, of the files below `folders` with one of `suffixes`."""
     found = []
     for folder in folders:
         found += [p for p in (top / folder).rglob("*") if p.suffix in suffixes and p.is_file()]
@@ -32,13 +32,13 @@ def files(top, folders, suffixes):
 
 
 def includes(path):
-    """The names in the file's #include lines, as written, without quotes or brackets."""
+    """Returns the names in the file's #include lines, as written, without quotes or brackets."""
     pattern = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
     return pattern.findall(path.read_text(encoding="utf-8"))
 
 
 def own_includes(top, path):
-    """Paths relative to `top` of the project's own files that the file of this relative path includes itself."""
+    """Returns paths relative to `top` of the project's files that this file includes itself."""
     for name in includes(top / path):
         if name.startswith("asterism/"):
             name = name.removeprefix("asterism/")
@@ -49,13 +49,13 @@ def own_includes(top, path):
 
 
 def public_headers(top):
-    """The headers that are installed, by cmake/public_headers.txt."""
+    """Returns the headers that are installed, listed in cmake/public_headers.txt."""
     lines = (top / "cmake/public_headers.txt").read_text(encoding="utf-8").splitlines()
     return [line for line in lines if line and not line.startswith("#")]
 
 
 def finish(problems, checked):
-    """Ends the test: every problem on a line of its own, or how many files were found good."""
+    """Ends the test: prints each problem on a line of its own, or else how many files were checked."""
     for problem in problems:
         print(problem)
     if not checked:

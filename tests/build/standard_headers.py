@@ -25,7 +25,7 @@ class Compiler:
         self.command, self.is_c = command, is_c
 
     def dependencies(self, unit, options):
-        """The files opened to compile `unit`, or the compiler's complaint."""
+        """Returns the files opened to compile `unit`, or the compiler's error messages."""
         standard = "-std=c11" if self.is_c else "-std=c++20"
         listing = unit.with_suffix(".d")
         command = [self.command, standard, *options, "-fsyntax-only", "-MD", "-MF", str(listing),
@@ -37,7 +37,7 @@ class Compiler:
         return {pathlib.Path(word).resolve() for word in words}
 
     def standard_library(self, folder):
-        """The files of the standard library. Writes its unit in `folder`."""
+        """Returns the files of the standard library. Writes the unit that includes all its headers to `folder`."""
         unit = folder / ("standard.c" if self.is_c else "standard.cpp")
         guarded = [f"#if __has_include(<{name}>)\n#include <{name}>\n#endif\n"
                    for name in (C if self.is_c else CXX + INTRINSICS)]

@@ -20,7 +20,7 @@
 namespace asterism::internal {
 namespace {
 
-// splitmix64.
+// Draws numbers by the generator splitmix64.
 class generator {
  public:
   std::uint64_t next() {
@@ -34,7 +34,7 @@ class generator {
   }
   // Returns a number of any size between 2^low and 2^high, of either sign.
   double of_any_size(double low, double high) {
-    const double mantissa = between(1, 2);  // first: arguments are evaluated in any order
+    const double mantissa = between(1, 2);  // drawn first: arguments have no order
     const double size = std::ldexp(mantissa, static_cast<int>(between(low, high)));
     return next() % 2 == 0 ? size : -size;
   }
@@ -177,7 +177,7 @@ TEST_CASE("circular functions are within their bounds, however large the argumen
   generator random;
   worst_case sin, cos, tan, atan2, hypot;
   for (int k = 0; k < cases; ++k) {
-    // Doubles next to multiples of pi / 2 lose most digits.
+    // Next to multiples of pi / 2 the reduction of the argument cancels most digits.
     const double multiple = std::round(random.between(-3e5, 3e5)) * 1.5707963267948966;
     for (const double x : {random.between(-7, 7), random.of_any_size(-30, 20), multiple,
                            random.of_any_size(19, 1023)}) {

@@ -147,7 +147,7 @@ TEST_CASE("copies and moves of integers keep the value, inside and on the heap",
     REQUIRE(same(copy, expected));
     const integer moved = std::move(a);
     REQUIRE(same(moved, expected));
-    held = moved;  // over what is there, longer or shorter
+    held = moved;  // assigns over an integer that is longer or shorter
     REQUIRE(same(held, expected));
     held = std::move(copy);
     REQUIRE(same(held, expected));

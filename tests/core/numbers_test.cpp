@@ -19,7 +19,8 @@ TEST_CASE("a dyadic number holds every double exactly", "[dyadic]") {
   for (const double x : {1.0, -1.0, 0.1, DBL_MAX, DBL_MIN, smallest, 3 * smallest, -0x1.8p-1040}) {
     const dyadic d(x);
     CHECK(d.sign_value() == to_sign((x > 0) - (x < 0)));
-    // The mantissa of a double is odd and short; put back together it is the double.
+    // The mantissa of a double is odd and of one limb. Scaled by the exponent it gives the double
+    // again.
     REQUIRE(d.mantissa().limbs().size() == 1);
     const auto size = static_cast<double>(d.mantissa().limbs()[0]);
     CHECK(std::ldexp(x < 0 ? -size : size, static_cast<int>(d.exponent())) == x);

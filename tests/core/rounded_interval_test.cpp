@@ -56,7 +56,8 @@ bool is_rounded_up(double end, const dyadic& x) { return is_rounded_down(-end, -
 const dyadic& least(const dyadic& a, const dyadic& b) { return b < a ? b : a; }
 const dyadic& greatest(const dyadic& a, const dyadic& b) { return a < b ? b : a; }
 
-// Does the arithmetic out of line of the function that sets the rounding mode.
+// These functions are not inlined into the one that sets the rounding mode, so that no operation
+// moves across the change.
 [[gnu::noinline]] rounded_interval sum(const ends& a, const ends& b) { return a.box() + b.box(); }
 [[gnu::noinline]] rounded_interval difference(const ends& a, const ends& b) {
   return a.box() - b.box();
@@ -83,7 +84,8 @@ void check_operations(const ends& a, const ends& b) {
   check(square(a), straddles ? dyadic(0) : least(al * al, ah * ah), greatest(al * al, ah * ah));
 }
 
-// Ends of the root compared by their squares: root <= end if root >= 0 and the square is no less.
+// Compares the ends of a root by their squares: root <= end if root >= 0 and root squared is no
+// more than the end's square.
 void check_root(const ends& a) {
   if (a.high < 0) return;
   CAPTURE(a.low, a.high);

@@ -79,8 +79,8 @@ TEST_CASE("rounding upward by arithmetic to nearest: special numbers", "[upward]
   CHECK(compared == numbers.size() * numbers.size());
 }
 
-// Numbers of every kind: uniform bit patterns, mantissas of few bits (exact results and ties of
-// rounding), and exponents near each other (sums whose operands overlap).
+// Draws numbers of every kind: uniform bit patterns, mantissas of few bits (exact results and ties
+// of rounding), and exponents near each other (sums whose operands overlap).
 TEST_CASE("rounding upward by arithmetic to nearest: random numbers", "[upward]") {
   random_source random(45);
   const auto any = [&] {
@@ -99,7 +99,7 @@ TEST_CASE("rounding upward by arithmetic to nearest: random numbers", "[upward]"
     compared += check(near_one(), near_one());
     const double whole = random.integer(-100000, 100000);
     compared += check(whole * whole, whole);
-    // Products in the range of subnormal numbers, and those that overflow.
+    // Adds products in the range of subnormal numbers, and products that overflow.
     compared += check(std::ldexp(near_one(), -520), std::ldexp(near_one(), -520));
     compared += check(std::ldexp(near_one(), 500), std::ldexp(near_one(), 500));
   }

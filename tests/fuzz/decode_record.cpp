@@ -163,7 +163,7 @@ bool is_accepted(const batch_record& record) {
   return true;
 }
 
-// Returns the number of binary orders of magnitude between the numbers other than zero.
+// Returns the number of binary orders of magnitude that the nonzero numbers span.
 int spread(const batch_record& record) {
   int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
   for (const double number : record.numbers) {
@@ -174,8 +174,9 @@ int spread(const batch_record& record) {
   return most < least ? 0 : most - least;
 }
 
-// Seconds of exact arithmetic on sections of an arc, a thousand times the usual record: of these
-// one in twenty-six.
+// True if exact arithmetic on the record takes less than a second. Widely spread records about
+// sections of an arc take seconds, a thousand times the usual time. One in twenty-six of those
+// drawn is kept.
 bool is_affordable(const batch_record& record, unsigned lot) {
   constexpr int widest = 200;
   const bool about_sections =
@@ -194,7 +195,7 @@ std::optional<batch_record> decode_record(std::span<const std::uint8_t> bytes) {
   batch_record record{static_cast<predicate>(first >= of_in_circle ? others : first % others), {}};
   decoder numbers(source, record);
   const record_shape shape = shape_of(record.question);
-  // Reads them as it does coordinates: metrics that are nearly positive definite are wanted too.
+  // Reads the metrics as coordinates: metrics that are nearly positive definite are wanted too.
   for (std::size_t k = 0; k < 3 * shape.metrics; ++k) numbers.add_coordinate();
   for (std::size_t k = 0; k < shape.sites; ++k) {
     numbers.add_coordinate();

@@ -123,8 +123,8 @@ mesh written_and_read(const mesh& m, const path& to) {
   return std::move(again.value());
 }
 
-// A mesh that was put in order stays as it is, through whatever format. One of our own text files
-// is as it is listed, and is so when it comes back from one.
+// Checks that a mesh in order is the same after writing and reading, in every format. A text file
+// in the project's own format, which is only listed, comes back as listed.
 void expect_again(const mesh& m, const path& to) { expect_same(m, written_and_read(m, to), to); }
 
 bool is_own(const path& file) {
@@ -188,7 +188,7 @@ bool read_a_certificate(const path& file) {
 }
 
 struct reader {
-  const char* name;  // the file's; no two share a stem, for the metric of a mesh lies beside it
+  const char* name;  // stems differ: the metric of a mesh lies beside it
   bool (*read)(const path&);
   unsigned long long taken = 0, refused = 0;
 };

@@ -30,7 +30,8 @@ struct site_table {
   site_columns columns() const { return {x, y, m11, m12, m22}; }
 };
 
-// Returns the answer of the last row, which is not in the first lane of a block.
+// Puts the question in every row and returns the last row's answer: that row is not in the first
+// lane of a block.
 template <std::size_t Rows, auto Question>
 int ask_about_point(const site& v, const site& w, const point& q) {
   const site_table<Rows> of_v(v), of_w(w), of_q(site{q, {1, 0, 1}});
