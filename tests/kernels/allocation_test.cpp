@@ -59,7 +59,7 @@ site swirl_site(double x, double y) {
 
 using four_sites = std::array<site, 4>;
 
-// Draws four sites of a smooth field, v w a possible edge between x and y.
+// Draws four sites of a smooth field. v w may be an edge, with x and y on its two sides.
 four_sites smooth(sequence& random) {
   const double x = random.real(-1, 1), y = random.real(-1, 1), h = 0.02;
   const auto near = [&](double dx, double dy) {
@@ -85,7 +85,7 @@ std::uint64_t allocations_of(const Ask& ask) {
   return worst;
 }
 
-int used = 0;  // answers, so that they are computed
+int used = 0;  // kept, so that the answers are computed
 
 }  // namespace
 
@@ -110,7 +110,7 @@ TEST_CASE("pointwise predicates of the exact tier ask for no memory", "[allocati
         }) == 0);
 }
 
-// Draws numbers that no fixed width holds.
+// Draws numbers that fit no fixed width.
 TEST_CASE("nor do they in numbers of any size", "[allocation]") {
   CHECK(allocations_of([&](const four_sites& s) {
           const auto v = convert<dyadic>(s[0]), w = convert<dyadic>(s[1]);
@@ -139,7 +139,7 @@ TEST_CASE("edge_test of equal metrics asks for no memory, ties included", "[allo
   CHECK(allocations_of([&](const four_sites& s) {
           const point &v = s[0].position, &w = s[1].position;
           const metric_tensor round{1, 0, 1};
-          // The corners of a square: the two diagonals join every other site.
+          // The corners of a square, numbered so that v w and x y are its diagonals.
           const point x{v.x - (w.y - v.y), v.y + (w.x - v.x)},
               y{x.x + (w.x - v.x), x.y + (w.y - v.y)};
           used += static_cast<int>(exact.edge_test({v, round}, {y, round}, {w, round}, {x, round}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A batch gives the same answers as single questions, for every length (whole vectors and rests),
-// kind of input and floating-point environment; and reports columns of different lengths.
+// Compares a batch with single questions: the same answers for every length (whole vectors and
+// rests), kind of input and floating-point environment. Columns of different lengths are reported.
 #include "asterism/kernels/batch.hpp"
 
 #include <catch2/catch.hpp>

@@ -16,14 +16,14 @@
 namespace asterism {
 namespace {
 
-constexpr std::size_t width = 20;  // four sites
+constexpr std::size_t width = 20;  // the numbers of four sites
 using row = std::array<double, width>;
 
 class rows {
  public:
   explicit rows(std::uint64_t seed) : random_(seed) {}
 
-  // Makes four valid sites, one of which `oddity` may make invalid.
+  // Draws four valid sites. Some values of `oddity` make one invalid.
   row next(std::size_t oddity) {
     row r;
     for (std::size_t s = 0; s < 4; ++s) {
@@ -43,7 +43,7 @@ class rows {
     double* const m = r.data() + 5 * (oddity % 4) + 2;
     const double tiny = std::numeric_limits<double>::denorm_min();
     switch (oddity) {
-      case 1:  // about singular, on either side
+      case 1:  // a determinant of about zero, of either sign
         m[1] = std::sqrt(m[0] * m[2]) * (1 + 0x1p-52 * std::floor(between(-4, 4)));
         break;
       case 2:

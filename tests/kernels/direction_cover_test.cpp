@@ -25,7 +25,7 @@ void check_right(const question& q, const char* name, std::uint64_t replay) {
   CHECK_FALSE(second_route(q));
 }
 
-// Moves w along its ray to the nearest place where it is refused.
+// Moves w along its ray to the nearest place where the exact kernel refuses it.
 question at_the_border(const question& q) { return moved_to_border(q, 20, 0.05, refuses); }
 
 site anywhere(sequence& random, double condition) {
@@ -54,7 +54,7 @@ TEST_CASE("what the cover refuses is refused, in every family and at the border 
   }
 }
 
-// Draws x and y anywhere: insertion_test is defined for all places of these.
+// Draws x and y anywhere, since insertion_test is defined for all their places.
 TEST_CASE("what the cover refuses is refused wherever the neighbours are", "[star_gap]") {
   sequence random{42};
   int refused = 0, accepted = 0;
@@ -74,7 +74,7 @@ TEST_CASE("what the cover refuses is refused wherever the neighbours are", "[sta
   CHECK(accepted > 300);
 }
 
-// Changes each question a little many times, so that bounds are tested on many sides.
+// Changes each question slightly, many times, so that the bounds are tested on both sides.
 TEST_CASE("no accepted site is refused by the cover, near the border of acceptance", "[star_gap]") {
   sequence random{43};
   int accepted = 0;
@@ -128,7 +128,7 @@ TEST_CASE("numbers out of range are not refused, nor is one's own mirror image",
   CHECK_FALSE(no_direction_is_left(v, {{3, 3}, {1e300, 0, 1e300}}, x, y));
   CHECK_FALSE(no_direction_is_left(v, {{1e200, 1e200}, round}, x, y));
   CHECK_FALSE(no_direction_is_left({{0, 0}, {1e-300, 0, 1e300}}, far, x, y));
-  // A tie: four sites of one circle.
+  // Four sites on one circle are a tie.
   CHECK_FALSE(no_direction_is_left(v, {{1, 1}, round}, x, y));
 }
 

@@ -19,7 +19,7 @@ namespace {
 std::vector<int> all_answers() {
   const filtered_kernel kernel;
   std::vector<int> answers;
-  const double tiny = 0x1p-1060;  // a subnormal: zero to a processor that flushes
+  const double tiny = 0x1p-1060;  // a subnormal, which is zero to a processor that flushes
   const site v{{0.1, 0.2}, {2, 0.3, 1}}, w{{0.7, 0.3}, {1, -0.4, 3}}, x{{0.3, 0.9}, {1, 0, 1}},
       y{{0.4, -0.6}, {5, 2, 1}}, near_v{{0.1, 0.2 + 0x1p-54}, {2, 0.3, 1}};
   answers.push_back(to_int(kernel.orientation({0, 0}, {tiny, tiny}, {2 * tiny, tiny})));

@@ -55,12 +55,12 @@ struct largest_question {
   sized opposite_angles() const { return opposite_angles_value(m, p, p, p, p, turn(), turn()); }
 };
 
-// Operations on the way to the root of the computed magnitude.
+// Counts the operations before the root of the computed magnitude.
 struct deep {
   int depth = 0;
   friend deep operator+(deep a, deep b) { return {std::max(a.depth, b.depth) + 1}; }
   friend deep operator-(deep a, deep b) { return a + b; }
-  // Each factor brings the roundings of its own.
+  // The roundings of both factors add up.
   friend deep operator*(deep a, deep b) { return {a.depth + b.depth + 1}; }
 };
 
@@ -100,7 +100,7 @@ TEST_CASE("in range, underflow takes less than the semi-static bound grants it",
 
 TEST_CASE("the integers of the fixed widths fit", "[fixed_width]") {
   const largest_question q(0x1p61, 0x1p61);
-  // Greatest sizes of what is stored in 64, 128, 192 and 320 bits, signs apart.
+  // Greatest sizes of the values stored in 64, 128, 192 and 320 bits, without their sign bits.
   CHECK((q.p.x - q.p.x).size == 0x1p62);
   CHECK(q.turn().size == 0x1p125);
   CHECK(q.wedge().size <= 0x1p188);

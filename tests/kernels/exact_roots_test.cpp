@@ -80,7 +80,7 @@ TEST_CASE("a root line merges common roots and samples every open section", "[ro
   line.add(make({-2, 0, 1}), 0);      // +- sqrt 2
   line.add(make({2, -2, -1, 1}), 1);  // +- sqrt 2, 1
   line.add(make({0, 1}), 2);          // 0
-  line.add(dense_polynomial(), 3);    // cuts nowhere
+  line.add(dense_polynomial(), 3);    // the zero polynomial cuts nowhere
   REQUIRE(line.cuts().size() == 4);
   CHECK(line.cuts()[0].vanishing == 3);
   CHECK(line.cuts()[1].vanishing == 4);

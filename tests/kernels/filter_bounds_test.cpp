@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Recomputes the constants of the semi-static tier by running the predicates' own formulas on a
-// number that counts roundings, and holds the tier against exact arithmetic where it is tight.
+// Recomputes the constants of the semi-static tier: runs the predicates' own formulas on a number
+// that counts roundings. Compares the tier with exact arithmetic where its bounds are tight.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace asterism::internal;
 
 namespace {
 
-// How many factors 1 + delta the worst monomial carries. Doubling is exact.
+// The greatest number of factors 1 + delta on a monomial. Doubling is exact.
 struct rounding_count {
   int depth = 0;
   rounding_count() = default;
@@ -87,8 +87,8 @@ TEST_CASE("what the semi-static tier decides is right, one ulp around zero", "[f
       const auto nearer = semi_static::compare_distance(v, w, q);
       if (nearer.certain()) CHECK(nearer.value() == exact.compare_distance(v, w, q));
       decided += turn.certain() + nearer.certain();
-      // Corners of a parallelogram and a point next to the fourth one, in a metric it is cocircular
-      // for.
+      // A point next to the fourth corner of a parallelogram, in a metric in which all four corners
+      // are on one circle.
       const point near{1 + i * 0x1p-52, 1 + j * 0x1p-52};
       const auto side = semi_static::in_circle({2, 0, 1}, {0, 0}, {1, 0}, {0, 1}, near);
       if (side.certain())
@@ -96,7 +96,7 @@ TEST_CASE("what the semi-static tier decides is right, one ulp around zero", "[f
       const auto dominant = semi_static::dominates(v, w, q);
       if (dominant.certain()) CHECK(dominant.value() == exact.dominates(v, w, q));
     }
-  CHECK(decided < 2 * 81 * 81);  // exact zeros are among them: those are never decided here
+  CHECK(decided < 2 * 81 * 81);  // exact zeros among the questions are never decided
 }
 
 TEST_CASE("out of range is undecided, never wrong", "[filter]") {

@@ -43,7 +43,7 @@ double draw_coordinate(kind which, sequence& random) {
       return random.below(9) - 4;
     case kind::few_bits:
       return std::ldexp(random.below(1 << 21) - (1 << 20), -20);
-    case kind::largest:  // all bits set, of one exponent or the eighth below
+    case kind::largest:  // all bits set, exponent 0 or -8
       return std::ldexp(random.below(2) != 0 ? 0x1.fffffffffffffp0 : -0x1.fffffffffffffp0,
                         -8 * random.below(2));
     case kind::huge:
@@ -84,7 +84,7 @@ four_sites draw(sequence& random) {
   for (site& one : s)
     one = {{draw_coordinate(which, random), draw_coordinate(which, random)},
            equal ? shared : draw_metric(which, random)};
-  // On a line, on a parallelogram (cocircular in some metric), and one unit from it.
+  // Points on a line, on a parallelogram (cocircular in some metric), and one unit from either.
   const auto &p = s[0].position, &q = s[1].position, &r = s[2].position;
   if (random.below(4) == 0) s[2].position = {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};
   if (random.below(3) == 0) s[3].position = {p.x + q.x - r.x, p.y + q.y - r.y};
@@ -185,14 +185,15 @@ TEST_CASE("a tie of equal metrics is decided in fixed widths", "[fixed_width][ti
   CHECK(fixed_width::insertion_test_equal_metrics(v, w, x, y).certainly(false));
   CHECK(fixed_width::edge_test_equal_metrics(v, w, x, y).certainly(true));
   CHECK(fixed_width::edge_test_equal_metrics(x, y, v, w).certainly(false));
-  // Off the line of two sites, on it between them, and on it outside.
+  // Asks about points off the line of two sites, between the two, and on the line outside.
   const site a{{0, 0}, round}, b{{3 * u, 3 * u}, round}, between{{u, u}, round},
       beyond{{4 * u, 4 * u}, round}, aside{{0, u}, round};
   CHECK(fixed_width::edge_test_equal_metrics(a, b, between, aside).certainly(false));
   CHECK(fixed_width::edge_test_equal_metrics(a, b, aside, beyond).certainly(true));
 }
 
-// Rounding towards zero makes the largest double of an overflow, not an infinity that would show.
+// Rounding toward zero turns an overflow into the largest double. An infinity would be noticed, and
+// this is not.
 TEST_CASE("differences that overflow are not decided by doubles in any rounding mode",
           "[fixed_width][filter]") {
   const double big = 0x1.8p1023;
@@ -200,7 +201,8 @@ TEST_CASE("differences that overflow are not decided by doubles in any rounding 
   const filtered_kernel kernel(decided);
   for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     std::fesetround(mode);
-    // det (2 big, 3/4 of it; big, 1/4 of it), which clipped differences would turn round.
+    // The differences are (2 big, 3) and (big, 2), of determinant big. With 2 big clipped to the
+    // largest double, 4/3 big, it would be negative.
     const sign s = kernel.orientation({-big, 0}, {big, 3}, {0, 2});
     std::fesetround(FE_TONEAREST);
     CHECK(s == sign::positive);

@@ -23,20 +23,21 @@ using namespace internal;
 
 using sequence = splitmix64;
 
-// Eigenvalues 1 and `condition`, the direction of the first at `angle`.
+// Returns the tensor with eigenvalues 1 and `condition`; the first's direction is `angle`.
 inline metric_tensor stretched(double condition, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * c + condition * (s * s), (1 - condition) * (c * s), s * s + condition * (c * c)};
 }
 
-// The displacement that is (length, angle) after m is made round.
+// Returns the displacement of this length and angle in the frame in which m is round.
 inline displacement<double> round_off(const metric_tensor& m, double length, double angle) {
   const double a = std::sqrt(m.m11), b = m.m12 / a, c = std::sqrt(m.m22 - b * b);
   const double y = length * std::sin(angle) / c;
   return {(length * std::cos(angle) - b * y) / a, y};
 }
 
-// m seen through its own square root as the identity, changed there by about `change`.
+// Returns a tensor near m: in the frame in which m is the identity it differs from that by about
+// `change`.
 inline metric_tensor changed(const metric_tensor& m, double change, sequence& random) {
   const double a = std::sqrt(m.m11), b = m.m12 / a, c = std::sqrt(m.m22 - b * b);
   const double p = std::exp(change * random.real(-1, 1)), r = std::exp(change * random.real(-1, 1)),
@@ -50,7 +51,7 @@ struct question {
 
 struct family {
   const char* name;
-  double most_condition = 10;  // powers of ten are drawn up to it
+  double most_condition = 10;  // the least is 1; powers of ten
   double least_change = 1e-6, most_change = 3;
   double offset = 0;
   bool grid = false, nearly_flat = false, far_neighbour = false;
@@ -110,14 +111,14 @@ inline std::optional<question> draw(const family& f, sequence& random) {
   return q;
 }
 
-// Decides by intervals, else exactly: neither shares code with star_gap.
+// Answers by intervals, or else by exact numbers: neither shares code with star_gap.
 inline bool second_route(const question& q) {
   const uncertain_bool answer = interval_kernel().edge_test(q.v, q.w, q.x, q.y);
   return answer.certain() ? answer.value() : exact_kernel().edge_test(q.v, q.w, q.x, q.y);
 }
 
-// Moves w along its ray to the last place where `is_known` holds for the question, from `known`
-// times its distance, where it does, towards `unknown` times, where it does not.
+// Moves w along its ray to the last place where `is_known` is true of the question. It is true at
+// `known` times w's distance, and false at `unknown` times.
 template <class IsKnown>
 question moved_to_border(const question& q, double known, double unknown, const IsKnown& is_known) {
   const auto d = between(q.v.position, q.w.position);

@@ -104,7 +104,7 @@ TEST_CASE("scaled by powers of two a segment is right or silent", "[segment_witn
   CHECK(shown > 100);
 }
 
-// A rhombus of two equilateral triangles, its sites moved by up to a tenth of an edge.
+// A rhombus of two equilateral triangles. Each site is moved by up to a tenth of an edge.
 TEST_CASE("on smooth input a segment shows most edges", "[segment_witness][tiers]") {
   for (const double condition : {1.0, 1e4, 1e6}) {
     sequence random{35};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Refusals that rest on directions beyond a neighbour: questions found by search, each of which a
-// wrong bound in one comparison would answer wrongly.
+// Refusals by directions beyond a neighbour. The questions were found by search: a wrong bound in
+// one comparison would answer at least one of them wrongly.
 #include "star_gap_answers.hpp"
 
 using namespace asterism;
@@ -10,7 +10,8 @@ using namespace asterism::gap_questions;
 
 namespace {
 
-// Accepted in a direction beyond a neighbour, though at the gap's vertex w comes last. v, w, y, x.
+// Questions that are accepted in a direction beyond a neighbour, though w's bisector is the last at
+// the gap's vertex. Each lists v, w, y, x.
 constexpr question accepted_beyond[] = {{{{0, 0}, {1.082, -0.08667, 0.5196}},
                                          {{-1.345, 0.3912}, {0.4105, 0.1924, 0.6391}},
                                          {{-0.6465, 0.7527}, {2.147, -0.4155, 0.3478}},
@@ -44,10 +45,11 @@ constexpr question accepted_beyond[] = {{{{0, 0}, {1.082, -0.08667, 0.5196}},
                                          {{-0.7304, 0.6831}, {0.6465, -0.0113, 2.599}},
                                          {{-0.5504, -0.8349}, {0.4266, 0.1328, 0.9521}}}};
 
-// Accepted, and each alone against a different wrong bound in one of the comparisons that refuse.
+// Questions that are accepted. Each would be refused with one wrong bound in a comparison, which is
+// named before it (letters as in docs/math/star-gap-errors.md).
 constexpr question accepted_against_wrong_bounds[] = {
-    // At x and beyond it: signs of what is linear, the area's terms under b's root, b without
-    // its 1.
+    // In the direction of x and beyond: signs of the linear terms, the area's terms under b's root,
+    // b without its summand 1.
     {{{0, 0}, {2.068, 2.858, 8.643}},
      {{0.2529, 0.2819}, {2.147, 2.723, 8.27}},
      {{0.915, -0.6253}, {2.089, 2.952, 9.052}},
@@ -56,12 +58,13 @@ constexpr question accepted_against_wrong_bounds[] = {
      {{0.2532, 0.2821}, {2.144, 2.719, 8.268}},
      {{0.915, -0.6253}, {2.089, 2.952, 9.052}},
      {{0.07231, 0.3155}, {2.39, 3.174, 8.14}}},
-    // The other side's quarter turn; S at x without its root or with the other one.
+    // The quarter turn to the other side; S at x without its root, or with the other root.
     {{{0, 0}, {1.052, 0.2643, 2.611}},
      {{-0.5738, -0.2097}, {1.113, 0.2416, 2.493}},
      {{-0.5862, -0.1893}, {1.058, 0.5196, 3.176}},
      {{-0.5011, -0.4857}, {1.032, 0.2479, 2.602}}},
-    // l - S at n of the wrong sign; a tangent from below where s is concave; a tolerance that adds.
+    // l - S at n with the wrong sign; a tangent from below where s is concave; the tolerance added
+    // in place of subtracted.
     {{{0, 0}, {1.126, -0.3172, 2.602}},
      {{0.981, 0.0709}, {1.537, -0.7507, 2.202}},
      {{0.1445, -0.2265}, {1.734, -0.4273, 4.978}},
@@ -75,46 +78,48 @@ constexpr question accepted_against_wrong_bounds[] = {
      {{0.8895, 0.1059}, {1.664, -0.6362, 2.151}},
      {{0.2276, -0.1194}, {2.438, 0.1926, 4.499}},
      {{1.026, 0.1312}, {0.6258, -0.451, 2.94}}},
-    // A concave bound through a point that it was not compared at; S convex where s is not.
+    // A concave bound through a point at which it was not compared; S taken for convex where s is
+    // not.
     {{{0, 0}, {1.751, -1.356, 9.113}},
      {{-0.2789, -0.6097}, {2.159, -1.697, 4.981}},
      {{-1.95, -0.5562}, {1.807, -1.673, 4.902}},
      {{0.101, -0.3481}, {1.715, -2.284, 6.414}}},
-    // The last comparison's tolerance on the wrong side.
+    // The tolerance of the last comparison on the wrong side.
     {{{0, 0}, {2.072, 2.867, 8.681}},
      {{0.2529, 0.2804}, {2.143, 2.702, 8.232}},
      {{0.9155, -0.626}, {2.067, 2.927, 8.964}},
      {{0.0723, 0.3154}, {2.385, 3.17, 8.145}}},
-    // b's radicand negative.
+    // A negative radicand of b.
     {{{0, 0}, {0.9785, -0.05286, 0.897}},
      {{0.04853, -1.005}, {0.9972, 0.007411, 1.007}},
      {{-0.6591, -0.1859}, {1.031, -0.02824, 1.133}},
      {{0.1246, -0.9921}, {0.9884, 0.1783, 1.103}}},
-    // k the lesser of D/C and 1/|x|^2.
+    // k as the smaller of D/C and 1/|x|^2, in place of the larger.
     {{{0, 0}, {1.079, -0.408, 2.346}},
      {{0.971, 0.09234}, {1.767, -0.7282, 2.391}},
      {{0.1704, -0.2341}, {1.901, -0.2398, 5.191}},
      {{1.024, 0.1111}, {0.6397, -0.2621, 3.887}}},
-    // phi positive at l before the first root, not beyond it.
+    // phi positive at l before its first root, in place of beyond it.
     {{{0, 0}, {2.625, -1.876, 2.106}},
      {{0.1676, 0.4536}, {1.428, -0.4966, 3.783}},
      {{0.3582, 0.2334}, {1.148, -0.5759, 1.064}},
      {{-0.158, 0.489}, {4.156, -1.768, 1.174}}}};
 
-// Refused by the exact kernel, but just not by what is proven of a direction beyond a neighbour.
+// Questions that the exact kernel refuses. In doubles the condition for a direction beyond a
+// neighbour is nearly met, and not met.
 constexpr question beyond_what_is_proven[] = {
-    // Less than the tolerance is left: in the last comparison, in those at n and at x, under b's
-    // root.
+    // A comparison holds by less than the tolerance: the last one, those at n and at x, the one
+    // under b's root.
     {{{0, 0}, {1.012, -0.02277, 0.79}},
      {{0.9444, -0.003614}, {1.162, -0.1624, 1.009}},
      {{0.6404, -0.151}, {1.21, 0.004822, 1.283}},
      {{0.927, 0.05512}, {1.17, -0.2055, 1.004}}},
-    // The first condition holds at a shorter step than the second asks for.
+    // The first condition holds for a shorter step than the second requires.
     {{{0, 0}, {1, 0, 1}},
      {{1.285, -0.1166}, {0.4506, 0.2434, 0.94}},
      {{0.5518, -0.7459}, {2.475, -0.01016, 1.191}},
      {{0.991, 0.04637}, {0.4332, 0.01143, 0.4041}}},
-    // x is more than a right angle away from w: z + step n need not lie between z and n.
+    // x is more than a right angle from w, so that z + step n need not lie between z and n.
     {{{0, 0}, {1, 0, 1}},
      {{1.662, 0.01685}, {1.568, 0.9127, 1.217}},
      {{1, 0}, {1.166, 0.4722, 0.9868}},
@@ -122,8 +127,8 @@ constexpr question beyond_what_is_proven[] = {
 
 }  // namespace
 
-// A site may be refused in the direction of the vertex and not in one beyond x or y: then only what
-// is asked there stands between it and a wrong answer.
+// A site can be refused in the direction of the vertex and accepted in one beyond x or y. The
+// comparisons in those directions alone prevent a wrong answer.
 TEST_CASE("nothing is refused that is accepted beyond a neighbour", "[star_gap]") {
   sequence random{22};
   for (const question& base : accepted_beyond) {
@@ -147,7 +152,7 @@ TEST_CASE("nothing is refused that is accepted beyond a neighbour", "[star_gap]"
   }
 }
 
-// In every rounding mode.
+// Repeats the questions in every rounding mode.
 TEST_CASE("no accepted site is refused by a bound of a wrong sign, side or tolerance",
           "[star_gap][environment]") {
   for (const question& q : accepted_against_wrong_bounds) {
@@ -162,8 +167,8 @@ TEST_CASE("no accepted site is refused by a bound of a wrong sign, side or toler
   }
 }
 
-// docs/math/star-gap-errors.md, section 2: where both conditions of (C) are not met with their
-// tolerance, nothing is claimed, right as the claim would be.
+// Where a condition of (C) does not hold by its tolerance, the gap stays undecided, though a
+// refusal would be right (docs/math/star-gap-errors.md, section 2).
 TEST_CASE("what stands behind a neighbour is not refused within the tolerance", "[star_gap]") {
   for (const question& q : beyond_what_is_proven) {
     CHECK_FALSE(exact_kernel().edge_test(q.v, q.w, q.x, q.y));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Recomputes the error constants of star_gap: its formulas run on a number that counts roundings
-// and magnitudes, and its frame is held against exact arithmetic.
+// Recomputes the error constants of star_gap: runs its formulas on a number that counts roundings
+// and magnitudes, and compares its frame with exact arithmetic.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cfenv>
@@ -54,7 +54,7 @@ TEST_CASE("depths and magnitudes of the gap's bounds are those of the formulas",
     const auto n = tensor(z.trace), n_x = tensor(z.trace_x);
     const auto d = offset(z.extent), d_x = offset(z.extent_x), u = direction(z.u);
     const counted s{0, z.s}, u_squared = dot(u, u);
-    // A margin of one depth for the magnitude's own rounding and the second order.
+    // Adds a depth of one for the magnitude's own rounding and the terms of second order.
     const ray_equation<counted> ray(n, d, apply(n, d), u, u_squared);
     const counted at_s = ray.at(s), discriminant = ray.discriminant();
     const counted convex = convexity(ray.c, {1, z.trace * z.trace}, d);
@@ -68,7 +68,7 @@ TEST_CASE("depths and magnitudes of the gap's bounds are those of the formulas",
     CHECK(convex.depth < convexity_depth);
     CHECK(steep.depth < steepness_depth);
     CHECK(turn.depth < cross_depth);
-    // The side conditions' radicands, `bend` and `step` chosen.
+    // Radicands of the side conditions, for chosen `bend` and `step`.
     const counted own = radicand_on_ray(ray.c, {1, z.trace * z.trace}, d_x, turn);
     const counted bend{0, z.trace}, step{0, z.s};
     const counted beyond = radicand_beyond(d_x, d, turn, bend, step);
@@ -87,8 +87,8 @@ TEST_CASE("depths and magnitudes of the gap's bounds are those of the formulas",
   }
 }
 
-// docs/math/star-gap-errors.md, section 2: of what a gap compares at z + step n. Quotients and
-// roots are ingredients and carry none here.
+// Comparisons of a gap at z + step n (docs/math/star-gap-errors.md, section 2). Quotients and roots
+// count as ingredients and carry no rounding here.
 TEST_CASE("no side condition carries more roundings than the tolerance has room for",
           "[star_gap]") {
   const auto d = offset(1), z = offset(1), u = direction(1), n_d = apply(tensor(1), d);
@@ -102,7 +102,7 @@ TEST_CASE("no side condition carries more roundings than the tolerance has room 
       dot(z, n_d) + quotient * (c * dot(u, z) + determinant * turn * cross(u, d));
   const counted at_end =
       dot(d, n_d) + cross(u, d) * quotient * convexity(c, determinant, d) + quotient;
-  // C counts as an ingredient alone where it multiplies: it is known to within one.
+  // C is known to within one ingredient, and counts as one where it is a factor.
   const int of_c = c.depth;
   const counted top = top_at_z + step * at_end;
   CHECK(tangent.depth - of_c + 1 < side_condition_depth);
@@ -110,8 +110,9 @@ TEST_CASE("no side condition carries more roundings than the tolerance has room 
   CHECK(top.depth + 1 < side_condition_depth);
   const counted room = quotient * (dot(d, d) - dot(d, z)) - at_end * turn;
   CHECK(room.depth < side_condition_depth);
-  // Three ingredients and these roundings, below a tolerance of eight ingredients.
-  constexpr double ingredient = 0x1p14;  // in units of rho, at least
+  // Three ingredients and the roundings of these formulas are below a tolerance of eight
+  // ingredients.
+  constexpr double ingredient = 0x1p14;  // the least, in units of rho
   CHECK(3 * ingredient + side_condition_depth + 1 < 8 * ingredient);
 }
 
@@ -127,13 +128,13 @@ TEST_CASE("the frame's error factor is that of its steps", "[star_gap]") {
   constexpr double second = stretch + 1 + 1;
   CHECK(first <= frame_error_factor);
   CHECK(second <= frame_error_factor);
-  // n12: on |beta m11| / root = sigma n11 / 2 at most, and on n12 itself.
+  // The error of n12 is at most |beta m11| / root = sigma n11 / 2, and that of n12's own rounding.
   constexpr double n12_on_n11 = (shear + 1) / 2, n12_on_itself = 1 + inverse_root + 1;
   CHECK(n12_on_n11 + n12_on_itself / 2 <= frame_error_factor);
   // n22 = (n12^2 + Delta) / n11, |n12| at most half the trace.
   constexpr double square = 2 * n12_on_itself + 1, delta = 4 + inverse_determinant + 1;
   constexpr double on_itself = std::max(square, delta) + 1 + 1 + 3, on_trace = n12_on_n11 + 1;
-  CHECK(on_itself + on_trace + 1 <= frame_error_factor);  // 1: the second order
+  CHECK(on_itself + on_trace + 1 <= frame_error_factor);  // 1 for the terms of second order
   CHECK(delta / 4 + 1 <= frame_error_factor);             // the determinant itself
 }
 

@@ -65,7 +65,8 @@ TEST_CASE("a far site of quite another metric is refused", "[star_gap]") {
   CHECK(decided >= 495);
 }
 
-// Lemma 4.3 of docs/math/certificate.md with the bounds of the gap: no site far enough is accepted.
+// No site beyond the reach is accepted (lemma 4.3 of docs/math/certificate.md, with the gap's
+// bounds).
 TEST_CASE("beyond the reach of a gap nothing is accepted", "[star_gap]") {
   sequence random{17};
   int known = 0;
@@ -113,7 +114,8 @@ TEST_CASE("no accepted site is beyond the reach of its gap, and some are nearly 
   CHECK(farthest > 0.98);
 }
 
-// The two terms of R that are not the distance of the vertex, in more digits and another order.
+// Recomputes the two terms of R besides the vertex's distance, with more digits and in another
+// order.
 TEST_CASE("the reach of a gap is that of its formula", "[star_gap]") {
   using wide = long double;
   const auto form = [](const metric_tensor& m, const displacement<wide>& a,
@@ -152,7 +154,7 @@ TEST_CASE("the reach of a gap is that of its formula", "[star_gap]") {
     }
     by_edge += reach > 1.001L * radius;
     INFO("replay: sequence{" << replay << "}");
-    CHECK(gap.reach() >= reach * (1 - 1e-8L));  // the vertex is one to about ten digits
+    CHECK(gap.reach() >= reach * (1 - 1e-8L));  // the vertex is correct to about ten digits
     CHECK(gap.reach() <= reach * (1 + 1e-3L));
   }
   CHECK(known > 1500);

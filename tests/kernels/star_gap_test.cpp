@@ -123,9 +123,9 @@ TEST_CASE("on smooth input a gap decides, whatever the condition number", "[star
   }
 }
 
-// Seen along x's ray, w's bisector comes before x itself, so the triangle of v, w and the point
-// says nothing there; and where it says enough, x's bisector may be the later one. One direction
-// between the two has both.
+// In the direction of x, w's bisector comes before x itself: the triangle of v, w and that point
+// excludes nothing. In the directions where it excludes enough, x's bisector may be the later one.
+// A single direction between these satisfies both conditions.
 TEST_CASE("sites behind a neighbour are refused in doubles", "[star_gap][tiers]") {
   for (const double condition : {1.0, 1e4, 1e8}) {
     sequence random{19};
@@ -160,8 +160,8 @@ TEST_CASE("ties, gaps of half a turn and more, and nonsense are undecided", "[st
   CHECK_FALSE(star_gap(v, y, x).accepts(w).certain());  // a square
   CHECK(star_gap(v, y, x).accepts({{0.99, 0.99}, round}).certainly(true));
   CHECK(star_gap(v, y, x).accepts({{1.01, 1.01}, round}).certainly(false));
-  CHECK_FALSE(star_gap(v, x, y).accepts(w).certain());                // w in the other gap
-  CHECK_FALSE(star_gap(v, y, x).accepts({{2, 0}, round}).certain());  // on a ray
+  CHECK_FALSE(star_gap(v, x, y).accepts(w).certain());                // w is outside of this gap
+  CHECK_FALSE(star_gap(v, y, x).accepts({{2, 0}, round}).certain());  // w is on a neighbour's ray
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity}) {
     CHECK_FALSE(star_gap(v, y, x).accepts({{bad, 1}, round}).certain());

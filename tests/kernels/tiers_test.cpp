@@ -59,7 +59,7 @@ TEST_CASE("a tie of four different metrics is the exact tier's and goes to one d
   CHECK_FALSE(kernel.insertion_test(b, d, a, c));
   const bool ac = kernel.edge_test(a, c, b, d), bd = kernel.edge_test(b, d, a, c);
   CHECK(ac != bd);
-  CHECK(bd);  // the greatest site, (0.5, 0.5), is not on the diagonal
+  CHECK(bd);  // the greatest site, (0.5, 0.5), is no end of this diagonal
   CHECK(kernel.edge_test(c, a, d, b) == ac);
   CHECK(kernel.edge_test(d, b, c, a) == bd);
   CHECK(decided.at(predicate::edge_test, tier::semi_static) == 0);
@@ -174,7 +174,8 @@ TEST_CASE("in-circle of equal metrics: certain unless cocircular", "[tiers]") {
   const site v{{0, 0}, round_metric}, w{{1, 1}, round_metric}, x{{1, 0}, round_metric};
   CHECK(kernel.edge_test(v, w, x, {{0, 2}, round_metric}).certainly(true));
   CHECK(kernel.edge_test(v, w, x, {{0.25, 0.5}, round_metric}).certainly(false));
-  // Small integers are exact in intervals too: a certain zero, broken by the order of sites.
+  // Small integers are exact in intervals too: the zero is certain, and the order of sites breaks
+  // the tie.
   CHECK(kernel.insertion_test(v, w, x, {{0, 1}, round_metric}).certainly(false));
   CHECK(kernel.edge_test(v, w, x, {{0, 1}, round_metric}).certainly(false));
   CHECK(kernel.edge_test(x, {{0, 1}, round_metric}, v, w).certainly(true));
@@ -190,16 +191,16 @@ TEST_CASE("in_circle: which tier decides", "[tiers]") {
   CHECK(kernel.in_circle(m, a, c, b, {0.25, 0.25}) == sign::negative);
   CHECK(kernel.in_circle(m, a, b, c, {5, 5}) == sign::negative);
   CHECK(decided_by(tier::semi_static) == 3);
-  // A tie, and one unit inside and outside of it: decided in integers of a fixed width.
+  // A tie, and points one unit inside and outside of the circle: integers of a fixed width decide.
   CHECK(kernel.in_circle(a, b, c, {1, 1}) == sign::zero);
   CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 0)}) == sign::positive);
   CHECK(kernel.in_circle(a, b, c, {1, std::nextafter(1, 2)}) == sign::negative);
   CHECK(decided_by(tier::exact) == 3);
-  // Numbers too far apart for a fixed width and for plain doubles: decided by intervals.
+  // Numbers too far apart for a fixed width and for the semi-static tier: intervals decide.
   CHECK(kernel.in_circle({1, 0, 1}, {0x1p-300, 0}, {0x1p300, 0}, {0, 0x1p300},
                          {0x1p299, 0x1p299}) == sign::positive);
   CHECK(decided_by(tier::interval) == 1);
-  // Numbers of any size: a line through the first two points alone, one bit from it.
+  // Numbers that need integers of any size: three points one bit away from a line.
   CHECK(kernel.in_circle({1, 0, 1}, {0, 0}, {1, 0}, {0x1p-1070, 1}, {1, 1}) == sign::negative);
   CHECK(decided_by(tier::exact) == 4);
 }

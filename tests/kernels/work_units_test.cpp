@@ -26,11 +26,11 @@ metric_tensor random_tensor(splitmix64& random, double condition) {
 
 struct measured {
   std::string what;
-  double counted = 0, taken = 0;  // units, and ten-microseconds of processor time
+  double counted = 0, taken = 0;  // in units; in tens of microseconds of processor time
 };
 
-// Asks edge tests about four neighbouring sites in tensors of this condition, until they have taken
-// some time; the same tensor for all four where `equal`.
+// Asks edge tests about four neighbouring sites whose tensors have this condition, for some time.
+// All four have the same tensor where `equal`.
 measured measure(const std::string& what, double condition, bool equal, double jitter) {
   splitmix64 random(11);
   tier_counters counts;
@@ -54,8 +54,8 @@ measured measure(const std::string& what, double condition, bool equal, double j
 
 }  // namespace
 
-// Weights are for a bound on work, so that a factor matters little, and ten would. Builds that are
-// not optimised, or sanitized, are slower, and know it. Prints what a new machine measures.
+// Weights serve to bound work: a factor of a few is tolerated, and ten is not. Skipped in builds
+// that are not optimised, or sanitized. Prints the factors measured.
 TEST_CASE("work is counted as it costs, within a factor", "[work_units]") {
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   const std::vector<measured> all = {

@@ -22,7 +22,7 @@ using namespace asterism::internal::adapting;
 
 namespace {
 
-// A front along y = 0.3 x, six times as fine across as along it.
+// A front along y = 0.3 x with lengths across it six times as short as along it.
 metric_tensor front(const point& q, vertex_index&) {
   const double away = (q.y - 0.3 * q.x) / 0.2;
   const double across = 35 * std::exp(-away * away);
@@ -60,7 +60,7 @@ std::multiset<placed_face> placed_faces(const working_mesh& m) {
 }
 
 // True if faces refer to each other across their edges and agree about segments, and every node
-// refers to a face of its own.
+// refers to a face that contains it.
 bool is_linked(const working_mesh& m) {
   for (vertex_index t = 0; t < m.faces().size(); ++t) {
     const face& f = m.faces()[t];
@@ -125,7 +125,7 @@ TEST_CASE("in a block the frame has all its faces' other ends, and stays as it i
     blocks.put_back(b, std::move(taken));
   }
   blocks.join();
-  // In a square of 1,000 nodes 12 % are on the boundary, which two blocks share.
+  // 12 % of the 1,000 nodes of a square are on the boundary that two blocks share.
   CHECK(100 * inside > 80 * m.count());
 }
 

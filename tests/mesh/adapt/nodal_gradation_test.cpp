@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Clips pairs of tensors to a distortion: no more than asked for, half from each side, and no other
-// tensor changes.
+// Clips pairs of tensors to a distortion: never below it, half from each side, and no other tensor
+// changes.
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
 
 #include <catch2/catch.hpp>
@@ -53,7 +53,7 @@ TEST_CASE("a pair is clipped to the distortion asked for, with the product of it
     CHECK(log_distortion(a, b) <= most);
     CHECK(log_distortion(a, b) >= 0.97 * most);
     CHECK(determinant(a) * determinant(b) == Approx(determinant(p) * determinant(q)).epsilon(1e-6));
-    // Half from each side: neither end moves farther than the whole excess.
+    // Each end moves by half of the excess, within the rounding of a step.
     CHECK(log_distortion(a, p) <= 0.51 * (before - 0.98 * most) + 1e-6);
     CHECK(log_distortion(b, q) <= 0.51 * (before - 0.98 * most) + 1e-6);
     CHECK_FALSE(clip_distortion(a, b, most));
@@ -114,7 +114,7 @@ TEST_CASE("a graph of wild tensors is graded in few rounds, and the same way eac
 }
 
 TEST_CASE("the coarser end of an edge takes its part of the excess, in each direction by itself") {
-  // The first is finer in x, the second in y.
+  // The first tensor is finer along x, the second along y.
   metric_tensor a{1e4, 0, 1}, b{1, 0, 1e4};
   const double whole = std::log(100), most = std::log(2), excess = whole - 0.98 * most;
   REQUIRE(clip_distortion(a, b, most, 0.7));

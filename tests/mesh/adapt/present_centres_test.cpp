@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares remembered Voronoi vertices with computed ones while nodes are tried elsewhere.
+// Compares remembered Voronoi vertices with computed ones while nodes are tried at other places.
 #include "asterism/mesh/adapt/present_centres.hpp"
 
 #include <catch2/catch.hpp>

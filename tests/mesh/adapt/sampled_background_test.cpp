@@ -46,7 +46,7 @@ class failing_on_the_right final : public metric_field {
   }
 };
 
-// A field that counts its evaluations, and those at places that were not announced.
+// A field that counts its evaluations, and those at places that were not announced to it.
 class attentive_field final : public metric_field {
  public:
   explicit attentive_field(const metric_field& field) : field_(&field) {}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Filters shapes of single nodes that are noise: they are replaced by neighbours' shapes, and
-// densities stay.
+// Replaces the shapes of single nodes that are noise by shapes of their neighbours. Densities stay.
 #include "asterism/mesh/adapt/shape_filter.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +19,8 @@ namespace {
 
 constexpr vertex_index row = 7, middle = 3 * row + 3;
 
-// A grid of row by row nodes whose metric has aspect 4 along x, ten times denser towards the right.
+// A grid with nodes numbered row by row. Its metric has aspect 4 along x, and is ten times denser
+// at the right end.
 mesh grid() {
   mesh m;
   for (vertex_index j = 0; j < row; ++j)

@@ -18,14 +18,14 @@ using namespace asterism::internal::adapting;
 
 namespace {
 
-// A thin layer along y = 0.3 x, a thousand times as fine across as along it.
+// A thin layer along y = 0.3 x with lengths across it a thousand times as short as along it.
 metric_tensor layer(const point& q, vertex_index&) {
   const double away = (q.y - 0.3 * q.x) / 0.02;
   const double across = 4 + 1e4 * std::exp(-away * away);
   return {1 + 0.09 * across, -0.3 * across, 1 + across};
 }
 
-// True if every face turns left, and their number is that of a triangulation.
+// True if every face is counter-clockwise, and their number is that of a triangulation.
 bool is_whole(const working_mesh& m) {
   std::size_t faces = 0;
   for (const face& f : m.faces()) {
@@ -84,7 +84,8 @@ TEST_CASE("without a count edges have length one") {
   unit_mesher maker(m, {});
   maker.run([](const point&, vertex_index&) { return metric_tensor{400, 0, 100}; }, {});
   CHECK(maker.unit() == 1);
-  // The area is 4, or 800 as the metric measures it; nodes of equilateral triangles take 0.87.
+  // The square has area 4, and 800 in the metric. A lattice of unit equilateral triangles has a
+  // node for each 0.87 of area.
   CHECK(m.count() > 800);
   CHECK(m.count() < 1200);
 }
@@ -112,7 +113,7 @@ TEST_CASE("long edges are split up to the number of nodes that there is room for
     unit_mesher maker(m, options);
     const auto even = [](const point&, vertex_index&) { return metric_tensor{1, 0, 1}; };
     maker.run(even, {});
-    // All edges are twice as long as wanted.
+    // All edges have length 2 in the metric.
     for (vertex_index v = 0; v < m.nodes().size(); ++v) m.set_metric(v, {4, 0, 4});
     const auto finer = [](const point&, vertex_index&) { return metric_tensor{4, 0, 4}; };
     CAPTURE(room);

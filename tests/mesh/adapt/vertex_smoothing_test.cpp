@@ -28,14 +28,14 @@ working_mesh even_mesh(const domain& d) {
   return mesh_to_change(d, *field.value(), options);
 }
 
-// Factor of lengths along x relative to those along y; areas stay the same.
+// Ratio of lengths along x to those along y. Areas stay the same.
 vertex_smoothing::wanted_at stretched_by(double times) {
   return [times](const point&, vertex_index&) {
     return metric_tensor{times / (unit * unit), 0, 1 / times / (unit * unit)};
   };
 }
 
-// Counts the nodes at which some angle is low in the metric.
+// Counts the nodes with an angle below the bound in the metric.
 std::size_t count_low(const working_mesh& m, const vertex_smoothing::wanted_at& wanted) {
   std::vector<char> is_low(m.nodes().size(), 0);
   vertex_index hint = 0;

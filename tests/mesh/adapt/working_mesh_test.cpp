@@ -33,7 +33,7 @@ mesh plain_mesh(const domain& d) {
   return made.value().result;
 }
 
-// Checks points 0 to 2 of the audit, and the parts of the segments.
+// Checks points 0 to 2 of the audit, and which segments the boundary edges are parts of.
 void check_triangulation(const domain& d, const working_mesh& m) {
   std::vector<vertex_index> renumbered;
   mesh now = m.triangulation(renumbered);
@@ -51,7 +51,7 @@ std::uint64_t next(std::uint64_t& state) {
   return state >> 33;
 }
 
-// Makes one change at a random place, if one is possible there.
+// Makes one random change, if one is possible at the place drawn.
 void change(working_mesh& m, std::uint64_t& state) {
   const auto t = static_cast<vertex_index>(next(state) % m.faces().size());
   const std::size_t i = next(state) % 3;

@@ -21,7 +21,7 @@ audit_report run(const mesh& m, double bound, std::vector<vertex_index> exempt =
   return audit(m, options);
 }
 
-// atan(slope) in degrees, to the double below or above.
+// Returns atan(slope) in degrees, rounded to the double below or above.
 double degrees_of(double slope, mpfr_rnd_t direction) {
   mpfr_t angle, pi;
   mpfr_init2(angle, 300);
@@ -86,7 +86,7 @@ TEST_CASE("plain doubles settle an angle only the right way, and what is the lea
     decisions += below.decisions;
     exact += below.exact_decisions;
   }
-  CHECK(decisions == 10 * 400);  // and the winding number
+  CHECK(decisions == 10 * 400);  // and one each for the winding number
   CHECK(exact == 400);
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("one unit in the last place decides") {
 TEST_CASE("every vertex's metric is asked") {
   for (vertex_index v = 0; v < 3; ++v) {
     mesh m = make_mesh_of({{0, 0}, {1, 0}, {0.5, 0.875}}, {{0, 1, 2}});
-    m.sites[v].metric = {1, 0, 1.0 / 64};  // sees the triangle flattened to an eighth
+    m.sites[v].metric = {1, 0, 1.0 / 64};  // in this metric the triangle is an eighth as high
     const audit_report report = run(m, 20);
     CHECK_FALSE(report.certified);
     CHECK(report.worst().perspective == v);
@@ -161,7 +161,7 @@ TEST_CASE("an exempt corner is proven or refused") {
 }
 
 TEST_CASE("every angle of a triangle at a sharp corner was exempt") {
-  // 19 degrees at vertex 1, and 0.3 at vertex 2.
+  // 19 degrees at vertex 1, and another angle of 0.3 at vertex 2.
   const double x = std::cos(19 * 3.14159265358979 / 180), y = std::sin(19 * 3.14159265358979 / 180);
   const mesh m =
       make_mesh_of({{0, 0}, {1, 0}, {0.01 * x, 0.01 * y}, {x, y}}, {{0, 1, 2}, {1, 3, 2}});
@@ -178,9 +178,9 @@ TEST_CASE("every angle of a triangle at a sharp corner was exempt") {
 
 TEST_CASE("another metric has to measure the domain's corner below the bound as well") {
   mesh m = right_triangle(0.2);      // 11.3 degrees
-  m.sites[1].metric = {1, 0, 0.25};  // measures 5.7 there, and the domain's corner as well
+  m.sites[1].metric = {1, 0, 0.25};  // the angle at vertex 1 is 5.7 degrees from here
   CHECK(run(m, 8, {}).found[static_cast<std::size_t>(finding_kind::angle_below_bound)] == 1);
-  m.sites[0].metric = {1, 0, 0.25};  // now the corner's own does
+  m.sites[0].metric = {1, 0, 0.25};  // and now in the corner's own metric
   const audit_report report = run(m, 8, {0});
   CHECK(report.certified);
   CHECK(report.worst_exempt.degrees == Approx(5.71).epsilon(1e-3));
@@ -189,10 +189,10 @@ TEST_CASE("another metric has to measure the domain's corner below the bound as 
 
 TEST_CASE("the corner's own metric decides its exemption") {
   mesh m = right_triangle(0.2);
-  m.sites[0].metric = {1, 0, 25};  // sees 45 degrees
+  m.sites[0].metric = {1, 0, 25};  // measures 45 degrees
   const audit_report report = run(m, 20, {0});
   CHECK(found(report, finding_kind::exemption_not_proven));
-  CHECK(found(report, finding_kind::angle_below_bound));  // the other two still see 11
+  CHECK(found(report, finding_kind::angle_below_bound));  // the other two still measure 11
 }
 
 TEST_CASE("an inner vertex and a straight one are no corners") {
@@ -202,7 +202,8 @@ TEST_CASE("an inner vertex and a straight one are no corners") {
 }
 
 TEST_CASE("only triangles in the narrow sector of a corner are exempt") {
-  // Two triangles meet in vertex 1, one with 11 degrees there, one with 11 degrees elsewhere.
+  // Two triangles meet at vertex 1. One has an angle of 11 degrees there, the other has one
+  // elsewhere.
   const mesh m =
       make_mesh_of({{0, 0}, {1, 0}, {1, 0.2}, {-0.2, 1}, {-0.2, 0}}, {{0, 1, 2}, {0, 3, 4}});
   const audit_report report = run(m, 20, {0});

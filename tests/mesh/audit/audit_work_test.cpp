@@ -16,11 +16,11 @@ namespace {
 
 struct outcome {
   bool ended;
-  double units;              // that were charged
-  std::vector<int> checked;  // how often each was checked to the end
+  double units;              // charged to the account
+  std::vector<int> checked;  // how often each item was checked to its end
 };
 
-// Checks a number of items of one unit each, except item 5, which takes more.
+// Checks items of one unit each, except item 5, which takes more.
 outcome check_items(std::size_t count, double units_of_fifth, double units_there_are) {
   const mesh subject;
   audit_options options;
@@ -46,7 +46,7 @@ outcome check_items(std::size_t count, double units_of_fifth, double units_there
 }  // namespace
 
 TEST_CASE("a part that takes more than its share of the work has what the others leave") {
-  // The share of one in sixteen is 60.
+  // A chunk has a sixteenth of the work, about 60 units.
   const outcome done = check_items(100, 300, 1000);
   CHECK(done.ended);
   for (const int times : done.checked) CHECK(times == 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Audits meshes again after tensors were changed, and compares the outcome with that of a whole
-// audit.
+// Audits meshes again after tensors were changed, and compares the outcome with that of an audit
+// from the beginning.
 #include "asterism/mesh/audit/auditor.hpp"
 
 #include <algorithm>
@@ -28,8 +28,8 @@ std::multiset<std::vector<asterism::vertex_index>> stars_found(const audit_repor
   return all;
 }
 
-// Flips an edge of the triangle if both new triangles are counter-clockwise; returns the other
-// triangle.
+// Flips an edge of the triangle if both new triangles are counter-clockwise. Returns the triangle
+// on its other side.
 std::optional<std::size_t> flip_some_edge(mesh& m, std::size_t t) {
   const auto area = [&m](asterism::vertex_index a, asterism::vertex_index b,
                          asterism::vertex_index c) {
@@ -50,7 +50,7 @@ std::optional<std::size_t> flip_some_edge(mesh& m, std::size_t t) {
   return std::nullopt;
 }
 
-// A patch of metrics that are long in directions drawn at random.
+// A patch whose metrics are long in random directions.
 patch make_turned_patch(splitmix64& random) {
   patch p = make_patch(8);
   for (site& s : p.m.sites) {
@@ -145,7 +145,7 @@ TEST_CASE("an audit of triangles and places that were changed finds what a whole
 }
 
 TEST_CASE("how far stars reach was remembered in units that the next audit did not have") {
-  // The largest number decides what all metrics are divided by.
+  // All metrics are divided by a power of two that depends on the largest entry.
   const double large = std::ldexp(1, 70);
   patch p = make_patch(10, 0.05, {large, 0, large});
   site& largest = p.m.sites[p.at(0, 0)];
@@ -159,7 +159,7 @@ TEST_CASE("how far stars reach was remembered in units that the next audit did n
     changed.insert(f.vertices.begin(), f.vertices.end());
   for (const open_question& q : judge.open()) changed.insert(q.sites.begin(), q.sites.end());
   largest.metric = {large, 0, large};
-  // Nearer than others to what is around its neighbours.
+  // With a smaller tensor this site is nearer than others to the sites around its neighbours.
   p.m.sites[p.at(5, 5)].metric = {large / 8, 0, large / 8};
   const audit_report again = judge.recheck({changed.begin(), changed.end()});
   const audit_report whole = audit(p.m, asked);
@@ -168,8 +168,8 @@ TEST_CASE("how far stars reach was remembered in units that the next audit did n
 }
 
 TEST_CASE("a mesh is not certified while a question that only exact numbers answer is open") {
-  // Four metrics that see their circle's middle equally far away: a tie, which goes to one of the
-  // diagonals.
+  // All four sites are equally far from the middle of their circle: a tie, of which one diagonal is
+  // right.
   int certified = 0;
   for (const bool other : {false, true}) {
     using triangles = std::vector<asterism::triangle>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares proved distances of two boundaries, both ways, with sampled ones, and passes boundaries
-// that are none of the mesh.
+// Compares proved distances of two boundaries, in both directions, with sampled ones. Passes over
+// boundaries that are not the mesh's.
 #include "asterism/mesh/audit/boundary_distance.hpp"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ TEST_CASE("a boundary that is the former one is not away from it") {
   CHECK(chain({}).distance({}) == 0);
   CHECK(chain({{0.5, 0.25}}).distance({{0.5, 0.25}}) == 0);
   CHECK(chain({{0.25, 0}, {0.5, 0}}).distance({}) == 0);
-  // A third of the way has no double: one walker is a rounding behind.
+  // A third is no double: on one of the two chains the place at equal share is a rounding behind.
   CHECK(chain({{0.25, 0}, {0.5, 0}}).distance({{0.75, 0}}) <= 0x1p-53);
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("the distance bounds what is sampled, and closely where the polygons a
     return static_cast<double>(state >> 11) * 0x1p-53;
   };
   for (int round = 0; round < 200; ++round) {
-    const double height = round < 100 ? 0.02 : 2;  // the latter go to and fro as well
+    const double height = round < 100 ? 0.02 : 2;  // from 100 on, chains also go back along x
     std::vector<std::vector<point>> both(2);
     for (std::vector<point>& one : both) {
       const int count = static_cast<int>(8 * next());
@@ -111,8 +111,7 @@ TEST_CASE("the distance bounds what is sampled, and closely where the polygons a
 }
 
 TEST_CASE("the chords of a curve that is divided are one way") {
-  // Two chords from (0, 0) by (0.5, 0.25) to (1, 0), as a cubic has them, the second one listed
-  // last.
+  // Two chords of a cubic, from (0, 0) by (0.5, 0.25) to (1, 0). The second is listed last.
   for (const bool is_reversed : {false, true}) {
     domain d;
     d.vertices = {{0, 0}, {1, 0}, {0.5, 0.25}};
@@ -138,13 +137,13 @@ TEST_CASE("the chords of a curve that is divided are one way") {
     CHECK(distance({{{0.5, 0.25}}, {}}) == 0);
     CHECK(distance({{{0.5, 0.5}}, {}}) == 0.25);
     CHECK(distance({{}, {{0.5, 0.25}}}) == std::numeric_limits<double>::infinity());
-    // In the direction of the segments.
+    // The chain's points follow the direction of the segments.
     std::vector<point> along = {{0.2, 0.1}, {0.8, 0.1}};
     if (is_reversed) std::reverse(along.begin(), along.end());
     CHECK(distance({along, {}}) < 0.2);
     std::reverse(along.begin(), along.end());
     CHECK(distance({along, {}}) > 0.4);
-    // A curve of which a chord is missing joins nothing: each segment is by itself.
+    // A curve that lacks a chord joins no segments: each segment is judged alone.
     d.curves[0].vertices = {0, 1, 2};
     CHECK(distance({{}, {}}) == 0);
     d.curves[0].vertices = {0, 77, 1};
@@ -158,7 +157,7 @@ TEST_CASE("what is no boundary of the domain is infinitely far") {
   const auto measured = [](const mesh& m, const domain& d, const former_boundary& f) {
     return measure_former_boundary(m, d, f).largest_distance;
   };
-  CHECK(measured(one.m, one.d, {{}, {}}) == infinity);  // a list for each segment is missing
+  CHECK(measured(one.m, one.d, {{}, {}}) == infinity);  // there must be a list for each segment
   mesh damaged = one.m;
   damaged.boundary.pop_back();
   CHECK(measured(damaged, one.d, {{{}}, {}}) == infinity);

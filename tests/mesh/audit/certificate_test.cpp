@@ -170,13 +170,13 @@ TEST_CASE("text that is no certificate") {
           "\"audit.luck\" is no field of a certificate");
   refused(with("\"triangles\": 50", "\"triangles\": 1e999"), "beyond the range of doubles");
   refused(std::string(100000, '['), "this is no certificate");
-  // Names and values as long as somebody likes are cut down in messages.
+  // Messages shorten names and values of any length.
   refused(with("\"certified\": true", "\"certified\": true, \"" + std::string(5000, 'a') + "\": 1"),
           "\"audit." + std::string(54, 'a') + "...\" is no field");
   refused(
       with("\"exempt_corners\": []", "\"exempt_corners\": [\"" + std::string(5000, 'b') + "\"]"),
       std::string(59, 'b') + "..., which counts nothing from 1");
-  // The line is that of the member itself, not of another with this end to its name.
+  // The line named is that of the member itself, not of another member whose name ends alike.
   refused(with("\"outcome\": {\n", "\"outcome\": {\n\"mesh\": 1,\n"), "\"outcome.mesh\"");
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("the verdict on the Voronoi diagram is written, read, and checked when
   const verify_report report = verify(made.p.m, read.value(), {});
   CHECK(report.verified);
   CHECK(report.audit.voronoi == voronoi_verdict::proved);
-  // A missing verdict on the Voronoi diagram means that none was asked for.
+  // Without a verdict on the Voronoi diagram, none was asked for.
   const std::string line = "  \"voronoi\": \"proved\",\n";
   std::string old = text;
   REQUIRE(old.find(line) != std::string::npos);
@@ -214,7 +214,7 @@ TEST_CASE("an altered mesh is refused, and so is the certificate of another") {
   SECTION("vertex moved") {
     m.sites[made.p.at(2, 2)].position.x += 0.01;
     const verify_report report = verify(m, made.c, {});
-    CHECK(report.audit.certified);  // still a good mesh, though not this one
+    CHECK(report.audit.certified);  // a good mesh, but not the certificate's
     CHECK_FALSE(report.verified);
     REQUIRE(report.contradictions.size() == 1);
     CHECK_THAT(report.contradictions[0], Contains("fingerprints differ"));
@@ -248,7 +248,7 @@ TEST_CASE("without a certificate exempt corners are looked for") {
   const verify_report report = verify(narrow, std::nullopt, options);
   CHECK(report.verified);
   CHECK(report.audit.exempt_corners == std::vector<vertex_index>{0});
-  options.angle_bound = 80;  // the right angle is 90: one corner stays above
+  options.angle_bound = 80;  // the corner of 90 degrees stays above
   CHECK(verify(narrow, std::nullopt, options).audit.exempt_corners.size() == 2);
 }
 
@@ -317,7 +317,7 @@ TEST_CASE("altered numbers of a certificate passed") {
       double& value = (*c.theorem).*number;
       value = std::nextafter(value, 1e300);
     });
-  // Another angle bound is another question, for which the audit may differ.
+  // With another angle bound the audit may give another answer.
   audit_options lower;
   lower.angle_bound = 10;
   CHECK(verify(made.p.m, made.c, lower).verified);
@@ -346,7 +346,7 @@ TEST_CASE("a certificate without options passed for completed, whatever was deli
   made.c.delivered = delivered_report{};
   made.c.delivered->complexity_wanted = made.c.delivered->complexity_delivered = 1;
   CHECK(verify(made.p.m, made.c, {}).verified);
-  made.c.delivered->median = made.c.delivered->greatest = 2.4;  // more than ln 10
+  made.c.delivered->median = made.c.delivered->greatest = 2.4;  // the distance exceeds ln 10
   CHECK_THAT(first_of(), Contains("of half of the sites"));
   made.c.options["metric-tolerance"] = "2.4";
   CHECK(verify(made.p.m, made.c, {}).verified);
@@ -362,7 +362,7 @@ TEST_CASE("a certificate without options passed for completed, whatever was deli
 TEST_CASE("what is measured of the theorem on nets is written and read, or null") {
   certified_patch made;
   REQUIRE(made.c.theorem);
-  made.c.theorem->spacing = std::numeric_limits<double>::infinity();  // of a mesh of one triangle
+  made.c.theorem->spacing = std::numeric_limits<double>::infinity();  // the mesh has one triangle
   const std::string text = certificate_text(made.c);
   CHECK_THAT(text, Contains("\"spacing\": null") && Contains("\"theorem_applies\""));
   const auto read = parse_certificate(text, "c.json");

@@ -20,10 +20,10 @@ mesh one_triangle(point a, point b, point c) {
   return m;
 }
 
-// The determinant of the map at barycentric coordinates, from its shape functions, by the product
-// rule alone: another way than that of control points.
+// Returns the determinant of the map at barycentric coordinates, from its shape functions and the
+// product rule. It does not use control points, which the code under test does.
 double determinant_at(const mesh& m, const std::array<point, 3>& nodes, double u, double v) {
-  const double w = 1 - u - v;  // of the first corner; u and v of the others
+  const double w = 1 - u - v;  // coordinate of the first corner; u and v are the others'
   const std::array<double, 6> by_u = {1 - 4 * w, 4 * u - 1, 0, 4 * (w - u), 4 * v, -4 * v};
   const std::array<double, 6> by_v = {1 - 4 * w, 0, 4 * v - 1, -4 * u, 4 * u, 4 * (w - v)};
   point along_u{0, 0}, along_v{0, 0};
@@ -78,13 +78,13 @@ TEST_CASE("the bound of the Jacobian is below every value and near the least") {
     CHECK(report.least_jacobian > 0);
     CHECK(report.least_jacobian <= least / straight + 1e-12);
   }
-  // Both kinds were among them.
+  // The random triangles contained both kinds.
   CHECK(proved > 50);
   CHECK(folded > 50);
 }
 
 TEST_CASE("a triangle whose coefficients do not decide is halved until they do") {
-  // The coefficient of the side 01 is negative, and the determinant is positive all the same.
+  // The coefficient of the side 01 is negative, though the determinant is positive everywhere.
   const mesh m = one_triangle({0, 0}, {1, 0}, {0, 1});
   const std::array<point, 3> nodes = {point{0.5, 0.3}, point{0.6, 0.6}, point{-0.13, 0.5}};
   const second_order_report report = prove_second_order(m, sides(nodes), nullptr);

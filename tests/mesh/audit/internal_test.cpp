@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The auditor on internal edges, isolated points and regions: what is right passes, what was lost
-// or moved is found.
+// The auditor on internal edges, isolated points and regions: it passes right ones and finds those
+// that are lost or moved.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
@@ -15,8 +15,8 @@ using asterism::vertex_index;
 
 namespace {
 
-// The patch with its diagonal from corner 1 to corner 3 as an internal segment of marker 20: region
-// 1 on its left, where corner 0 is, region 2 on the other side.
+// The patch with the diagonal from corner 1 to corner 3 as an internal segment of marker 20. Region
+// 1 is on its left, where corner 0 is, and region 2 on its right.
 patch divided_patch() {
   patch p = make_patch(4, 0);
   for (int k = 0; k < 4; ++k)
@@ -92,7 +92,7 @@ TEST_CASE("a lost internal edge is found") {
 }
 
 TEST_CASE("an internal edge that is no edge of the triangles is found") {
-  // The diagonal of the square that the triangles do not have.
+  // The square is cut by the other diagonal, so that this one is no edge of a triangle.
   mesh m = make_mesh_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}});
   m.boundary.push_back({1, 3, 4, 0, true});
   CHECK(found(audit(m, {}), finding_kind::boundary_without_triangle));
@@ -152,7 +152,7 @@ TEST_CASE("an isolated point that is no vertex of the mesh is found") {
   audit_options options;
   options.original = &d;
   CHECK(found(audit(m, options), finding_kind::given_changed));
-  m.sites.push_back({{0.25, 0.5}, round_metric});  // there, but in no triangle
+  m.sites.push_back({{0.25, 0.5}, round_metric});  // a vertex of the mesh, but of no triangle
   m.given = 5;
   const audit_report report = audit(m, options);
   CHECK_FALSE(found(report, finding_kind::given_changed));
@@ -163,9 +163,9 @@ TEST_CASE("a triangle with the number of another region is found") {
   patch p = divided_patch();
   p.m.regions[3] = 5;
   CHECK(found(audited(p), finding_kind::wrong_region));
-  CHECK(found(audit(p.m, {}), finding_kind::wrong_region));  // its neighbours tell
+  CHECK(found(audit(p.m, {}), finding_kind::wrong_region));  // found by its neighbours
   p = divided_patch();
-  for (int& region : p.m.regions) region = 3 - region;  // exchanged: the domain tells
+  for (int& region : p.m.regions) region = 3 - region;  // exchanged everywhere: found by the domain
   CHECK(found(audited(p), finding_kind::wrong_region));
   CHECK_FALSE(found(audit(p.m, {}), finding_kind::wrong_region));
   p.m.regions.clear();

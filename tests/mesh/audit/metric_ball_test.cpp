@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The quick bounds of the auditor: of the distance from a site to a segment, and of a gap's reach.
+// Tests the auditor's bounds of few operations: of the distance from a site to a segment, and of a
+// gap's reach.
 #include "asterism/mesh/audit/metric_ball.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +19,7 @@ using namespace asterism::test;
 
 namespace {
 
-// A metric with lengths exp(+-strength) along axes turned by anything.
+// Returns a metric with lengths exp(+-strength) along orthogonal axes of random direction.
 metric_tensor random_metric(splitmix64& random, double strength) {
   const double angle = random.real(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
   const double l = std::exp(random.real(-strength, strength)),

@@ -21,7 +21,7 @@ enum class operation { sum, difference, product, quotient };
 
 struct step {
   operation what;
-  std::size_t a, b;  // earlier values
+  std::size_t a, b;  // numbers of earlier values
 };
 
 struct random_sequence {
@@ -54,7 +54,7 @@ struct random_sequence {
   }
 }
 
-// Zero where a rational would divide by zero: then the bound is infinite, and not looked at.
+// Returns zero for a division by zero: the bound is infinite then, and the value is not compared.
 rational exact_value(const step& s, const std::vector<rational>& values) {
   const rational &a = values[s.a], &b = values[s.b];
   switch (s.what) {

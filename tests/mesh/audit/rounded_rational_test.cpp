@@ -84,7 +84,8 @@ TEST_CASE("rounded rationals at the ends of the range of doubles", "[audit]") {
   CHECK(root_above(0) == 0);
 }
 
-// An error of the bound of 2^-190 of it either side, as the auditor's text says.
+// The enclosure may exceed the value by 2^-190 of it on either side, the bound that the auditor
+// states.
 TEST_CASE("cotangents are enclosed, closely", "[audit]") {
   property::random_source random(4);
   for (int i = 0; i < 400; ++i) {

@@ -20,14 +20,15 @@ using Catch::Contains;
 
 namespace {
 
-// The edge from (i + 1, j) to (i, j + 1) replaced by the other diagonal of the cell.
+// Returns the mesh with the edge from (i + 1, j) to (i, j + 1) replaced by the other diagonal of
+// the cell.
 void flip(patch& p, int i, int j) {
   const auto t = static_cast<std::size_t>(2 * (i + j * p.n));
   p.m.triangles[t] = {p.at(i, j), p.at(i + 1, j), p.at(i + 1, j + 1)};
   p.m.triangles[t + 1] = {p.at(i, j), p.at(i + 1, j + 1), p.at(i, j + 1)};
 }
 
-// A metric with lengths exp(+-strength) along axes turned by anything.
+// Returns a metric with lengths exp(+-strength) along orthogonal axes of random direction.
 metric_tensor random_metric(splitmix64& random, double strength) {
   const double angle = random.real(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
   const double l = std::exp(random.real(-strength, strength)),
@@ -39,14 +40,14 @@ struct star_counts {
   std::size_t missing = 0, rejected = 0;
 };
 
-// Checks stars by their definition: every site against every gap, every neighbour in its star. For
-// meshes of convex domains, where all sites see each other.
+// Checks stars by their definition: tests every site against every gap, and that each neighbour is
+// in the star. For meshes of convex domains, where all sites see each other.
 star_counts count_slowly(const mesh& m) {
   const filtered_kernel kernel;
   const auto turn = [&](auto a, auto b, auto c) {
     return kernel.orientation(m.sites[a].position, m.sites[b].position, m.sites[c].position);
   };
-  const auto apex = [&](auto a, auto b) {  // of the triangle on the left of a -> b
+  const auto apex = [&](auto a, auto b) {  // apex of the triangle on the left of a -> b
     for (const triangle& t : m.triangles)
       for (std::size_t i = 0; i < 3; ++i)
         if (t[i] == a && t[(i + 1) % 3] == b) return std::optional(t[(i + 2) % 3]);
@@ -126,10 +127,10 @@ TEST_CASE("a lattice of ties is judged as without any shortcut") {
 
 namespace {
 
-// True if w is too far from v: if for some covector g, g . (w - v) is more than
-// (|g|_v + max(|g|_v, |g|_w)) reach. In more digits. The quotient of the two sides is one of a
-// linear function and a convex one, so it has one greatest value over the directions, which is
-// found by thirds where the covector that v finds to point to w does not do.
+// True if w is too far from v: if some covector g has g . (w - v) > (|g|_v + max(|g|_v, |g|_w))
+// reach. Computes with more digits than the code under test. The ratio of the two sides is that of
+// a linear function and a convex one, so that it has one maximum over all directions. It is
+// searched by thirds if the covector that points from v to w does not suffice.
 bool is_too_far(const site& v, double reach, const site& w) {
   using real = long double;
   const real dx = w.position.x - v.position.x, dy = w.position.y - v.position.y;
@@ -156,11 +157,12 @@ bool is_too_far(const site& v, double reach, const site& w) {
   return quotient(std::cos(low), std::sin(low)) > least;
 }
 
-// Counts the sites that searches of a tree leave out, and those of them that are not too far.
+// Counts the sites that searches of a tree leave out, and those of them that are not too far from
+// v.
 struct left_out_sites {
   std::size_t all = 0, wrong = 0;
 
-  // `search` gives to the function that it is called with each site that is not left out.
+  // `search` calls its argument with each site that it does not leave out.
   template <class Search>
   void count(const std::vector<site>& sites, const site& v, double reach, const Search& search) {
     std::vector<char> seen(sites.size(), 0);
@@ -204,7 +206,8 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
   std::size_t together = 0, groups = 0, measured = 0, unmeasured = 0;
   for (int round = 0; round < 36; ++round) {
     const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 200 * (round % 5 - 2));
-    // Stretched by up to 10^6 in one direction, nearly the same everywhere; or at random.
+    // Draws tensors stretched by up to 10^6, either in nearly one direction everywhere or at
+    // random.
     const double length = std::pow(10.0, round % 4 * 2), turn = random.real(0, 3);
     std::vector<site> sites;
     for (int i = 0; i < 600; ++i) {
@@ -226,12 +229,12 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
       ++groups;
       if (!tree.gather(stars, leaves)) continue;
       ++together;
-      // So many leaves that all are listed, but for a few groups.
+      // For most groups the limit lets all leaves be listed; for one group in sixteen it does not.
       REQUIRE(tree.gather(stars, nearby, g % 16 == 0 ? 1 : sites.size()));
       for (const auto& [v, reach] : stars) {
         left_out.count(sites, v, reach,
                        [&](auto visit) { tree.visit_near(leaves, v, reach, visit); });
-        // And what is told of a lesser reach.
+        // Asks also for a smaller reach, by the distances that the search returns.
         const double less = reach * random.real(0.1, 1);
         bool is_measured = false;
         for (const double asked : {reach, less})
@@ -352,8 +355,8 @@ TEST_CASE("squares: four cocircular sites have the diagonal of the tie rule") {
 }
 
 TEST_CASE("a site that is not seen is not missed") {
-  // Vertex 1 would accept vertex 5, inside the circle of its triangle, but for the boundary edge
-  // from vertex 4 to vertex 3 between them.
+  // Vertex 5 is inside the circle of vertex 1's triangle. The boundary edge from vertex 4 to vertex
+  // 3 hides it from vertex 1.
   const std::vector<point> points = {{0, -0.5}, {1, 0},    {-1, 0}, {0.5, 2.2},
                                      {-0.9, 1}, {-1.5, 2}, {-2, 1}};
   const mesh m = make_mesh_of(points, {{0, 1, 2}, {2, 1, 3}, {4, 5, 6}});

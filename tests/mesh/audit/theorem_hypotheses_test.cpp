@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The hypotheses of the theorem on nets as measured of a mesh: against all pairs and many points in
-// extended precision, and refused where one of them fails.
+// Compares the hypotheses of the theorem on nets, measured on a mesh, with all pairs of sites and
+// many points in extended precision. Meshes that do not meet a hypothesis are refused.
 #include "asterism/mesh/audit/theorem_hypotheses.hpp"
 
 #include <algorithm>
@@ -48,7 +48,7 @@ real distance(const site& s, const point& q) {
   return std::sqrt(s.metric.m11 * x * x + 2 * s.metric.m12 * x * y + s.metric.m22 * y * y);
 }
 
-// With 100 digits: nearly equal eigenvalues lose half of them.
+// Computes with 100 digits: nearly equal eigenvalues lose half of them.
 real distortion(const metric_tensor& p, const metric_tensor& q) {
   using number = boost::multiprecision::cpp_bin_float_100;
   const auto determinant = [](const metric_tensor& m) {
@@ -93,14 +93,14 @@ TEST_CASE("what is measured of the hypotheses is no better than it is") {
       const point q{random.real(-1, 1), random.real(-1, 1)};
       CHECK(nearest_distance(m, q) <= h.covering_radius);
     }
-    if (Contains("metrics of").match(h.reason)) continue;  // measured in part
+    if (Contains("metrics of").match(h.reason)) continue;  // measuring ended before the last pair
     const auto radius = static_cast<real>(h.covering_radius);
     for (std::size_t i = 0; i < m.sites.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const site &p = m.sites[i], &q = m.sites[j];
         const real from_p = distance(p, q.position), from_q = distance(q, p.position);
-        // The disks certainly meet where one holds the middle of the segment, and so does the
-        // other.
+        // The disks of two sites certainly meet if the middle of the segment between the sites is
+        // in both.
         if (from_p / 2 > radius || from_q / 2 > radius) continue;
         const real tau = distortion(p.metric, q.metric);
         CHECK(tau <= h.distortion);
@@ -112,8 +112,9 @@ TEST_CASE("what is measured of the hypotheses is no better than it is") {
   }
 }
 
-// Bounds left the range of doubles there, so that each site was held against all: a square with a
-// size of 1e-150 took 18 times as long as with one of 1e-7, and "not all was measured".
+// Before, bounds left the range of doubles at such sizes, and each site was compared with all. A
+// square with a size of 1e-150 took 18 times as long as one with 1e-7, and the answer was "not all
+// was measured".
 TEST_CASE("lengths of extreme size are measured and audited as ordinary ones are") {
   const mesh ordinary = meshed_square("swirl:3", 0.05);
   const theorem_hypotheses known = measure_theorem_hypotheses(ordinary, 15);
@@ -161,8 +162,8 @@ TEST_CASE("the theorem does not apply where sites are too near to each other") {
   CHECK_THAT(h.reason, Contains("vertex " + std::to_string(p.at(4, 4) + 1) + " "));
 }
 
-// Each of 2,000 random sites is near hundreds of others, and a run took a third of its time for
-// them to say what any short edge does.
+// Each of 2,000 random sites is near hundreds of others. Before, comparing all these pairs took a
+// third of a run, though one short edge shows that the theorem does not apply.
 TEST_CASE(
     "of random sites all near pairs were measured, where a few edges told that it does not apply") {
   const auto shape =
@@ -174,7 +175,7 @@ TEST_CASE(
   const cancellation account = cancellation().with_work(1e9);
   const theorem_hypotheses h = measure_theorem_hypotheses(m, 20, account);
   CHECK_FALSE(h.applies);
-  // The subsegments alone were looked around.
+  // The work shows that only the neighbourhoods of subsegments were searched.
   CHECK(1e9 - account.units_left() < 0.05 * 10 * static_cast<double>(m.sites.size()));
   real least = std::numeric_limits<real>::infinity();
   for (std::size_t i = 0; i < m.sites.size(); ++i)
@@ -194,7 +195,7 @@ TEST_CASE("the theorem does not apply where the metric jumps") {
 }
 
 TEST_CASE("the theorem does not apply where a site may encroach on a boundary edge") {
-  // A row of triangles half as high as a boundary edge is long, less a little.
+  // A row of triangles a little lower than half of a boundary edge.
   const mesh low = make_mesh_of({{0, 0}, {1, 0}, {0.5, 0.49}, {0, 1}, {1, 1}},
                                 {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {3, 2, 4}});
   const theorem_hypotheses h = measure_theorem_hypotheses(low, 1);
@@ -209,8 +210,7 @@ TEST_CASE("the theorem does not apply to a mesh without triangles") {
 
 namespace {
 
-// A grid of which one corner is so far out that every site is near every other, in metrics no two
-// of which are the same.
+// A grid with one corner so far out that every site is near every other. No two metrics are equal.
 mesh with_far_corner(int cells) {
   patch p = make_patch(cells, 0);
   site& corner = p.m.sites[p.at(0, 0)];
@@ -225,7 +225,7 @@ mesh with_far_corner(int cells) {
 
 }  // namespace
 
-// A hundred thousand such sites would have taken hours, which no limit and no interrupt ended.
+// Before, a hundred thousand such sites took hours, which neither a limit nor an interrupt ended.
 TEST_CASE("measuring of pairs that are all near ended with no limit") {
   const mesh m = with_far_corner(50);
   const cancellation account = cancellation().with_work(1e9);
@@ -241,7 +241,7 @@ TEST_CASE("measuring of pairs that are all near ended with no limit") {
 }
 
 TEST_CASE("measuring ends as it is told to, and says nothing then but that") {
-  const mesh m = with_far_corner(20);  // of so many that one thread does all
+  const mesh m = with_far_corner(20);  // few enough sites for one thread
   int asked = 0;
   const cancellation stop = [&asked]() -> std::optional<std::string> {
     return ++asked > 3 ? std::optional<std::string>("enough") : std::nullopt;
@@ -296,7 +296,7 @@ TEST_CASE("the numbers of two sites are rounded to the side that is harder") {
                tau = distortion(p.metric, q.metric);
     CHECK(pair.larger_distance_below <= std::max(from_p, from_q));
     CHECK(pair.larger_distance_below >= std::max(from_p, from_q) * (1 - 1e-10));
-    CHECK(pair.distortion_above >= tau * (1 - 1e-18L));  // this one is rounded too
+    CHECK(pair.distortion_above >= tau * (1 - 1e-18L));  // tau is rounded as well
     CHECK(pair.distortion_above <= tau * (1 + 1e-6));
     const double radius = random.real(0, 1);
     const real midway = std::max(from_p, from_q) / 2;
@@ -304,7 +304,8 @@ TEST_CASE("the numbers of two sites are rounded to the side that is harder") {
   }
 }
 
-// Pairs that are not measured must add nothing; and hardly any others are measured.
+// A pair that is skipped must not exceed a measure. Nearly all pairs within the measures must be
+// skipped.
 TEST_CASE("two sites are within measures only if each of theirs is") {
   splitmix64 random(12);
   int within = 0, told = 0;
@@ -398,8 +399,8 @@ TEST_CASE("a quick radius is not found where lengths leave the range of doubles"
       {site{{0, 0}, {far, 0, far}}, {{far, 0}, {far, 0, far}}, {{0, far}, {far, 0, far}}})));
 }
 
-// Seen along the first axis the triangle is a point, but for the rounding of what its middle is
-// computed from.
+// In this metric the triangle's extent along the first axis is rounding alone, as is that of the
+// middle computed from it.
 TEST_CASE("a quick radius knows how far the middle of a thin triangle is rounded") {
   splitmix64 random(32);
   const metric_tensor thin{0x1p120, 0, 1};
@@ -408,8 +409,8 @@ TEST_CASE("a quick radius knows how far the middle of a thin triangle is rounded
         c{-random.real(0.3, 1), random.real(3, 4)};
     const std::array<site, 3> t = {site{{0, 0}, thin}, {b, thin}, {c, thin}};
     INFO("triangle " << i);
-    // The three are nearly on a line as they see it: half the longest edge covers them, and not
-    // much less.
+    // In this metric the three sites are nearly on a line. Half of the longest edge is the least
+    // radius that covers them, up to a small part.
     const double half = 0x1p60 * (b.x - c.x) / 2;
     CHECK(theorem::quick_covering_radius_above(t) >= half);
   }

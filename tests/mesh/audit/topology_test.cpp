@@ -230,7 +230,7 @@ TEST_CASE("a hole that the domain does not have") {
   const triangle t = m.triangles[13];
   m.triangles.erase(m.triangles.begin() + 13);
   for (std::size_t i = 0; i < 3; ++i) m.boundary.push_back({t[(i + 1) % 3], t[i], 0, 0});
-  CHECK(run(m).certified);  // a mesh of something
+  CHECK(run(m).certified);  // valid as a mesh of some domain
   refused(m, finding_kind::segment_not_covered, "of them between given vertices", &p.d);
 }
 
@@ -307,7 +307,8 @@ TEST_CASE("against the domain: vertices, segments, markers, deviation") {
 }
 
 TEST_CASE("a roof in the place of a side was within the limit on deviation") {
-  // A square of 64 units in the last place, far from the origin, its lower side a roof of 24.
+  // A square with sides of 64 units in the last place, far from the origin. Its lower side is a
+  // roof of height 24 units.
   const double o = 0x1p30, ulp = 0x1p-22;
   mesh m = make_mesh_of({{o, o},
                          {o + 64 * ulp, o},

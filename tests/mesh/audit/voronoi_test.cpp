@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Point 5 of the auditor: what it proves the dual of the Voronoi diagram is seen to be that by
-// looking at points one by one, and what it refuses it refuses for a reason.
+// Point 5 of the auditor. A mesh that it proves to be the dual of the Voronoi diagram is compared
+// with the cells of single points; each refusal is compared with its reason.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -65,8 +65,8 @@ edge_set edges_of(const mesh& m) {
   return edges;
 }
 
-// Pairs of sites that own neighbouring points of a lattice over [-1,1]^2, in doubles. Points where
-// a third site is nearly as near are left out: corners of cells, and roundings.
+// Returns pairs of sites that own neighbouring points of a lattice over [-1,1]^2, in doubles.
+// Leaves out points with a third site nearly as near: corners of cells, and roundings.
 edge_set neighbours_seen(const mesh& m, int n) {
   std::vector<vertex_number> owner(static_cast<std::size_t>(n * n));
   const auto at = [&](int i, int j) -> vertex_number& {
@@ -89,7 +89,7 @@ edge_set neighbours_seen(const mesh& m, int n) {
   return seen;
 }
 
-// A grid of squares two units wide, cut along alternating diagonals or not.
+// A grid of squares of side 2, cut along equal or alternating diagonals.
 mesh square_grid(int n, bool alternating, point origin = {0, 0}) {
   std::vector<point> points;
   std::vector<triangle> triangles;
@@ -117,7 +117,7 @@ constexpr std::array voronoi_kinds = {
     finding_kind::voronoi_vertex_missing, finding_kind::voronoi_arc_reversed,
     finding_kind::voronoi_site_nearer, finding_kind::voronoi_boundary_encroached};
 
-// Finds by the definition: exact numbers alone, every site against every arc.
+// Finds violations by the definition: exact numbers alone, every site against every arc.
 std::map<finding_kind, std::size_t> judge_slowly(const mesh& m) {
   const filtered_kernel kernel;
   std::map<finding_kind, std::size_t> found;
@@ -142,7 +142,7 @@ std::map<finding_kind, std::size_t> judge_slowly(const mesh& m) {
       for (vertex_number w = 0; w < m.sites.size(); ++w)
         found[finding_kind::voronoi_boundary_encroached] +=
             w != v && w != u && kernel.encroaches(at(v), at(u), at(w));
-    if (!on_boundary && v < u) continue;  // the audit asks the other end
+    if (!on_boundary && v < u) continue;  // the other end stands for this edge
     if (!has_vertex[edge] || (!on_boundary && !has_vertex[reverse])) continue;
     const exact_voronoi_arc arc(at(v), at(u));
     const auto to = arc.vertex(at(left)),
@@ -159,7 +159,8 @@ std::map<finding_kind, std::size_t> judge_slowly(const mesh& m) {
   return found;
 }
 
-// Returns the mesh with its vertices in the opposite order and its triangles started elsewhere.
+// Returns the mesh with its vertices in the opposite order and each triangle begun at another
+// corner.
 mesh renumbered(mesh m) {
   const auto last = static_cast<vertex_number>(m.sites.size() - 1);
   std::reverse(m.sites.begin(), m.sites.end());
@@ -249,8 +250,8 @@ TEST_CASE("a right angle at the boundary is allowed: its Voronoi vertex is on th
 }
 
 TEST_CASE("a site reaches over its neighbour between Voronoi vertices, farther from all of them") {
-  // On the axis from the middle site the cells of its neighbours are left behind where its distance
-  // grows slowest, while all corners of cells stay nearer to their owners.
+  // The middle site's distance grows slowest along one axis. There its cell reaches beyond the
+  // cells of its neighbours, though every corner of a cell is nearer to the cell's owner.
   mesh m = square_grid(8, true);
   const vertex_number middle = 4 + 4 * 9;
   m.sites[middle].metric = {0.05, 0, 2};
@@ -262,7 +263,7 @@ TEST_CASE("a site reaches over its neighbour between Voronoi vertices, farther f
   CHECK_THAT(witnesses(report, finding_kind::voronoi_site_nearer),
              Contains("vertex 41 (8, 8) is nearer to a point of the Voronoi arc between vertex 42 "
                       "(10, 8) and vertex 43 (12, 8)"));
-  // At the point it is nearer to, and at the corners it is not.
+  // The middle site is nearer at the point between, and not at the corners.
   CHECK(squared_distance(m.sites[middle], {11, 8}) < squared_distance(m.sites[41], {11, 8}));
   CHECK(squared_distance(m.sites[middle], {11, 9}) > squared_distance(m.sites[41], {11, 9}));
 }
@@ -278,8 +279,8 @@ TEST_CASE("cocircular sites tie: equal distance is allowed, however the squares 
 }
 
 TEST_CASE("cells that share a whole line are no dual, though no site is nearer to any of it") {
-  // Three columns of sites of which all measure the same along x = 0: the first reaches it over the
-  // second, whose cell is between.
+  // On x = 0 the sites of three columns are equally far, as each measures. There the cells of the
+  // first column meet those of the third, though the second column is between.
   std::vector<point> points;
   for (const double x : {-2.0, -1.0, 1.0})
     for (int j = 0; j <= 6; ++j) points.push_back({x, static_cast<double>(j)});
@@ -309,18 +310,19 @@ TEST_CASE("a site that touches a Voronoi vertex from elsewhere is refused") {
   CHECK(report.voronoi == voronoi_verdict::refused);
   CHECK_THAT(witnesses(report, finding_kind::voronoi_site_nearer),
              Contains("vertex 14 (6, 4) is as near to the Voronoi vertex of triangle"));
-  // A little farther, and it is a dual.
+  // With the site a little farther from the middle the mesh is a dual.
   m.sites[3 + 2 * 5].metric = {0.265625, -0.265625, 1.328125};
   CHECK(audit_voronoi(m).voronoi == voronoi_verdict::proved);
 }
 
 TEST_CASE("a site may touch a boundary edge in its own Voronoi vertex alone") {
-  // A right angle across from the boundary: the vertex is the middle of the edge.
+  // The angle across from the boundary edge is right, so that the Voronoi vertex is the edge's
+  // middle.
   const mesh right = make_mesh_of({{0, 0}, {2, 0}, {1, 1}}, {{0, 1, 2}});
   const audit_report own = audit_voronoi(right);
   INFO(kinds(own));
   CHECK(own.voronoi == voronoi_verdict::proved);
-  // Nearer to the one end: the contact is beside the middle.
+  // The angle is obtuse: the site is nearer to a part of the edge than the edge's ends are.
   mesh beside = make_mesh_of({{0, 0}, {4, 0}, {1, 1}, {2, 4}}, {{0, 1, 2}, {1, 3, 2}, {3, 0, 2}});
   const audit_report touching = audit_voronoi(beside);
   CHECK(touching.voronoi == voronoi_verdict::refused);
@@ -338,7 +340,7 @@ TEST_CASE("ties of sites whose metrics differ are exact ones") {
     CHECK(report.voronoi == voronoi_verdict::proved);
     CHECK(report.exact_decisions > 0);
   }
-  // One unit in the last place, and one diagonal alone is right.
+  // After a move by one unit in the last place exactly one diagonal is right.
   for (const double moved : {std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)}) {
     one.sites[2].position.y = other.sites[2].position.y = moved;
     const auto by_one = audit_voronoi(one).voronoi, by_other = audit_voronoi(other).voronoi;
