@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics in which stars cannot agree, where a metric delivered did not lead to a mesh: what comes
-// out is a mesh without disagreeing triangles, of a metric that says how it differs from the one
-// given, and what is low in that is named.
+// Meshes in one metric for all sites, where stars cannot agree in the given metric and no delivered
+// metric led to a mesh. They have no disagreeing triangles, their metric says how it differs from
+// the one given, and their low angles are named.
 #include "asterism/mesh/delivery/constant_metric_fallback.hpp"
 
 #include <tbb/global_control.h>
@@ -29,7 +29,7 @@ using namespace asterism::testing;
 
 namespace {
 
-// Makes the mesh as make_mesh does, but for the metric delivered.
+// Makes the mesh as make_mesh does, without the attempt that delivers a metric.
 mesh_outcome mesh_at_last_of(const domain& d, const metric_field& field,
                              const mesh_options& options) {
   using namespace asterism::internal;
@@ -46,7 +46,7 @@ mesh_outcome mesh_at_last_of(const domain& d, const metric_field& field,
   return std::move(made).value();
 }
 
-// Makes the mesh in the metric wanted, and no other.
+// Makes the mesh in the metric wanted, and in no other.
 void mesh_before_last_of(const domain& d, const metric_field& field, const mesh_options& options) {
   using namespace asterism::internal;
   tier_counters decided;
@@ -61,7 +61,7 @@ mesh_options with_size() {
   return options;
 }
 
-// Squares of `side` stretched ten times, in turns along x and along y.
+// Squares of `side`, stretched ten times, alternately along x and along y.
 formula_field checkerboard(double side, double size) {
   return formula_field([side, size](const point& q) {
     const bool along = (std::lround(std::floor(q.x / side) + std::floor(q.y / side)) & 1) != 0;
@@ -77,14 +77,14 @@ formula_field swirl(double k, double size) {
   });
 }
 
-// One mesh for many questions.
+// Returns one mesh that several tests share.
 const mesh_outcome& checkered() {
   static const mesh_outcome made =
       mesh_at_last_of(accepted(square()), checkerboard(0.52, 0.8), with_size());
   return made;
 }
 
-// Certified in its own metric, angles and stars, and of the whole domain.
+// Checks that the mesh of the whole domain is certified in its own metric, with angles and stars.
 void check_conforming(const domain& d, const mesh_outcome& made, double angle_bound) {
   INFO(ending_text(made));
   CHECK(made.disagreeing == 0);
@@ -117,7 +117,7 @@ double least_angle(const mesh& m, const std::vector<metric_tensor>& tensors, con
   return least;
 }
 
-// The auditor's list against angles measured here; no corner of the domain may be sharp.
+// Compares the auditor's list with angles measured here. No corner of the domain may be sharp.
 void check_named(const mesh_outcome& made, const metric_field& field, double angle_bound) {
   const delivered_report& delivered = made.delivered.value();
   std::vector<metric_tensor> wanted;
@@ -255,7 +255,7 @@ TEST_CASE("last resort: the same for any number of threads and at any scale") {
     });
     const mesh_outcome made = mesh_at_last_of(accepted(scaled), field, with_size());
     INFO(exponent << ": " << ending_text(made));
-    // Logarithms are rounded otherwise there.
+    // Scaling changes the rounding of logarithms.
     CHECK(made.one_metric->has_demands == first.one_metric->has_demands);
     CHECK(static_cast<double>(made.triangles) == Approx(first.triangles).epsilon(0.1));
     CHECK(made.disagreeing == 0);

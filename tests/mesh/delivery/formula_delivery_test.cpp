@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics of formulas: met to the last bit where meshes meet them, and else certified in a metric
-// delivered, which says how far it is from the one wanted.
+// Metrics of formulas. Where a mesh exists for a metric it is met to the last bit; elsewhere the
+// mesh is certified in a delivered metric, whose distance from the wanted one is reported.
 #include <tbb/global_control.h>
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ mesh_options with_size(bool limit_size = true) {
   return options;
 }
 
-// Squares stretched ten times, in turns along x and along y.
+// Squares stretched ten times, alternately along x and along y.
 metric_tensor checkered(const point& q) {
   constexpr double side = 0.52, s = 1 / 0.64;
   const bool along = (std::lround(std::floor(q.x / side) + std::floor(q.y / side)) & 1) != 0;
@@ -112,7 +112,7 @@ TEST_CASE("a metric delivered is the same for any number of threads and at any s
     INFO(exponent << ": " << ending_text(made));
     CHECK(made.complete);
     REQUIRE(made.delivered);
-    CHECK(made.delivered->greatest < 4);  // it was no number
+    CHECK(made.delivered->greatest < 4);  // before, it was NaN
     CHECK(static_cast<double>(made.triangles) == Approx(first.triangles).epsilon(0.1));
   }
 }

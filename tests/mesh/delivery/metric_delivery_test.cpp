@@ -31,14 +31,15 @@ metric_tensor stretched(double across, double along, double angle) {
   return {p * c * c + q * s * s, (p - q) * c * s, p * s * s + q * c * c};
 }
 
-// A front along a circle: the kind that Hessians of solutions with a shock have.
+// A front along a circle, as Hessians of solutions with a shock have it.
 metric_tensor ring_front(const point& q) {
   const double r = std::hypot(q.x, q.y), d = std::abs(r - 0.6);
   const double across = 0.01 + 0.4 * d, along = std::min(0.15, across * 12);
   return stretched(across, along, std::atan2(q.y, q.x));
 }
 
-// The square, meshed without a metric, with the tensors of `metric` at its vertices.
+// Returns a mesh of the square, made without a metric, with the tensors of `metric` at its
+// vertices.
 mesh background(const std::function<metric_tensor(const point&)>& metric, double size) {
   const domain d = accepted(square());
   const auto field = make_metric_field("identity", d.box(), size);
@@ -97,8 +98,8 @@ TEST_CASE("a smooth metric on a mesh is delivered to the last bit") {
 }
 
 TEST_CASE("corners that are sharp in the metric alone had low angles beside them, never mended") {
-  // Thirty times as long along the diagonal as across it: two corners of the square are seen as
-  // below four degrees.
+  // Lengths across the diagonal are thirty times as short as along it, so that two corners of the
+  // square are below four degrees in the metric.
   const auto diagonal = [](const point&) { return stretched(0.02, 0.6, 0.785); };
   const auto field = make_interpolated_field(background(diagonal, 0.1), 1);
   const certified_mesh made = adapted(*field);

@@ -12,7 +12,7 @@ using namespace asterism::testing;
 
 namespace {
 
-// A strip one wide with a vertex at each unit of its length, on both sides.
+// A strip of width 1 with a vertex at each unit of its length, on both sides.
 domain strip(int length) {
   std::vector<point> ring;
   for (int i = 0; i <= length; ++i) ring.push_back({static_cast<double>(i), 0});
@@ -25,8 +25,8 @@ domain strip(int length) {
 TEST_CASE("a narrow domain, whose sites come in steps, missed the number of vertices by more",
           "[adapt]") {
   const domain d = strip(150);
-  // 800 came out 12.75 % too many. Of a thousand nothing nearer than 902 was found: all subsegments
-  // of one length are divided at once.
+  // Before, 800 sites came out as 12.75 % too many. For 1,000 the nearest count found was 902,
+  // since subsegments of equal length are all divided at once.
   for (const std::size_t count : {600u, 800u, 1200u, 2000u}) {
     const double density = static_cast<double>(count) * std::sqrt(3.0) / 2 / 150;
     const auto made = internal::mesh_in_one_metric(d, {density, 0, density}, {}, count);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Gaps of stars whose reach is bounded before tensors are restored.
+// Bounds the reach of stars' gaps before tensors are restored.
 #include "asterism/mesh/delivery/restore_tensors.hpp"
 
 #include <array>
@@ -35,8 +35,8 @@ metric_tensor random_tensor(splitmix64& random) {
   return {p * c * c + q * s * s, (p - q) * c * s, p * s * s + q * c * c};
 }
 
-// Numbers of gaps whose reach the kernel's prepared gap does not know, and of those that the
-// auditor's bound of few operations does not know either.
+// Numbers of gaps without a known reach: to the kernel's prepared gap, and both to it and to the
+// auditor's bound of few operations.
 struct unknown_gaps {
   std::size_t to_kernel = 0, to_both = 0;
 };
@@ -55,8 +55,8 @@ unknown_gaps count_unknown(const working_mesh& m) {
   return found;
 }
 
-// Changes the tensors of one face inside until the kernel knows no reach of one of its gaps and the
-// auditor does. Returns whether there are such.
+// Changes the tensors of one inner face until it has a gap whose reach the auditor's bound knows
+// and the kernel does not. Returns whether one was found.
 bool spoil_for_kernel(working_mesh& m, splitmix64& random) {
   constexpr int most_tries = 4000;
   const std::vector<node> before = m.nodes();

@@ -23,8 +23,9 @@ mesh_outcome delivered(double median, double greatest, double wanted, double got
 
 }  // namespace
 
-// Two crossing fronts on 128,000 vertices, from a grid: the work was over, and one metric for all
-// had 274 sites, half of them in the flat part with the tensors wanted. The status was 0.
+// Two crossing fronts on a grid of 128,000 vertices. When the work was used up, the mesh in one
+// metric for all had 274 sites, and half of these, in the flat part, had the tensors wanted.
+// Before, the status was 0.
 TEST_CASE(
     "a metric 300 times as thin as the one wanted passed for it, as half of the sites had theirs") {
   mesh_outcome made = delivered(0, 7.2, 66716.1, 194.951);
@@ -49,7 +50,7 @@ TEST_CASE("what is tolerated of a metric delivered") {
   REQUIRE(median);
   CHECK(median->of == measure::median);
   CHECK(median->greatest == 9);
-  CHECK_FALSE(excess_of(delivered(0, 9, 0, 0), {}));  // no ratio: the median alone counts
+  CHECK_FALSE(excess_of(delivered(0, 9, 0, 0), {}));  // without a ratio the median decides
 
   mesh_options options;
   options.metric_tolerance = 9;

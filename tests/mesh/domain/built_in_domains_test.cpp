@@ -32,7 +32,7 @@ TEST_CASE("random points are inside, distinct and the same for one seed") {
 }
 
 TEST_CASE("the first random point has these bits everywhere") {
-  // From splitmix64 and the same arithmetic in another language.
+  // Computed by splitmix64 and the same arithmetic in another language.
   const auto d = add_random_points(square(), 1, 1);
   REQUIRE(d.value().vertices[4] == point{0x1.eabec435d0434p-4, 0x1.c5066223a804fp-2});
 }
@@ -42,7 +42,7 @@ TEST_CASE("many random points are numbered along a curve") {
   double way = 0;
   for (std::size_t v = 5; v < d.vertices.size(); ++v)
     way += std::hypot(d.vertices[v].x - d.vertices[v - 1].x, d.vertices[v].y - d.vertices[v - 1].y);
-  CHECK(way < 200);  // in the order drawn about 4700
+  CHECK(way < 200);  // about 4700 in the order drawn
 }
 
 TEST_CASE("random points stay out of holes") {

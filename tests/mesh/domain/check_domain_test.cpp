@@ -33,7 +33,7 @@ domain rings(const std::vector<std::vector<point>>& all, const std::vector<point
   return d;
 }
 
-// Twice the area to the left of the segments.
+// Returns twice the signed area that the segments enclose on their left.
 double doubled_area(const domain& d) {
   double sum = 0;
   for (const segment& s : d.segments)

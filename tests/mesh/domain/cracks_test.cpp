@@ -13,14 +13,14 @@ bool are_same(const boundary_edge& e, const boundary_edge& f) {
          e.segment == f.segment;
 }
 
-// Two squares of two triangles each, with the side between them there twice: the lower end joined
-// or not.
+// Two squares of two triangles each. The vertices of their common side are there twice, but for the
+// lower end where it is joined.
 mesh two_squares(bool with_tip, int left, int right) {
   mesh m;
   for (const point p : {point{0, 0}, point{1, 0}, point{2, 0}, point{2, 1}, point{1, 1},
                         point{0, 1}, point{1, 1}, point{1, 0}})
     m.sites.push_back({p, {1, 0, 1}});
-  const vertex_index low = with_tip ? 1 : 7;  // of the right square
+  const vertex_index low = with_tip ? 1 : 7;  // vertices of the right square
   m.triangles = {{0, 1, 4}, {0, 4, 5}, {low, 2, 3}, {low, 3, 6}};
   m.boundary = {{0, 1, 0, 1, false},    {low, 2, 1, 1, false},    {2, 3, 2, 1, false},
                 {3, 6, 3, 1, false},    {4, 5, 4, 1, false},      {5, 0, 5, 1, false},
@@ -46,11 +46,11 @@ TEST_CASE("sides that are there twice are joined, and parted again") {
       CHECK(std::minmax(sides.left, sides.right) == std::minmax(left, right));
       CHECK(std::count_if(m.boundary.begin(), m.boundary.end(),
                           [](const boundary_edge& e) { return e.internal; }) == 1);
-      // The marker that stands for a crack inside the mesher is one that no other edge has.
+      // Inside the mesher a crack has a marker that no edge has.
       CHECK((number == left) == (left == right && left != 1));
 
       const parted_mesh parted = part_cracks(m, joined.value().markers);
-      // Where the tip is at the boundary, it too is of both sides.
+      // A tip on the boundary is there twice as well.
       CHECK(parted.content.sites.size() == 8);
       CHECK(parted.original.size() == 8);
       CHECK(parted.content.boundary.size() == 8);

@@ -11,8 +11,8 @@ using namespace asterism;
 
 namespace {
 
-// A segment of length 1 with a cubic that leaves it, and comes back to it, at this slope, and two
-// straight sides.
+// A triangle of two straight sides and, over a segment of length 1, a cubic that leaves the segment
+// at this slope and returns to it.
 domain bent_triangle(double slope) {
   domain d;
   d.vertices = {{0, 0}, {1, 0}, {0.5, 1}};
@@ -39,10 +39,10 @@ std::size_t chords(const domain& d, double size, bool is_even) {
 
 }  // namespace
 
-// In a loop whose solver moved a ragged boundary, cubics through it were divided for turning by a
-// fiftieth of their chords, and edges became a hundred thousand times shorter than wanted.
+// Before, in a loop whose solver moved a ragged boundary, cubics through it were divided where they
+// turned by a fiftieth of their chord. Edges became a hundred thousand times shorter than wanted.
 TEST_CASE("a guessed cubic that is shorter than the metric wants is not divided") {
-  const domain d = bent_triangle(0.3);  // 0.075 high
+  const domain d = bent_triangle(0.3);  // height 0.075
   CHECK(chords(d, 2, true) > 1);
   CHECK(chords(d, 2, false) == 1);
   CHECK(chords(d, 1.3, false) == 1);

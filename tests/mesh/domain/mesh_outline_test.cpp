@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds the domain of a mesh: it has all required vertices and few others, and is the same for a
-// mesh of that domain.
+// Finds the domain of a mesh. It has all required vertices and few others, and the domain of a mesh
+// of that domain is the same.
 #include "asterism/mesh/domain/mesh_outline.hpp"
 
 #include <algorithm>
@@ -26,7 +26,8 @@ mesh_outline outline(const mesh& m, const mesh_marks& marks = {}, double angle =
   return std::move(found).value();
 }
 
-// n vertices on a circle around the origin, fanned from there; the metric has this size.
+// n vertices on a circle around the origin and a triangle from each side to the origin, in a metric
+// of this size.
 mesh disc(vertex_index n, double size) {
   mesh m;
   for (vertex_index i = 0; i < n; ++i) {
@@ -41,8 +42,8 @@ mesh disc(vertex_index n, double size) {
   return m;
 }
 
-// Cells of a grid, n in a row, those that are marked by a dot in `plan` left out; the boundary with
-// the mesh on its left. `plan` has the lowest row first.
+// Cells of a grid with n in a row, without the cells that `plan` marks by a dot. The boundary has
+// the mesh on its left. `plan` lists the lowest row first.
 mesh cells(int n, const std::string& plan) {
   mesh m;
   for (int j = 0; j <= n; ++j)
@@ -121,10 +122,11 @@ TEST_CASE("internal segments and regions stay") {
 TEST_CASE("a curved boundary follows the polygon, coarser where the metric is") {
   const auto fine = outline(disc(200, 0.02)), coarse = outline(disc(200, 0.5));
   CHECK(fine.shape.vertices.size() == 200);
-  // A piece over k of the 1.8 degrees has its arc within k * 0.39 % of its length: two at most.
+  // A piece over k edges, which turn by 1.8 degrees each, leaves its arc by k * 0.39 % of its
+  // length: at most two edges.
   CHECK(coarse.shape.vertices.size() <= 102);
   CHECK(coarse.greatest_distance < 0.01);
-  // All vertices turn by more than a degree.
+  // The boundary turns at every vertex by more than a degree.
   CHECK(outline(disc(200, 0.5), {}, 1).shape.vertices.size() == 200);
 }
 
@@ -136,7 +138,7 @@ TEST_CASE("pieces of a curved boundary are cubics through its vertices, near to 
     const point &a = found.shape.vertices[c.vertices[0]], &b = found.shape.vertices[c.vertices[1]];
     const point middle{(a.x + 3 * c.control[0].x + 3 * c.control[1].x + b.x) / 8,
                        (a.y + 3 * c.control[0].y + 3 * c.control[1].y + b.y) / 8};
-    // The chord is 4.8e-3 off it.
+    // The chord is 4.8e-3 from the vertex.
     CHECK(std::abs(std::hypot(middle.x, middle.y) - 1) < 1e-8);
   }
 }
@@ -164,7 +166,7 @@ TEST_CASE("the distance that is asked for is kept by what goes and by cubics") {
 TEST_CASE("vertices go by the size across the boundary, not by that along it") {
   mesh m = disc(400, 0.5);
   CHECK(outline(m).shape.vertices.size() < 250);
-  // Layers along the wall: a hundredth of a half is left of the size across.
+  // Layers along the wall: sizes are 0.5 along it and 0.005 across it.
   for (site& s : m.sites) {
     const point& p = s.position;
     const double across = 1 / (0.005 * 0.005), along = 4;
@@ -177,7 +179,7 @@ TEST_CASE("vertices go by the size across the boundary, not by that along it") {
 }
 
 TEST_CASE("sides of several edges are not bent where they meet at a flat angle") {
-  // A polygon of twelve sides, three edges each, whose corners turn by 30 degrees.
+  // A polygon with twelve sides of three edges each. Its corners turn by 30 degrees.
   mesh m;
   const auto corner = [](int k) {
     const double t = 2 * std::numbers::pi * k / 12;
@@ -197,8 +199,8 @@ TEST_CASE("sides of several edges are not bent where they meet at a flat angle")
 }
 
 TEST_CASE("a curve is not bent by the straight side that it meets at a flat angle") {
-  // 62 of 72 vertices of a circle, and a straight side of four edges in the place of the others.
-  // Its ends turn by 27.5 degrees, all others of the curve by five.
+  // 62 of 72 vertices of a circle, and a straight side of four edges in place of the others. The
+  // curve turns by 27.5 degrees at the ends of the side, and by five elsewhere.
   mesh m;
   const auto on_circle = [](int k) {
     const double t = 2 * std::numbers::pi * k / 72;
@@ -220,7 +222,7 @@ TEST_CASE("a curve is not bent by the straight side that it meets at a flat angl
     const point &p = found.shape.vertices[c.vertices[0]], &q = found.shape.vertices[c.vertices[1]];
     const point middle{(p.x + 3 * c.control[0].x + 3 * c.control[1].x + q.x) / 8,
                        (p.y + 3 * c.control[0].y + 3 * c.control[1].y + q.y) / 8};
-    CHECK(std::abs(std::hypot(middle.x, middle.y) - 1) < 1e-8);  // the chord is 9.5e-4 off it
+    CHECK(std::abs(std::hypot(middle.x, middle.y) - 1) < 1e-8);  // the chord is 9.5e-4 from it
   }
 }
 
@@ -242,7 +244,7 @@ TEST_CASE("a cubic that has something else in its way stays straight") {
   }
   const auto found = outline(m);
   CHECK_FALSE(found.keeps_all);
-  // The inner cubics lead across the outer chords.
+  // Two cubics of the inner side would cross the outer chords.
   CHECK(found.shape.curves.size() < 2 * n);
 }
 

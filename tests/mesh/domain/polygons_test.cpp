@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Polygons as a domain: what they contain, held against rules that are asked of every cell of a
-// grid, where no face is decided by another one.
+// Compares what polygons contain with rules that are evaluated at every cell of a grid,
+// independently of other cells.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -53,7 +53,7 @@ std::string refusal(const domain& d) {
   return checked.failure().message;
 }
 
-// By region; exact where twice the products of coordinates are.
+// Returns the areas by region, exact where twice the products of coordinates are.
 std::map<int, double> areas(const domain& d) {
   std::map<int, double> found;
   for (const segment& s : d.segments) {
@@ -89,7 +89,7 @@ TEST_CASE("a feature in another one's hole is a region, and a gap between featur
   add_polygon(d, {box(0, 0, 3, 3), box(1, 1, 2, 2)}, 1);
   add_polygon(d, {box(1, 1, 2, 2)}, 2);
   CHECK(areas(accepted(d)) == by_region{{1, 8}, {2, 1}});
-  domain gap;  // four parts around a square that none of them has
+  domain gap;  // four parts around a square that belongs to none of them
   add_polygon(gap, {{{0, 0}, {3, 0}, {2, 1}, {1, 1}}});
   add_polygon(gap, {{{3, 0}, {3, 3}, {2, 2}, {2, 1}}});
   add_polygon(gap, {{{3, 3}, {0, 3}, {1, 2}, {2, 2}}});
@@ -115,14 +115,14 @@ TEST_CASE("holes at a corner, along a side, side by side, across a part's outsid
   domain two;
   add_polygon(two, {box(0, 0, 4, 4), box(1, 1, 2, 2), box(2, 1, 3, 2)});
   CHECK(areas(accepted(two)) == by_region{{1, 14}});
-  domain beyond;  // a hole outside of its polygon takes nothing from the one it lies in
+  domain beyond;  // a hole outside of its own polygon, inside another
   add_polygon(beyond, {box(0, 0, 4, 4), box(5, 1, 6, 2)});
   add_polygon(beyond, {box(4, 0, 8, 4)});
   CHECK(areas(accepted(beyond)) == by_region{{1, 32}});
 }
 
 TEST_CASE("rings that meet themselves enclose what is inside by parity") {
-  domain inverted;  // a hole that the outer ring itself goes round
+  domain inverted;  // a hole in the form of a loop of the outer ring
   add_polygon(inverted, {{{0, 0}, {4, 0}, {4, 2}, {3, 1}, {3, 3}, {4, 2}, {4, 4}, {0, 4}}});
   CHECK(areas(accepted(inverted)) == by_region{{1, 15}});
   domain spike;
@@ -232,7 +232,8 @@ cell_box random_box(splitmix64& random) {
   return {x, y, x + 1 + below(grid - x), y + 1 + below(grid - y)};
 }
 
-// With a corner at every point of the grid, so that boxes meet in corners alone.
+// Returns the box's ring with a corner at every point of the grid on it, so that boxes meet in
+// corners alone.
 ring corners_of(const cell_box& b, double shake, splitmix64& random) {
   ring corners;
   const auto add = [&](int x, int y) {
@@ -295,7 +296,7 @@ TEST_CASE("random polygons contain what their formats say, cell by cell, and are
     }
     const domain made = accepted(d);
     CHECK(areas(made) == wanted);
-    // Points on no segment stay where the domain is around them.
+    // A point on no segment stays if the domain contains its surroundings.
     domain dotted = d;
     std::vector<point> inside;
     for (int x = 0; x < grid; ++x)

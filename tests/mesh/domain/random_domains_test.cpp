@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Random planar straight-line graphs on a small grid, as dirty as they come: repeated points,
-// overlapping segments, chains that dangle, holes and region points anywhere. Each is refused, or
-// meshed and certified; what the mesh says is held against the points by another route.
+// Random planar straight-line graphs on a small grid, with repeated points, overlapping segments,
+// dangling chains, and holes and region points anywhere. Each is refused, or meshed and certified.
+// Regions and points of the mesh are compared with a second computation.
 #include <catch2/catch.hpp>
 #include <map>
 
@@ -37,7 +37,8 @@ struct random_graph {
     return {static_cast<double>(random.bits() % (grid + 1)),
             static_cast<double>(random.bits() % (grid + 1))};
   }
-  // On no line through two points of the grid, whose slopes and offsets are small fractions.
+  // Returns a point on no line through two points of the grid: these have small fractions as slopes
+  // and offsets.
   point loose_point() {
     const point q = grid_point();
     return {q.x + 0.375 + 0x1p-20, q.y + 0.28125 - 0x1p-21};
@@ -76,14 +77,15 @@ bool in_triangle(const mesh& m, const triangle& t, const point& q) {
   return true;
 }
 
-// Its region; none if it is in no triangle.
+// Returns the region of the triangle that contains the point, none if there is no triangle.
 std::optional<int> region_at(const mesh& m, const point& q) {
   for (std::size_t t = 0; t < m.triangles.size(); ++t)
     if (in_triangle(m, m.triangles[t], q)) return m.regions.empty() ? 1 : m.regions[t];
   return std::nullopt;
 }
 
-// Every point given, and nothing removed, is where the input had it.
+// Checks that region points are in their regions, that holes are in no triangle, and that the mesh
+// covers the same points of a grid as the domain.
 void check_points(const domain& input, const domain& d, const mesh& m) {
   for (const region_point& r : input.regions) CHECK(region_at(m, r.at) == r.number);
   for (const point& hole : input.holes) CHECK_FALSE(region_at(m, hole).has_value());

@@ -113,7 +113,7 @@ TEST_CASE("hostile domains are repaired at every scale, and need no other repair
       const domain clean = repaired(moved(d, scale, offset), repairs);
       CHECK(repairs.any());
       CHECK(repairs.places.size() > 0);
-      // A move is a matter of rounding, or of joining.
+      // Vertices move by rounding or by joining, so by no more than twice the distance.
       CHECK(repairs.greatest_move <= 2 * repairs.distance);
       REQUIRE(check_domain(clean, &second).ok());
       CHECK_FALSE(second.any());

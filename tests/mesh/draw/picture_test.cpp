@@ -24,7 +24,7 @@ std::string drawn(const mesh& m, picture_format format, const picture_options& o
   return picture.value();
 }
 
-// Big-endian, as PNG has it.
+// Reads a big-endian number, as PNG has it.
 unsigned number_at(const std::string& bytes, std::size_t at) {
   unsigned value = 0;
   for (std::size_t i = 0; i < 4; ++i)
@@ -98,7 +98,8 @@ TEST_CASE("tinted triangles are triangles") {
   const std::size_t begin = svg.find("fill:rgb(98%,80%,38%)");
   REQUIRE(begin != std::string::npos);
   const std::string path = svg.substr(begin, svg.find("/>", begin) - begin);
-  // No triangle but an equilateral one, seen from all sides, has no angle below 60 degrees.
+  // Only a triangle that is equilateral in all three metrics has no angle below 60 degrees. So all
+  // triangles are drawn.
   REQUIRE(count(path, "Z") == m.triangles.size());
   REQUIRE(count(path, " L ") == 2 * m.triangles.size());
 }
@@ -151,7 +152,8 @@ TEST_CASE("colours fill every triangle, and a legend stands below") {
   }
   CHECK(all.size() == 7);
   CHECK(svg(picture_by::angle, 20) != svg(picture_by::angle));
-  // As many colours as regions, one of them of two triangles or more and of a box of the legend.
+  // There is a colour for each region. One of them has at least two triangles and a box of the
+  // legend.
   std::map<std::string, int> fills;
   const std::string regions = svg(picture_by::region);
   for (std::size_t at = regions.find("rgb("); at != std::string::npos;
@@ -169,7 +171,7 @@ TEST_CASE("lines hide triangles whose inscribed circle is less than two lines ac
   CHECK(internal::hidden_by_lines(m, 0.99) == std::vector<bool>{false, false});
   CHECK(internal::hidden_by_lines(m, 1.01) == std::vector<bool>{true, false});
   CHECK(internal::hidden_by_lines(m, 1.6) == std::vector<bool>{true, true});
-  // A hundredth of the area, and the rest.
+  // The first set of triangles has a hundredth of the area, the second the rest.
   CHECK_FALSE(internal::are_most(m, {true, false}));
   CHECK(internal::are_most(m, {false, true}));
   CHECK_FALSE(internal::are_most(m, {}));
@@ -181,7 +183,7 @@ TEST_CASE("a mesh finer than lines is coloured by what tells most, and has no li
     options.colours = colours;
     return drawn(m, picture_format::png, options);
   };
-  // Cells of .94 and of 9.4 lines.
+  // Triangles are 0.94 and 9.4 lines wide in the picture.
   mesh m = sample_mesh(350);
   CHECK((shown(m, picture_by::nothing) == shown(m, picture_by::angle)));
   CHECK(
@@ -189,7 +191,7 @@ TEST_CASE("a mesh finer than lines is coloured by what tells most, and has no li
   mesh flat = m;
   for (site& s : flat.sites) s.position.y /= 5;
   CHECK((shown(flat, picture_by::nothing) == shown(flat, picture_by::aspect)));
-  mesh graded = sample_mesh(420);  // by a map that keeps angles
+  mesh graded = sample_mesh(420);  // an angle-preserving map
   for (site& s : graded.sites) {
     const auto [x, y] = s.position;
     s.position = {std::exp(0.7 * x) * std::cos(0.7 * y), std::exp(0.7 * x) * std::sin(0.7 * y)};

@@ -26,7 +26,7 @@ std::string page_of(const mesh& m, const report_facts& facts = {}) {
   return page.value();
 }
 
-// The text of the page's script element with this identifier.
+// Returns the text of the page's script element with this identifier.
 std::string part(const std::string& page, const std::string& id) {
   const std::size_t tag = page.find("id=\"" + id + "\">", page.find("</noscript>"));
   REQUIRE(tag != std::string::npos);
@@ -58,7 +58,8 @@ std::string inflated(const std::string& compressed, std::size_t length) {
   return bytes;
 }
 
-// A number of an array of which `planes` begins at `start`.
+// Returns number i of an array stored in planes: first the first bytes of all numbers, then the
+// second ones. `planes` has it from `start` on.
 template <class Number>
 Number number_at(const std::string& planes, std::size_t start, std::size_t length, std::size_t i) {
   char bytes[sizeof(Number)];

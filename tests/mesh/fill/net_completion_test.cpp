@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes nets of sites that are given badly, and asks every point of a fine grid whether it is
-// covered.
+// Makes nets of badly placed sites, and checks for every point of a fine grid that a site covers
+// it.
 #include "asterism/mesh/fill/net_completion.hpp"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ TEST_CASE("whatever was proposed, a net covers the domain and keeps its spacing"
         const std::vector<site> all = all_sites(d, *field, proposed);
         CHECK(farthest_squared(d, all) <= covering * covering);
         check_spacing(all, all.size() - proposed.interior.size());
-        // A net is left as it is.
+        // Sites that are a net already stay as they are.
         filled_domain again = proposed;
         const auto same =
             complete_net(d, *field, {.covering = covering, .spacing = spacing}, again);

@@ -14,7 +14,7 @@ using namespace asterism::internal;
 
 namespace {
 
-using claim = std::pair<vertex_index, vertex_index>;  // the star, and the site that claims it
+using claim = std::pair<vertex_index, vertex_index>;  // star, and the site that claims it
 
 claim_list listed(const std::vector<claim>& claims) {
   claim_list list;
@@ -41,7 +41,7 @@ std::vector<claim> random_claims(splitmix64& random, std::size_t count, std::siz
   return claims;
 }
 
-// Compares with a map of the claims, which is filled in their order.
+// Compares with a map of the claims, inserted in the same order as the claims.
 void check_sorted(const std::vector<claim>& claims, std::size_t first, std::size_t last) {
   std::map<vertex_index, std::vector<vertex_index>> expected;
   for (const auto& [star, by] : claims)

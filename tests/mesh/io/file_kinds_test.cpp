@@ -17,7 +17,7 @@ namespace {
 
 std::string yes_if(bool is_so) { return is_so ? " yes |" : " |"; }
 
-// Returns the table of the manual as it is to be.
+// Returns the table as the manual must have it.
 std::string table_of_kinds() {
   std::string table = "| extension | written | read | holds |\n|---|---|---|---|\n";
   for (const file_kind& kind : file_kinds())
@@ -47,7 +47,7 @@ TEST_CASE("who reads and who writes a file agree with its row") {
     const auto format = mesh_format_of(name);
     CHECK(format.ok() == is_written_kind(kind));
     if (format) CHECK(kept_in(format.value()).second_order == holds_second_order(format.value()));
-    // A file that is not there is missed, not called unknown.
+    // A file that does not exist is reported as missing, not as an unknown domain.
     const bool is_read = is_mesh_kind(kind) || is_domain_kind(kind);
     const auto loaded = load_domain("no/such/folder/" + name);
     REQUIRE_FALSE(loaded.ok());

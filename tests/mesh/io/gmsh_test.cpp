@@ -19,7 +19,7 @@ namespace {
 
 mesh mesh_with_markers() {
   mesh m = divided_mesh(5);
-  for (boundary_edge& e : m.boundary) e.marker -= 2;  // -1, 0, 1, 2, 3
+  for (boundary_edge& e : m.boundary) e.marker -= 2;  // markers -1, 0, 1, 2, 3
   return m;
 }
 

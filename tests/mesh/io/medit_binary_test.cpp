@@ -22,8 +22,8 @@ using tests::temporary_directory;
 
 namespace {
 
-// A file in any version and order of bytes: a triangle, an edge with the marker 7, and a section
-// of no meaning here.
+// Returns a file of any version and byte order, with a triangle, an edge with marker 7, and a
+// section that readers pass over.
 struct written_by_hand {
   written_by_hand(int version, bool swapped) : version_(version), swapped_(swapped) {
     put(1, 4);
@@ -39,7 +39,7 @@ struct written_by_hand {
       whole(0);
     }
     close();
-    head(14);  // Ridges
+    head(14);  // number of the section Ridges
     count(1);
     whole(1);
     close();

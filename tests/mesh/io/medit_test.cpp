@@ -39,8 +39,8 @@ void require_same(const mesh& a, const mesh& b) {
   }
 }
 
-// A file as other programs write them: keywords in another order, counts on the keyword's line,
-// sections that mean nothing here, comments.
+// A file as other programs write it: keywords in another order, counts on the keyword's line,
+// sections that are passed over, comments.
 const std::string foreign_mesh =
     "MeshVersionFormatted 1\n"
     "# made elsewhere\n"

@@ -90,7 +90,7 @@ TEST_CASE("region numbers are whole numbers, however they are written") {
   REQUIRE(d.value().regions.size() == 4);
   REQUIRE(d.value().regions[0].number == -2);
   REQUIRE(d.value().regions[1].number == 1000);
-  REQUIRE(d.value().regions[1].largest_area == 0);  // Triangle's way to say: no limit
+  REQUIRE(d.value().regions[1].largest_area == 0);  // in Triangle's format: no limit
   REQUIRE(d.value().regions[3].number == 2147483647);
   REQUIRE(d.value().regions[3].largest_area == 2);
   for (const std::string bad : {"0.5", "2147483648", "-2.5"}) {

@@ -80,7 +80,7 @@ TEST_CASE("well-known text gives the same domain as GeoJSON") {
 }
 
 TEST_CASE("a feature has its region although the line halfway up meets corners of a hole") {
-  // No line through the square misses the hole's corners but the one halfway between them.
+  // The horizontal line through the middle of the square meets two corners of the hole.
   const temporary_directory here("halfway");
   const auto read =
       read_geojson(here.write("a.geojson", R"({"type": "FeatureCollection", "features": [
@@ -231,7 +231,8 @@ TEST_CASE("rings that go there and back are dropped wherever they are, and no ot
   const temporary_directory here("flat-rings");
   splitmix64 random(22);
   for (int round = 0; round < 300; ++round) {
-    // Up to twelve corners and back over them, far from the origin now and then.
+    // A ring that visits up to twelve corners and returns over them, in some rounds far from the
+    // origin.
     std::vector<point> there;
     const double at = round % 3 == 0 ? 1e9 : 0;
     const std::size_t count = 2 + random.bits() % 11;
@@ -248,7 +249,7 @@ TEST_CASE("rings that go there and back are dropped wherever they are, and no ot
     REQUIRE(flat.ok());
     CHECK(flat.value().segments.size() == 4);
     CHECK(flat.value().origin.notes.size() == 1);
-    // One step aside makes it a ring that encloses something, however little.
+    // With one corner moved by a unit in the last place, the ring encloses an area.
     if (there.size() < 3) continue;
     read.polygons[0].rings[1][there.size()].y = std::nextafter(ring[there.size()].y, 1e300);
     const auto thin = domain_of_polygons(read, "thin");

@@ -36,7 +36,7 @@ def run(*command, **options):
 
 
 def numbers_of(path, section, columns, convert):
-    """Rows of a section of a text file of ours."""
+    """Returns the rows of a section of one of the command's text files."""
     words = iter(path.read_text(encoding="ascii").split("\n"))
     for line in words:
         if line == section:
@@ -48,7 +48,7 @@ def numbers_of(path, section, columns, convert):
 
 
 def rounded(rows):
-    """The numbers as a float holds them."""
+    """Returns the numbers rounded to floats."""
     return [[struct.unpack("f", struct.pack("f", x))[0] for x in row] for row in rows]
 
 

@@ -52,7 +52,8 @@ def check_vtu(directory, expected):
 
 
 def least_angle(sites, triangle):
-    """By another route than the library's: map by a square root of the metric, then use arccos."""
+    """Computes the angle by another route than the library: maps by a square root of the metric, then takes
+    arccos."""
     least = 180.0
     for vertex in triangle:
         m11, m12, m22 = sites[vertex, 2:]

@@ -28,8 +28,8 @@ void add_cells(vertex_index n, const At& at, mesh& m) {
   }
 }
 
-// n x n cells on [-1,1]^2 with the inner sites moved a little, each cut into two triangles; the
-// four corners are the given sites; the metric is I + 12 p p^T.
+// Makes n x n cells on [-1,1]^2, each cut into two triangles, with the inner sites moved slightly.
+// The given sites are the four corners; the metric is I + 12 p p^T.
 inline mesh sample_mesh(vertex_index n) {
   mesh m;
   std::map<std::pair<vertex_index, vertex_index>, vertex_index> number;

@@ -120,7 +120,7 @@ TEST_CASE("point data of a .vtu, as text and as base64") {
                "<DataArray type=\"Float32\" Name=\"v\" NumberOfComponents=\"3\" format=\"ascii\">\n"
                "1 2 0 3 4 0 5 6 0</DataArray>\n"
                "<DataArray type=\"Int32\" Name=\"id\" format=\"ascii\">1 2 3</DataArray>\n"
-               // 24, then 1.5, -2, 0.1 as doubles
+               // The number of bytes, 24, then 1.5, -2, 0.1 as doubles.
                "<DataArray type=\"Float64\" Name=\"b\" format=\"binary\">\n"
                "GAAAAAAAAAAAAPg/AAAAAAAAAMCamZmZmZm5Pw==\n</DataArray>\n"));
   REQUIRE(s.fields.size() == 3);
@@ -130,7 +130,8 @@ TEST_CASE("point data of a .vtu, as text and as base64") {
 }
 
 TEST_CASE("compressed arrays of a .vtu are read, in blocks, and refused where they are spoiled") {
-  // 1.5, -2, 0.1 as doubles in two blocks of 16 bytes, the last of 8, each compressed by zlib.
+  // The doubles 1.5, -2, 0.1 in two blocks of 16 bytes, the second of 8 bytes, each compressed by
+  // zlib.
   const std::string header = "AgAAABAAAAAIAAAAEQAAAA4AAAA=";
   const std::string blocks = "eJxjYACBH/YMEHAAAAy3Afh4nJs1EwR22gMAFXoEkA==";
   const auto file = [](const std::string& compressor, const std::string& content) {
@@ -155,7 +156,8 @@ TEST_CASE("compressed arrays of a .vtu are read, in blocks, and refused where th
   refused("AgAAAAAAAAAIAAAAEQAAAA4AAAA=" + blocks, "do not have 24 bytes");
   refused("AgAAABAAAAAIAAAA/////w4AAAA=" + blocks, "longer than the file");
   refused(header + "AAAA" + blocks.substr(4), "is damaged");
-  // No blocks at all, of no bytes and of as many as a sum of sizes wraps around.
+  // Headers with no blocks, with blocks of no bytes, and with so many blocks that the sum of their
+  // sizes wraps around.
   refused("AAAAAAAAAAAAAAAA",
           "0 compressed blocks of 0 bytes, the last of 0, do not have 24 bytes");
   refused("AAAAAP////8AAAAA", "do not have 24 bytes");
@@ -200,7 +202,7 @@ TEST_CASE("arrays of a .vtu at one place are no more than the file can hold") {
         "<PointData>";
     for (int i = 0; i < arrays; ++i)
       text += "<DataArray type=\"Float64\" Name=\"a\" offset=\"0\" format=\"appended\"/>";
-    // 800, then as many bytes of 0.
+    // The number of bytes, 800, then 800 bytes of 0.
     return text + "</PointData></Piece></UnstructuredGrid><AppendedData encoding=\"base64\">_IAMA" +
            std::string(1068, 'A') + "</AppendedData></VTKFile>";
   };
@@ -214,7 +216,7 @@ TEST_CASE("arrays of a .vtu at one place are no more than the file can hold") {
 }
 
 TEST_CASE("a .vtu mesh of so many points that products with their number wrap is refused") {
-  // Three times the number of points is 2 in 64 bits.
+  // In 64 bits, three times this number of points is 2.
   const temporary_directory folder("wrapped");
   const auto made = read_mesh(folder.write(
       "m.vtu",

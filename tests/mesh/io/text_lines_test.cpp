@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers written are read back bit by bit, and are no longer than that takes.
+// Numbers that are written are read back bit by bit, and no shorter text would be.
 #include "asterism/mesh/io/text_lines.hpp"
 
 #include <bit>
@@ -41,7 +41,7 @@ void hold_stand_in(double x) {
   REQUIRE(false);
 }
 
-// Reads by two routes: the project's, and the C library's.
+// Reads by two routes: the project's and the C library's.
 void hold(double x) {
   const std::string text = written(x);
   const auto bits = std::bit_cast<std::uint64_t>(x);
@@ -54,9 +54,9 @@ void hold(double x) {
   REQUIRE(false);
 }
 
-// A decimal of fewer digits that reads back the same would be the nearest one of that many, but at
-// a power of two, whose neighbour below is nearer than the one above. Of an integer all digits are
-// written where an exponent is not shorter.
+// Any shorter decimal that reads back the same would be the nearest one with as many digits. Powers
+// of two are an exception: their neighbour below is nearer than the one above. All digits of an
+// integer are written unless an exponent is shorter.
 void hold_shortest(double x) {
   const std::string shown = written(x);
   const int digits = digits_of(shown);

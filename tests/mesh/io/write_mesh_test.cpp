@@ -130,7 +130,7 @@ std::string vtu_bytes(const mesh& m) {
   return internal::bytes_of([&m](const byte_sink& put) { write_vtu(m, {}, put); });
 }
 
-// The numbers of an array of integers, fewer than 64.
+// Returns the numbers of an array of integers, fewer than 64.
 std::vector<double> integers_of(const std::string& file, const std::string& name) {
   const std::size_t tag = file.find("Name=\"" + name + "\"");
   const std::size_t begin = file.find(">\n", tag) + 2;
@@ -153,8 +153,7 @@ TEST_CASE("a .vtu file is text all through, as readers of XML want it") {
   CHECK(std::all_of(text.begin(), text.end(),
                     [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
   CHECK(text.find("AppendedData") == std::string::npos);
-  // Arrays of more bytes than are encoded at a time, and of numbers of bytes that 3 does not
-  // divide.
+  // Arrays longer than one block of the encoder, and of lengths that 3 does not divide.
   const mesh m = sample_mesh(60);
   const auto read = read_vtu_mesh(vtu_bytes(m), "m.vtu");
   REQUIRE(read.ok());

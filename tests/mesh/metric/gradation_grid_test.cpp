@@ -11,7 +11,7 @@ using namespace asterism::internal;
 
 namespace {
 
-// A grid split at random, more often in one corner: deep cells beside coarse ones.
+// A grid split at random, more often in one corner, so that deep cells are beside coarse ones.
 gradation_grid random_grid(const bounding_box& box, int splits, std::uint64_t seed) {
   gradation_grid grid(box);
   std::mt19937_64 random(seed);

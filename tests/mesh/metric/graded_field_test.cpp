@@ -34,13 +34,14 @@ graded_metric graded(const std::string& specification, double size, double beta,
   return std::move(done).value();
 }
 
-// From -1 to 1; the engine is the same everywhere, the standard's distributions are not.
+// Draws from -1 to 1. The engine gives the same numbers everywhere, and the standard's
+// distributions do not.
 double uniform(std::mt19937_64& random) {
   return 2 * (static_cast<double>(random() >> 11U) * 0x1p-53) - 1;
 }
 
-// The least s for which N >= (1 + s d)^-2 M, from the smaller root of det(N - c M) = 0. By
-// Cramer's rule and not by the code under test.
+// Returns the least s with N >= (1 + s d)^-2 M, from the smaller root of det(N - c M) = 0. Uses
+// Cramer's rule, which the code under test does not.
 double growth_rate(const metric_tensor& m, const metric_tensor& n, double d) {
   const double dm = m.m11 * m.m22 - m.m12 * m.m12, dn = n.m11 * n.m22 - n.m12 * n.m12;
   const double half = (m.m22 * n.m11 - 2 * m.m12 * n.m12 + m.m11 * n.m22) / dm / 2;
@@ -48,8 +49,8 @@ double growth_rate(const metric_tensor& m, const metric_tensor& n, double d) {
   return (1 / std::sqrt(c) - 1) / d;
 }
 
-// Growth rates over sigma, of pairs of points at distances from 1/2 to 3 as the first measures
-// them; ascending.
+// Returns growth rates divided by sigma, ascending, of random pairs of points. Their distances are
+// from 1/2 to 3 in the first point's metric.
 std::vector<double> measured_rates(const metric_field& subject, double beta, int pairs) {
   std::mt19937_64 random(7);
   std::vector<double> rates;
@@ -163,7 +164,7 @@ TEST_CASE("scaling box and size by a power of two scales the graded field") {
     const metric_tensor s = scaled.field->at({0.3 * f, 0.01 * f}).value();
     REQUIRE(std::ldexp(s.m22, 2 * exponent) == Approx(m.m22).epsilon(1e-9));
   }
-  // A box far from the origin, and a thin one.
+  // Also takes a box far from the origin, and a thin one.
   REQUIRE(graded("linear", 1, 1.1, {{1e8, 1e8}, {1e8 + 2, 1e8 + 2}}).report.settled);
   REQUIRE(graded("swirl:24", 0.3, 1.1, {{-1, 0}, {1, 1e-3}}).report.settled);
 }

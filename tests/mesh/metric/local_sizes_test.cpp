@@ -138,13 +138,13 @@ TEST_CASE("markers and regions that are not there are named with those that are"
 
 TEST_CASE("layers shorten across the wall alone", "[local_sizes]") {
   const domain d = two_halves();
-  const double edge = 2 / std::sqrt(3.0);  // of a triangle as high as 1
+  const double edge = 2 / std::sqrt(3.0);  // edge of an equilateral triangle of height 1
   const auto field = field_of("layers 3:0.01,1.2", d, 0.3);
   const metric_tensor m = field->at({0.5, 0.9}).value();
   CHECK(1 / std::sqrt(m.m22) == Approx(edge * (0.01 + 0.2 * 0.1)));
   CHECK(m.m12 == Approx(0).margin(1e-9));
   CHECK(1 / std::sqrt(m.m11) <= 0.3 * (1 + 1e-12));
-  // Both sides of a segment inside.
+  // Layers on both sides of an internal segment.
   const auto inner = field_of("layers 9:0.01,1.2", d, 0.3);
   for (const double x : {-0.05, 0.05})
     CHECK(1 / std::sqrt(inner->at({x, 0}).value().m11) == Approx(edge * (0.01 + 0.2 * 0.05)));

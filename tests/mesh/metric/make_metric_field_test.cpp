@@ -91,7 +91,7 @@ TEST_CASE("a tensor that is no metric is refused with point and numbers") {
 }
 
 TEST_CASE("definiteness is decided exactly") {
-  // The determinant is 2^-105; in doubles both products round to the same number.
+  // The determinant is 2^-105, and in doubles its two products round to the same number.
   const double e = 0x1p-52;
   const auto tensor = [&](double m11) {
     return "expr:" + std::to_string(static_cast<int>(m11)) + "+2^-51;1+2^-52;1";
@@ -195,7 +195,7 @@ TEST_CASE("the benchmarks have their published values on the unit square") {
 }
 
 TEST_CASE("the benchmarks scale with the box") {
-  // Twice the square: lengths are twice as long, tensors a quarter.
+  // On the square twice as large, lengths are twice as long and tensors a quarter.
   REQUIRE(value("linear", {-0.4, 0}).m22 == Approx(250000));
   REQUIRE(value("polar-1", {0, -1}).m11 == Approx(250000));
   REQUIRE(value("circle-1", {0, 0}, unit_box, 0.5).m11 == Approx(4000000));
@@ -209,7 +209,7 @@ TEST_CASE("layered fields with bad parameters are refused with the reason") {
   REQUIRE_THAT(refusal("shock:-3"), Catch::Contains("A must be positive, not -3"));
   REQUIRE_THAT(refusal("linear:2"), Catch::Contains("linear takes no parameter"));
   REQUIRE_FALSE(make_metric_field("polar-1", {{1, 1}, {1, 1}}).ok());
-  // A tensor beyond the range of doubles is told when it is met.
+  // A tensor beyond the range of doubles is an error at the point where it is evaluated.
   REQUIRE_FALSE(make_metric_field("layer:1e-200,1", unit_box).value()->at({0, -1}).ok());
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("the manual, help and errors have the metrics that there are") {
     table += "| `" + given + "` | " + std::string(metric.sentence) + " |\n";
     CHECK(formulas.find("\n| `" + given + "` |") != std::string::npos);
     CHECK(refused.find(given) != std::string::npos);
-    // What may be left out is in brackets; all but three formulas may.
+    // Optional arguments are in brackets. All formulas but three have only optional ones.
     const bool may_be_left_out = metric.arguments.empty() || metric.arguments.front() == '[';
     CHECK(make_metric_field(metric.name, unit_box).ok() == may_be_left_out);
   }

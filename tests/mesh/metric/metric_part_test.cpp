@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Inside its window a part of a field equals the whole field bit for bit; beyond its margin it
-// fails.
+// Inside its window a part of a field equals the whole field bit for bit. Beyond its margin,
+// evaluating it is an error.
 #include "asterism/mesh/metric/metric_part.hpp"
 
 #include <catch2/catch.hpp>
@@ -70,7 +70,7 @@ TEST_CASE("a part fails where no triangle is within its margin") {
   const double width = whole.high.x - whole.low.x;
   const auto field = make_interpolated_field(background);
   bounding_box window = whole;
-  window.high.x += width;  // as far beyond the mesh as the mesh is wide; the margin is a quarter
+  window.high.x += width;  // one width beyond the mesh; the margin is a quarter
   const auto part = part_of(*field, window);
   REQUIRE(part.has_value());
   const auto small = make_field_of_part(*part);
@@ -95,7 +95,7 @@ TEST_CASE("bytes of a part that were cut off or changed are refused") {
     CHECK_FALSE(metric_part_in(bytes.substr(0, length), "a part").ok());
   CHECK_FALSE(metric_part_in(bytes + "x", "a part").ok());
   std::string other = bytes;
-  other.back() = '\x7f';  // the number of a corner
+  other.back() = '\x7f';  // makes the number of a corner invalid
   CHECK_FALSE(metric_part_in(other, "a part").ok());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares the bound of how fast a field varies with formulas whose variation is known, and with
-// the definition: lengths at pairs of points.
+// Compares the bound of a field's variation with formulas whose variation is known, and with the
+// definition: lengths at pairs of points.
 #include "asterism/mesh/metric/variation_bound.hpp"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ double steepest_pair(const metric_field& f, const bounding_box& b, std::uint64_t
   return steepest;
 }
 
-// Adds the halves of the n by n cells between vertices that are there row by row.
+// Adds two triangles for each of n by n cells, whose vertices exist row by row.
 void add_grid_triangles(mesh& m, vertex_index n) {
   for (vertex_index j = 0; j < n; ++j)
     for (vertex_index i = 0; i < n; ++i) {
@@ -78,13 +78,14 @@ void add_grid_triangles(mesh& m, vertex_index n) {
 TEST_CASE("how fast a field varies is what its formula says, where that is known by hand") {
   const domain unit = box(0, 0, 1, 1), wide = box(0, 0, 4, 1);
   CHECK(bound_of("identity", unit, 0.1) == 0);
-  // Lengths wanted across the layer grow by H1 - H0 per unit of length: so does the metric's scale.
+  // The length wanted across the layer grows by H1 - H0 per unit of length, and so does the scale
+  // of the metric.
   CHECK(bound_of("layer:0.3,1", unit, 0.3) == Approx(0.21).epsilon(0.02));
   CHECK(bound_of("layer:0.3,1", wide, 0.3) == Approx(0.21 / 4).epsilon(0.02));
   CHECK(bound_of("linear", unit, 1) == Approx(0.198).epsilon(0.02));
-  // A round metric e^(2 x): per unit of its length e^(-x), greatest at x = 0.
+  // The round metric e^(2 x) varies by e^(-x) per unit of its length, most at x = 0.
   CHECK(bound_of("expr:exp(2*x);0;exp(2*x)", unit, 0.5) == Approx(0.5).epsilon(0.02));
-  // 1 / x^2 in a half-plane, hyperbolic: 1 everywhere.
+  // The hyperbolic metric 1 / x^2 of a half-plane varies by 1 everywhere.
   CHECK(bound_of("expr:x^-2;0;x^-2", box(1, 0, 9, 2), 0.25) == Approx(0.25).epsilon(0.02));
 }
 
@@ -116,10 +117,11 @@ TEST_CASE("layers that turn are bounded tightly, also around the centre of their
     CAPTURE(*found.above, found.seen);
     CHECK(*found.above <= 1.03 * found.seen);
     CHECK(steepest_pair(*given, d.box(), 44) <= *found.above * (1 + 1e-9));
-    // Near the corner that is the centre of polar-1 and polar-2.
+    // Takes pairs near the corner that is the centre of polar-1 and polar-2.
     CHECK(steepest_pair(*given, {{-1, -1}, {-0.99, -0.99}}, 45) <= *found.above * (1 + 1e-9));
   }
-  // On the thinnest circle the metric varies most, by the turn of its direction alone.
+  // Lengths across circles are least on this one, and the metric varies most there, since its
+  // direction turns.
   for (const auto& [spec, centre, radius] :
        {std::tuple("polar-1", point{-1, -1}, 1.0), std::tuple("circle-1", point{-2, 0}, 2.0)}) {
     CAPTURE(spec);
@@ -196,11 +198,11 @@ TEST_CASE("a field on a mesh is bounded in each triangle") {
   CHECK(pairs <= *found.above * (1 + 1e-9));
   CHECK(*found.above <= 1.03 * found.seen);
   CHECK(pairs > 0.5 * *found.above);
-  // Bounds a corner of the mesh by the triangles that meet it, and no others.
+  // A corner of the mesh is bounded by the triangles that meet the box, and by no others.
   const variation_bounds corner = bound_variation(box(0, 0, 0.125, 0.125), *given);
   REQUIRE(corner.above);
   CHECK(*corner.above <= *found.above);
-  // Beside the mesh nothing is known.
+  // Beside the mesh no triangle gives a bound.
   const variation_bounds beside = bound_variation(box(5, 5, 6, 6), *given);
   CHECK_FALSE(beside.above);
   CHECK(beside.obstacle.find("no triangle") != std::string::npos);
@@ -225,7 +227,7 @@ TEST_CASE("where a field may jump, or its formula is not known, there is no boun
   const domain d = box(-1, -1, 1, 1);
   for (const auto& [spec, said] :
        {std::pair("expr:(x>0.1)?100:1;0;1", "near (0."),
-        // Comparisons that a NaN, or a power of a negative number, decides.
+        // Formulas in which a comparison with NaN, or with a power of a negative number, decides.
         std::pair("expr:x^101<-0.5?1:2;0;1", "near"), std::pair("expr:sqrt(x)>=0?1:2;0;1", "near"),
         std::pair("expr:tanh(sqrt(x))<2?1:2;0;1", "near"),
         std::pair("expr:ln(x+0.5)<5&&x<2?1:2;0;1", "near"),

@@ -20,7 +20,7 @@ point at(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-// A site in the middle of so many others on a circle, and its star.
+// Holds a site surrounded by others on a circle, and its star.
 struct wheel {
   std::vector<site> sites{{{0, 0}, {1, 0, 1}}};
   approximate_star star;
@@ -36,8 +36,8 @@ struct wheel {
   }
 };
 
-// True if q is nearer than the sites of the gap that contains its direction to the Voronoi vertex
-// of that gap.
+// True if q is nearer than the gap's sites to the Voronoi vertex of the gap that contains q's
+// direction.
 bool is_nearer_to_a_vertex(const wheel& w, const point& q) {
   for (std::size_t i = 0; i < w.star.size(); ++i) {
     const point &y = w.sites[w.star[i].neighbour].position,
@@ -50,7 +50,7 @@ bool is_nearer_to_a_vertex(const wheel& w, const point& q) {
   return false;
 }
 
-// Sites on an even grid that is moved a little, in a metric that turns and stretches.
+// Returns sites on a grid, moved slightly, in a metric that rotates and stretches.
 std::vector<site> sites_in_turning_metric(int n) {
   splitmix64 random(5);
   std::vector<site> sites;
@@ -75,7 +75,7 @@ std::vector<vertex_index> sites_near(const std::vector<site>& sites, vertex_inde
   return near;
 }
 
-// Returns how many triangles of stars of inner sites are not in the star of another corner.
+// Returns how many triangles in the stars of inner sites are missing in the star of another corner.
 template <class Build>
 std::size_t disagreeing(const std::vector<site>& sites, int n, const Build& build) {
   std::vector<std::vector<vertex_index>> stars(sites.size());
@@ -113,7 +113,7 @@ TEST_CASE("careful stars agree where those of the hull do not", "[star]") {
 }
 
 TEST_CASE("of sites on one ray a careful star has the nearest alone", "[star]") {
-  // The metrics vary, so that the hull has farther ones as well.
+  // Metrics vary, so that farther sites of the ray are on the hull too.
   std::vector<site> sites{{{0, 0}, {1, 0, 1}}, {{1, 2}, {1, 0, 1}}, {{-1, 2}, {1, 0, 1}}};
   for (int i = 1; i < 6; ++i) {
     sites.push_back({{static_cast<double>(i), 0}, {1.0 / i, -0.3 / i, 1.0 / i}});

@@ -39,8 +39,8 @@ bool nearly_equal(double a, double b) { return std::abs(a - b) <= 1e-7 * (a + b)
 constexpr int cells_a_side = 400;
 constexpr double cell_width = 8.0 / cells_a_side;
 
-// Returns where f_a - f_other changes its sign along the sides of the cell with this lower left
-// corner, by linear interpolation.
+// Returns the points on the sides of the cell with this lower left corner at which f_a - f_other
+// changes its sign, by linear interpolation.
 std::vector<point> crossings_of_sides(const site& a, const site& other, const point& corner) {
   const auto g = [&](const point& q) {
     return squared_distance(a, q) - squared_distance(other, q);
@@ -60,8 +60,8 @@ std::vector<point> crossings_of_sides(const site& a, const site& other, const po
   return found;
 }
 
-// Returns the middles of the small cells of a box in which the bisector of a and b passes from one
-// side of the bisector of a and c to the other: there is a zero of both in each.
+// Returns the middles of the small cells of a box in which the bisector of a and b crosses that of
+// a and c: each contains a zero of both.
 std::vector<point> cells_with_crossings(const site& a, const site& b, const site& c) {
   std::vector<point> cells;
   for (int i = 0; i < cells_a_side; ++i)
@@ -196,7 +196,7 @@ TEST_CASE("angles are measured from every vertex, and err towards low") {
     CHECK(angle_requirement(20).is_low(t));
     CHECK(smallest_angle(t) < 20);
   }
-  // An angle of 45 degrees exactly is not certain to meet a bound of 45: it counts as low.
+  // 45 degrees, as rounded, is not certainly above a bound of 45, and counts as low.
   const triangle_sites right{{{{0, 0}, unit}, {{1, 0}, unit}, {{0, 1}, unit}}};
   CHECK(angle_requirement(45).is_low(right));
   CHECK_FALSE(angle_requirement(44.999).is_low(right));
@@ -213,12 +213,12 @@ TEST_CASE(
     const double bound = std::array{0.1, 1.0, 20.0, 50.0}[static_cast<std::size_t>(k % 4)];
     const double beside = std::pow(10, random.real(-9, -3)) * (k % 8 < 4 ? 1 : -1);
     const double first = bound * (1 + beside) * std::numbers::pi / 180, second = random.real(1, 2);
-    // The triangle as its metric L L^T sees it, and where it is.
+    // Places a triangle with known angles in the metric L L^T.
     const double l11 = std::exp(random.real(-2, 2)), l22 = std::exp(random.real(-2, 2)),
                  l21 = random.real(-1, 1) * std::pow(10, random.real(-2, 2)) * l22;
     const metric_tensor m{l11 * l11, l11 * l21, l21 * l21 + l22 * l22};
     const double height = 1 / (1 / std::tan(first) + 1 / std::tan(second));
-    const auto place = [&](double x, double y) {  // L^-T of it
+    const auto place = [&](double x, double y) {  // maps by L^-T
       return point{(x - l21 * (y / l22)) / l11, y / l22};
     };
     const triangle_sites t{

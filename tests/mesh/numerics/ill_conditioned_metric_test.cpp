@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Thin metrics against quadruple precision, which holds each product of two doubles.
+// Compares measures in metrics of great aspect with quadruple precision, in which products of two
+// doubles are exact.
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,7 +23,8 @@ __extension__ using quadruple = __float128;
 
 constexpr double aspects[] = {300, 1e4, 1e6, 3e7};
 
-// Length 1 along `degrees`, 1 / aspect across; positive definite as rounded, to an aspect of 3e7.
+// Returns the tensor with length 1 along `degrees` and 1 / aspect across. It is positive definite
+// as rounded up to an aspect of 3e7.
 metric_tensor turned(double aspect, double degrees) {
   const double turn = degrees * std::numbers::pi / 180, c = std::cos(turn), s = std::sin(turn);
   const double w = 1 / (aspect * aspect);
@@ -33,13 +35,14 @@ double exact_determinant(const metric_tensor& m) {
   return static_cast<double>(quadruple(m.m11) * m.m22 - quadruple(m.m12) * m.m12);
 }
 
-// Exact but for the last bits of 113 when the terms are not far apart.
+// Exact except for the last of 113 bits, if the terms are of similar size.
 double exact_squared_length(const metric_tensor& m, double x, double y) {
   return static_cast<double>(m.m11 * (quadruple(x) * x) + 2 * m.m12 * (quadruple(x) * y) +
                              m.m22 * (quadruple(y) * y));
 }
 
-// A triangle seen as equilateral but for its height, placed along the long direction.
+// Returns a triangle placed along the long direction. In the metric it is equilateral except for
+// its height.
 triangle_sites thin_triangle(double aspect, double degrees, double height) {
   const metric_tensor m = turned(aspect, degrees);
   const round_coordinates round({0, 0}, m);
@@ -51,7 +54,7 @@ triangle_sites thin_triangle(double aspect, double degrees, double height) {
 
 TEST_CASE("thin: which metrics are") {
   CHECK_FALSE(is_thin({1, 0, 1}));
-  CHECK_FALSE(is_thin({1, 0, 1e-20}));  // nothing cancels
+  CHECK_FALSE(is_thin({1, 0, 1e-20}));  // nothing cancels here
   CHECK_FALSE(is_thin(turned(100, 45)));
   for (const double aspect : aspects) CHECK(is_thin(turned(aspect, 30)));
 }
@@ -100,7 +103,7 @@ TEST_CASE("thin: in round coordinates the metric is the identity and lengths sta
 }
 
 TEST_CASE("thin: equal tensors differ by nothing") {
-  // Rounding made it 1.01 at an aspect of 1e6, and a metric that is constant steep.
+  // Before, rounding gave 1.01 at an aspect of 1e6, so that a constant metric seemed to vary fast.
   for (const double aspect : aspects)
     for (const double degrees : {10.0, 45.0, 80.0}) {
       const metric_tensor m = turned(aspect, degrees);
@@ -126,7 +129,7 @@ TEST_CASE("thin: circumradius and angles are those of the triangle as the metric
 }
 
 TEST_CASE("thin: no good triangle is taken for low") {
-  // In doubles the error terms were larger than the sides: everything was low from 1e7 on.
+  // Before, in doubles, error terms exceeded the sides from 1e7 on, and every angle counted as low.
   const angle_requirement twenty(20);
   for (const double aspect : aspects)
     for (const double degrees : {10.0, 45.0, 80.0}) {

@@ -108,7 +108,7 @@ TEST_CASE("equal tensors were infinitely different when their entries are 1e400 
 }
 
 TEST_CASE("distortion of tensors whose determinants leave the range of doubles") {
-  // It was 1 whatever the tensors, so that a jump of such a metric was none.
+  // Before, it was 1 for all tensors of such size, so that no jump was found.
   for (const double scale : {0x1p800, 0x1p-800, 0x1p-1000, 0x1p1000})
     CHECK(distortion({scale, 0, scale}, {4 * scale, 0, scale / 4}) == 2);
 }
@@ -122,7 +122,7 @@ TEST_CASE("aspect is the root of the condition number, whatever the size of the 
 }
 
 TEST_CASE("variation is per unit of the smaller length") {
-  // Twice as long at q: tau = 2; lengths 3 and 6.
+  // Lengths are twice as long at q: tau = 2, and the edge has lengths 3 and 6.
   CHECK(variation({{0, 0}, {1, 0, 1}}, {{3, 0}, {4, 0, 4}}) == Approx(0.5 / 3));
   CHECK(variation({{0, 0}, {1, 0, 1}}, {{3, 0}, {1, 0, 1}}) == 0);
 }

@@ -22,7 +22,7 @@ TEST_CASE("Quick logarithms and exponentials are off by no more than they say") 
     worst_log = std::max(worst_log, std::abs(quick_log(x) - elementary::log(x)) /
                                         std::max(1.0, std::abs(elementary::log(x))));
     worst_exp = std::max(worst_exp, std::abs(quick_exp(power) / x - 1));
-    // Near 1, where the logarithm is small.
+    // Values near 1 have a small logarithm.
     const double near = 0.5 + 1.5 * i / steps;
     worst_log = std::max(worst_log, std::abs(quick_log(near) - elementary::log(near)));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Products beyond the range of doubles against 100 digits.
+// Compares products beyond the range of doubles with 100 digits.
 #include "asterism/mesh/support/wide_range.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -31,7 +31,7 @@ TEST_CASE("a determinant whose products leave the range of doubles, to the last 
                  scale = any_size(random);
     const wide_range value = wide_range(a) * wide_range(c) - wide_range(b) * wide_range(b);
     const number exact = number(a) * c - number(b) * b;
-    // Back into range by another product, as an angle or a ratio is.
+    // Multiplied by another number they are in range again, as in an angle or a ratio.
     const auto shown = static_cast<double>(value / (wide_range(a) * wide_range(scale)));
     const number wanted = exact / (number(a) * scale);
     if (abs(wanted) > 1e300 || abs(wanted) < 1e-300) continue;

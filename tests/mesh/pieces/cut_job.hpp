@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A domain, cut, for the tests of pieces.
+// A domain that is cut into pieces, for several tests.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@
 
 namespace asterism::internal {
 
-// The square with a hole and a segment inside, as check_domain leaves it.
+// The square with a hole and a segment inside, as check_domain returns it.
 inline domain holed_square() {
   domain d = square();
   const auto add = [&d](std::initializer_list<point> ring, bool closed, int marker) {

@@ -16,7 +16,7 @@ struct ended_rounds {
   std::size_t rounds = 0, made = 0;
 };
 
-// Makes the pieces in rounds, in the order that `order` gives them.
+// Makes the pieces in rounds. `order` sorts the pieces of a round.
 template <class Order>
 ended_rounds rounds_of(const cut_job& job, seam_points points, const Order& order) {
   ended_rounds ended;
@@ -52,7 +52,7 @@ ended_rounds rounds_of(const cut_job& job, seam_points points, const Order& orde
 
 }  // namespace
 
-// Seams are given fewer points than pieces need, so that these have to ask for more.
+// Seams have fewer points than the pieces need, so that the pieces request more.
 TEST_CASE("seams that pieces have to split are divided alike in the end, in any order") {
   const cut_job job = cut_into(4);
   seam_points sparse = job.points;
