@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The next mesh of a loop: vertices come and go, the domain stays, and doing it again changes
-// nothing.
+// Makes the next mesh of a loop: vertices come and go, the domain stays, and a second adaptation to
+// the same metric changes nothing.
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ TEST_CASE("vertices come and go, and the number wanted is there") {
 }
 
 TEST_CASE("new boundary vertices are on cubics through the old ones, and how far is proved") {
-  // A fan of 40 triangles of a circle, to be meshed ten times as fine.
+  // A circle of 40 triangles around a vertex, to be meshed with edges a tenth as long.
   marked_mesh disc;
   constexpr vertex_index n = 40;
   for (vertex_index i = 0; i < n; ++i) {
@@ -112,9 +112,11 @@ TEST_CASE("new boundary vertices are on cubics through the old ones, and how far
   }
 }
 
-// With chords as long as the metric wants, a cylinder of 68 edges had its drag off by 5e-4.
+// Before, chords were as long as the metric wants, and the drag of a cylinder with 68 edges was off
+// by 5e-4.
 TEST_CASE("chords of cubics are as near to them as the size across wants") {
-  // A ring of 24 edges around a hole of as many, thin triangles along them wanted.
+  // A ring between two boundaries of 24 edges each, in a metric that wants thin triangles along
+  // them.
   marked_mesh ring;
   constexpr vertex_index n = 24;
   constexpr double along = 0.25, across = 0.06;
@@ -144,7 +146,8 @@ TEST_CASE("chords of cubics are as near to them as the size across wants") {
     if (length > 0.8 * along) highest = std::max(highest, length * length / (8 * radius));
   }
   CHECK(off < 1e-5);
-  CHECK(highest <= across / 100 * 1.05);  // 0.0078 for edges of length one on the inner ring
+  // Chords of length one on the inner ring would be 0.0078 from it.
+  CHECK(highest <= across / 100 * 1.05);
   const auto again = parse_certificate(certificate_text(made.made.claim), "text");
   REQUIRE(again.ok());
   CHECK(verify(m, again.value(), {}).verified);
@@ -161,7 +164,7 @@ TEST_CASE("a metric that turns by any angle over an edge is delivered about as d
   CHECK(next.made.certified());
   REQUIRE(next.made.outcome.delivered);
   const delivered_report& delivered = *next.made.outcome.delivered;
-  // The clips had made it four times as dense, and half of the tensors another one altogether.
+  // Before, clipping made the metric four times as dense and changed half of the tensors.
   CHECK(delivered.median < most_median_distance);
   CHECK(delivered.complexity_delivered < 1.5 * delivered.complexity_wanted);
   CHECK(delivered.complexity_delivered > delivered.complexity_wanted / 1.5);
@@ -174,7 +177,8 @@ TEST_CASE("without a number wanted there are as many vertices as unit edges take
   for (site& s : m.sites) s.metric = {1 / (h * h), 0, 1 / (h * h)};
   const auto next = adapted({m, {}});
   REQUIRE(next.made.certified());
-  // Of unit triangles there are 4 / (h^2 sqrt(3) / 4) in the square of side 2, and 8 / h sides.
+  // The square of side 2 holds 4 / (h^2 sqrt(3) / 4) unit triangles and has 8 / h unit edges on its
+  // boundary.
   const double wanted = 8 / std::sqrt(3.0) / (h * h) + 4 / h + 1;
   const auto sites = static_cast<double>(next.made.outcome.result.sites.size());
   CHECK(std::abs(sites / wanted - 1) < 0.03);
@@ -238,7 +242,8 @@ TEST_CASE("the mesh delivered for a front stays, though edges are short where it
 
 namespace {
 
-// A mesh of equal sizes with the metric of u = exp(5x) cos(5y), the same in all directions.
+// A mesh of equal sizes, with the metric of u = exp(5x) cos(5y), which is the same in all
+// directions.
 marked_mesh with_harmonic_metric(std::size_t vertices) {
   mesh m = sample_mesh(16);
   for (site& s : m.sites) s.metric = {1, 0, 1};
@@ -299,7 +304,8 @@ TEST_CASE("a loop that asks for a tenth more each time gets it each time") {
 
 namespace {
 
-// A closed curve as ragged as a coast, by displaced middles, around the origin.
+// Returns a closed curve around the origin, as ragged as a coast: midpoints are displaced
+// repeatedly.
 domain ragged_domain(std::size_t count) {
   std::vector<double> radii(8, 1.0);
   std::uint64_t state = 7;
@@ -352,14 +358,14 @@ TEST_CASE("a boundary finer than the metric has as many vertices as are wanted, 
   const auto next = adapted({m, {}}, wanted);
   CHECK(next.made.certified());
   REQUIRE(next.made.outcome.delivered);
-  CHECK(next.made.claim.measured.at("unit_edges") > 0.5);  // 0.37 by the end of the ladder
+  CHECK(next.made.claim.measured.at("unit_edges") > 0.5);  // the smoothest metric tried has 0.37
   CHECK(static_cast<double>(next.made.outcome.result.sites.size()) ==
         Approx(static_cast<double>(wanted)).epsilon(0.03));
 }
 
-// All work there may be was spent on ever smoother metrics, in which so few vertices met no angle
-// either: 11 seconds for a coast of 4,096 vertices, and 15,952 sites with 0.41 unit edges for the
-// 6,000 asked for, where there are 11,467 with 0.70 now.
+// Before, all work was spent on ever smoother metrics, though with so few vertices no mesh meets
+// the angle bound: 11 seconds for a coast of 4,096 vertices. For 6,000 wanted vertices there were
+// 15,952 with 0.41 unit edges; now there are 11,467 with 0.70.
 TEST_CASE("fewer vertices than a coast needs are known to be too few at once") {
   const auto next = adapted({coast_with_metric(), {}}, 1200);
   CHECK(next.made.certified());

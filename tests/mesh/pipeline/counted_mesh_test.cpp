@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Meshes with as many vertices as are wanted, where the metric alone would have more.
+// Makes meshes with the number of vertices wanted, in metrics that alone would give more.
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
 
 #include <catch2/catch.hpp>
@@ -66,7 +66,7 @@ mesh_options options_for(std::size_t wanted) {
   return options;
 }
 
-// Returns the mesh made until its number of vertices was near the one wanted.
+// Returns the mesh of the attempt whose number of vertices is near the one wanted.
 counted_mesh made_near(std::size_t wanted, const mesh_source& source) {
   auto made = make_counted_mesh(source, options_for(wanted), made_of);
   REQUIRE(made.ok());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole meshes of problems that differ only by their numbers: scaled by powers of two, or the
-// affine image of an isotropic one.
+// Meshes problems that are equal up to a scaling by powers of two, and problems that are affine
+// images of one with a round metric.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -29,7 +29,7 @@ domain scaled(domain d, double scale) {
   return d;
 }
 
-// The metric of the unscaled problem, swirl:3 with the length 1/4, in the scaled one.
+// Returns the metric of the problem swirl:3 with length 1/4, scaled.
 formula_field swirl_in(double scale) {
   return formula_field([scale](const point& q) {
     const metric_tensor m = swirl_field(3).at({q.x / scale, q.y / scale}).value();
@@ -38,8 +38,8 @@ formula_field swirl_in(double scale) {
   });
 }
 
-// [-1, 1]^2 under x = R diag(aspect, 1) R^T y, R the turn, and the metric that measures the image
-// as the original is measured in units of `size`.
+// Maps [-1, 1]^2 by x = R diag(aspect, 1) R^T y, where R is a rotation. In the metric returned,
+// lengths of images are those of the originals in units of `size`.
 struct affine_image {
   domain shape;
   metric_tensor metric;
@@ -58,8 +58,9 @@ affine_image image_of_square(double aspect, double degrees, double size) {
 }  // namespace
 
 TEST_CASE("scaled by powers of two, nothing changes but the scale, with a size as well") {
-  // Products of entries near 2^+-800 left the range of doubles: every box was endless or empty, all
-  // sites were looked at for each, and beyond 2^+-80 exact arithmetic decided everything.
+  // Before, products of entries near 2^+-800 left the range of doubles. Every box was then infinite
+  // or empty, and all sites were searched for each. Beyond 2^+-80 exact arithmetic decided
+  // everything.
   const mesh_outcome plain = mesh_of(accepted(square()), swirl_in(1), true);
   for (const double scale : {0x1p90, 0x1p-200, 0x1p330, 0x1p400, 0x1p-400, 0x1p480, 0x1p-480}) {
     INFO("scale " << scale);
@@ -77,7 +78,8 @@ TEST_CASE("scaled by powers of two, nothing changes but the scale, with a size a
 }
 
 TEST_CASE("without a size the metric need not be scaled back") {
-  // Squares of lengths overflowed, the tolerance was infinite and nothing could be inserted.
+  // Before, squares of lengths overflowed, so that the tolerance was infinite and no site could be
+  // inserted.
   const mesh_outcome plain = mesh_of(accepted(square()), swirl_in(1), false);
   const double ordinary = plain.ended.tolerance;
   for (const double scale : {0x1p-1000, 0x1p-300, 0x1p600, 0x1p1000}) {
@@ -95,7 +97,8 @@ TEST_CASE("without a size the metric need not be scaled back") {
 }
 
 TEST_CASE("a size as far beyond the domain as may be asked for is met by what is there") {
-  // Determinants of the tensors underflowed, every angle counted as low, and it was given up.
+  // Before, determinants of the tensors underflowed, every angle counted as low, and refinement
+  // gave up.
   for (const double size : {1e77, 1e100, 1e149}) {
     INFO("size " << size);
     const domain d = accepted(square());
@@ -107,8 +110,8 @@ TEST_CASE("a size as far beyond the domain as may be asked for is met by what is
 }
 
 TEST_CASE("the affine image of an isotropic problem has its quality") {
-  // The squared length of a vector in the long direction cancelled: at an aspect of 1e6 nearly no
-  // Voronoi vertex was found, and hundreds of triangles stayed bad.
+  // Before, the squared length of a vector in the long direction cancelled. At an aspect of 1e6
+  // nearly no Voronoi vertex was found, and hundreds of triangles stayed bad.
   constexpr double size = 0.2;
   const affine_image original = image_of_square(1, 0, size);
   const mesh_outcome plain = mesh_of(original.shape, constant_field(original.metric), true);
@@ -145,11 +148,11 @@ TEST_CASE("a frame is exact or not taken") {
     CHECK(frame.outward(inside.vertices[i]) == d.vertices[i]);
   }
   CHECK(unit_frame::choose(square(), swirl_in(1), true).is_identity());
-  // A vertex that would underflow.
+  // Scaling would underflow a vertex.
   domain mixed = d;
   mixed.vertices.push_back({0x1p-1000, 0});
   CHECK(unit_frame::choose(mixed, field, false).is_identity());
-  // A metric that would overflow.
+  // Scaling would overflow a metric.
   CHECK(unit_frame::choose(d, constant_field({0x1p500, 0, 1}), false).is_identity());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes meshes to which the theorem on nets applies, names beforehand what it cannot be made to
-// apply to, and says how far a run came that does not reach it.
+// Makes meshes to which the theorem on nets applies. Problems for which no such mesh can be made
+// are refused by name beforehand, and a run that does not reach one says how far it came.
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 
 #include <algorithm>
@@ -77,8 +77,8 @@ TEST_CASE("a metric that varies too fast at the size asked for gets shorter edge
   const auto plain = make_certified_mesh(d, *asked, {.limit_size = true});
   REQUIRE(plain.ok());
   CHECK_FALSE((plain.value().claim.theorem && plain.value().claim.theorem->applies));
-  // The corners of the square are 41 degrees sharp in this metric; those of a square in the middle
-  // are not.
+  // In this metric the outer square's corners have 41 degrees, and the inner square's are not
+  // sharp.
   const domain middle = polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}});
   const auto made = make_guaranteed_mesh(middle, *field("swirl:2", d, 0.4), {});
   REQUIRE(made.ok());
@@ -95,7 +95,7 @@ TEST_CASE("what a guarantee cannot be given for is refused by name") {
   const domain sharp = polygon({{0, 0}, {4, 0}, {4, 1}});
   CHECK(refusal(sharp, "identity", 0.2).find("corner at vertex 1 (0, 0) has 14.0") !=
         std::string::npos);
-  // A notch of 22.6 degrees, outside.
+  // The exterior angle of the notch is 22.6 degrees.
   const domain notched = polygon({{0, 0}, {4, 0}, {4, 4}, {2.4, 4}, {2, 2}, {1.6, 4}, {0, 4}});
   CHECK(refusal(notched, "identity", 0.4).find("outer corner at vertex 5 (2, 2) has 22.6") !=
         std::string::npos);
@@ -108,7 +108,8 @@ TEST_CASE("what a guarantee cannot be given for is refused by name") {
 }
 
 TEST_CASE("a corner between 36 and 55 degrees gets a guarantee, inside and outside") {
-  // 41.2 degrees; a notch of 43.6; 38.7 degrees in one metric that is stretched.
+  // A corner of 41.2 degrees, a notch of 43.6 degrees, and a corner of 38.7 degrees in a constant
+  // stretched metric.
   const domain sharp = polygon({{0, 0}, {4, 0}, {4, 3.5}});
   const domain notched = polygon({{0, 0}, {4, 0}, {4, 4}, {2.8, 4}, {2, 2}, {1.2, 4}, {0, 4}});
   const domain flat = polygon({{0, 0}, {4, 0}, {4, 1.6}});
@@ -153,7 +154,7 @@ TEST_CASE("what a certificate says of a guarantee is proved again") {
   CHECK_FALSE(contradictions([](guarantee_claim& g) {
                 g.size_factor = std::nextafter(g.size_factor, 9);
               }).empty());
-  // It is of the mesh and its own bound, whatever bound is asked now.
+  // The guarantee belongs to the mesh and its own bound, independently of the bound asked for now.
   for (const double bound : {10.0, 24.0}) {
     certificate claim = made.value().claim;
     audit_options asked;
@@ -167,7 +168,7 @@ TEST_CASE("what a certificate says of a guarantee is proved again") {
   REQUIRE(read.value().guarantee);
   CHECK(read.value().guarantee->eps == made.value().claim.guarantee->eps);
 
-  // A mesh to which the theorem does not apply has no guarantee to claim.
+  // Where the theorem does not apply, the certificate claims no guarantee.
   const auto plain = make_certified_mesh(d, *field("swirl:3", d, 0.4), {.limit_size = true});
   REQUIRE(plain.ok());
   certificate claim = plain.value().claim;
@@ -180,7 +181,7 @@ TEST_CASE("segments are divided by metric length, all parts between 1 and 1.2 ti
   const auto metric = field("expr:1+x*x/20;0;1", d, 1);
   const auto divided = internal::divide_segments_evenly(d, *metric, 0.75, 0.9, 1000);
   REQUIRE(divided.ok());
-  const double shift = 1.0 / 64 + 1e-3;  // and what the integral of a length is off by
+  const double shift = 1.0 / 64 + 1e-3;  // with the error of an integral of length
   for (const internal::division& one : divided.value().of_each) {
     REQUIRE(one.points.size() >= 6);
     for (std::size_t i = 0; i + 1 < one.lengths.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Improves finished meshes by passes: the meshes accepted are certified and never worse, and passes
-// leave barred sites and incomplete meshes unchanged.
+// Improves finished meshes by passes. Accepted meshes are certified and never worse; passes leave
+// barred sites and incomplete meshes unchanged.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ formula_field stretched_to_the_sides() {
 
 bool same(const mesh& a, const mesh& b) { return a.sites == b.sites && a.triangles == b.triangles; }
 
-// A patch of equilateral triangles with one more site in the middle of the triangle.
+// A patch of equilateral triangles with one more site, in the middle of a triangle.
 test::patch crowded_patch(std::size_t triangle_number) {
   test::patch p = test::make_patch(6, 0);
   const triangle t = p.m.triangles[triangle_number];
@@ -77,7 +77,8 @@ test::patch crowded_patch(std::size_t triangle_number) {
   return p;
 }
 
-// Improves the patch by local changes in the metric it has, with faces that `allowed` takes.
+// Improves the patch by local changes in its own metric. Only faces for which `allowed` is true may
+// change.
 adapting::working_mesh improved(const test::patch& p, const adapting::face_test& allowed) {
   auto built = adapting::working_mesh::build(p.d, p.m);
   REQUIRE(built.ok());
@@ -215,7 +216,7 @@ TEST_CASE("improvement: a mesh that is not complete is left alone") {
   CHECK(ending_text(before) == ending_text(after));
 }
 
-// Whenever it is stopped: before the mesh is complete, between tries or within one.
+// Stops the run at every moment: before the mesh is complete, between passes, and within one.
 TEST_CASE("improvement: stopped, the last mesh that was accepted is what there is") {
   const domain d = accepted(square());
   bool while_improving = false;

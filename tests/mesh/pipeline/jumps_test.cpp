@@ -9,8 +9,8 @@ using namespace asterism::internal;
 
 namespace {
 
-// Makes a grid of squares, each halved, with edges of unit length; beyond the middle the metric is
-// stretched so many times along the other axis.
+// Returns a grid of unit squares, each halved. The metric divides lengths by `aspect`: along y on
+// the left, along x beyond the middle.
 mesh grid_with_jump(vertex_index cells, double aspect) {
   mesh made;
   const vertex_index row = cells + 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Leaves the last test of stars to the audit: the meshes are the same, and certified.
+// Leaves the last test of stars to the audit. The meshes are the same as with the mesher's own
+// test, and certified.
 #include "asterism/mesh/pipeline/mesh_attempts.hpp"
 
 #include <algorithm>
@@ -25,14 +26,13 @@ namespace {
 
 constexpr auto by_auditor = internal::star_confirmation::by_auditor;
 
-// True if c lies clearly on the left of the way from a to b.
+// True if c is clearly on the left of the line from a to b.
 bool is_left(const mesh& m, vertex_index a, vertex_index b, vertex_index c) {
   const point &p = m.sites[a].position, &q = m.sites[b].position, &r = m.sites[c].position;
   return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) > 1e-6;
 }
 
-// Replaces the i-th edge of t, if u has it too, by the other diagonal of their quadrilateral, if
-// that is strictly convex.
+// Flips the i-th edge of t, if u has it too and their quadrilateral is strictly convex.
 bool turn_edge(const mesh& m, triangle& t, triangle& u, std::size_t i) {
   const vertex_index a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
   for (std::size_t j = 0; j < 3; ++j) {
@@ -54,7 +54,7 @@ bool turn_first_edge(mesh& m) {
   return false;
 }
 
-// Returns the table of the attempts as the page has it.
+// Returns the table of the attempts, as docs/design/attempts.md must have it.
 std::string table_of_attempts() {
   std::string table =
       "| Attempt | Metric | Work | Of stars | Made where |\n|---|---|---|---|---|\n";
@@ -100,7 +100,7 @@ TEST_CASE("an outcome says what was tried, in order, and what was chosen") {
   CHECK(kept.value().complete);
   CHECK(kept.value().chosen == kept.value().tried.back().what);
   CHECK(kept.value().tried.back().how == ending::complete);
-  // It turns by much over an edge: stars do not agree in it as it is.
+  // The metric rotates by a large angle along an edge, so that stars do not agree in it.
   const auto wild = make_metric_field("swirl:1000", d.box(), 0.2);
   REQUIRE(wild);
   const auto delivered = make_mesh(d, *wild.value(), options);
@@ -121,7 +121,8 @@ TEST_CASE("an outcome says what was tried, in order, and what was chosen") {
 
 TEST_CASE(
     "meshes whose last look at stars is left to the audit are certified, and mostly the same") {
-  // A star that the mesher finds wrong may be one that a later site would have put right.
+  // A star that the mesher's own test refuses might have been correct after a later site. The
+  // meshes may then differ.
   constexpr int most_others = 1;
   int others = 0;
   const domain shapes[] = {square(), airfoil().value(), add_random_points(square(), 50, 1).value()};

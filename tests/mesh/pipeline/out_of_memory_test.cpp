@@ -15,7 +15,7 @@ std::atomic<long> left = std::numeric_limits<long>::max(), used = 0;
 
 void* take(std::size_t size) {
   used.fetch_add(1, std::memory_order_relaxed);
-  // Then there is memory again, as where much was given back.
+  // Only this allocation fails. Later ones succeed, as after memory was released.
   if (left.fetch_sub(1, std::memory_order_relaxed) == 0) throw std::bad_alloc();
   if (void* const block = std::malloc(size == 0 ? 1 : size)) return block;
   throw std::bad_alloc();

@@ -81,7 +81,7 @@ TEST_CASE("outcome text: vertices a rounding apart are named where a run did not
   const metric_tensor unit{1, 0, 1};
   made.result.sites = {
       {{0, 0}, unit}, {{4, 0}, unit}, {{4, 0x1p-40}, unit}, {{0, 3}, unit}, {{0, 0x1p-50}, unit}};
-  made.result.given = 4;  // the last site was not
+  made.result.given = 4;  // the last site is no given vertex
   made.result.boundary = {{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 4, 3}, {4, 0, 3}};
   CHECK(ending_text(made) == text_of(ending::stuck) +
                                  "; vertices 2 and 3 at (4, 0) are 9.09495e-13 apart, which leaves "

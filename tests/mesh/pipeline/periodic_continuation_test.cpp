@@ -23,8 +23,8 @@ namespace {
 constexpr vertex_index n = 16;
 const std::vector<periodic_pair> torus = {{4, 2}, {1, 3}};
 
-// n x n cells of the unit square, markers 1 to 4 from below to the left; vertex (i, j) is (n + 1) j
-// + i.
+// Returns n x n cells of the unit square with markers 1 to 4 from below to the left. Vertex (i, j)
+// has the number (n + 1) j + i.
 mesh grid() {
   mesh m;
   for (vertex_index j = 0; j <= n; ++j)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Periodic sides: the places that go together, and the auditor's own finding of a match, on meshes
-// that were spoiled one vertex at a time.
+// Periodic sides: which places are partners, and that the auditor, by a computation of its own,
+// finds spoiled vertices one by one.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -21,7 +21,7 @@ using namespace asterism::internal;
 
 namespace {
 
-// A four-sided domain with markers 1 to 4, from its corner a to b, c, d.
+// A domain of four sides with markers 1 to 4, beginning with the side from corner a to b.
 domain quadrangle(const std::array<point, 4>& corners) {
   domain d;
   d.vertices.assign(corners.begin(), corners.end());
@@ -53,7 +53,7 @@ TEST_CASE("places of exact sides are exact images, in rationals") {
   std::mt19937_64 random(seed);
   const auto part = [&random] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   for (int trial = 0; trial < 200; ++trial) {
-    // A shift by a multiple of 2^-10, of corners that are ones of 2^-20.
+    // The shift is a multiple of 2^-10; the corners are multiples of 2^-20.
     const auto coarse = [&](double step) { return std::nearbyint(part() / step) * step; };
     const point shift{2 + coarse(0x1p-10), coarse(0x1p-10) - 0.5};
     const point a{coarse(0x1p-20), -1 - coarse(0x1p-20)}, d{coarse(0x1p-20), 1 + coarse(0x1p-20)};
@@ -77,7 +77,8 @@ TEST_CASE("places of exact sides are exact images, in rationals") {
 }
 
 TEST_CASE("a place without an exact image near it makes the match one by lengths, not a guess") {
-  // The second side's coordinates have far fewer bits after the point than the slanted first's.
+  // Coordinates of the second side have far fewer bits after the point than those of the slanted
+  // first.
   const double far = 0x1p30;
   auto sides =
       periodic_sides::find(quadrangle({{{0, 0}, {far, 0}, {far + 0.25, 1}, {0.25, 1}}}), {4, 2});
@@ -103,7 +104,8 @@ TEST_CASE("turns by quarters are found exactly, others by lengths") {
     const auto turned = [&](const point& q) { return point{c * q.x - s * q.y, s * q.x + c * q.y}; };
     domain d;
     d.vertices = {a, b};
-    // Corners around the outside and the inside, so that the domain is on the left of both.
+    // Lists corners around the outside, then around the inside, with the domain on the left of
+    // both.
     for (int step = 1; step < 2 * k; ++step) {
       const double angle = step * 0.78539816339744831;
       d.vertices.push_back({5 * elementary::cos(angle), 5 * elementary::sin(angle)});

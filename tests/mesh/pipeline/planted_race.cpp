@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A loop whose turns change one number. In a build with the thread sanitizer its report is this
-// program's success: the order declared to it, and what is suppressed, must not hide a race.
+// A parallel loop whose turns change one number: a data race. In a build with the thread sanitizer
+// the sanitizer's report is this program's success, so that declared orders and suppressions are
+// known not to hide races.
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 

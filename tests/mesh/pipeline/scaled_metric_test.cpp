@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics scaled to a complexity, graded by turns, and what is refused.
+// Metrics scaled to a complexity and graded in turns, and requests that are refused.
 #include "asterism/mesh/pipeline/scaled_metric.hpp"
 
 #include <catch2/catch.hpp>
@@ -26,7 +26,7 @@ double measured(const std::string& spec) {
   return found.value();
 }
 
-// A jump of sizes by fifty between two rows of vertices.
+// Sizes jump by a factor of fifty between two rows of vertices.
 mesh with_jump() {
   const auto field = make_metric_field("identity", square().box(), 0.2);
   mesh_options options;
@@ -73,7 +73,7 @@ TEST_CASE("grading and scaling by turns meet a complexity that grading changes")
   REQUIRE(made.value().gradation.has_value());
   CHECK(made.value().gradation->changed > 0);
   CHECK(made.value().gradation->settled);
-  // No tensor lost anything by being graded.
+  // Gradation made no tensor smaller.
   const mesh& graded = *made.value().field->background();
   const double factor = 1 / (made.value().size * made.value().size);
   for (std::size_t v = 0; v < given.sites.size(); ++v)

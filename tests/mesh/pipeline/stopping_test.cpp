@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Stops runs at any moment: only the mesh of the whole run counts as complete.
+// Stops runs at any moment. Only the mesh of a run that was not stopped counts as complete.
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -46,14 +46,14 @@ TEST_CASE("a mesh whose improvement was cut short had passed for that of the who
     INFO("stopped at poll " << until << " of " << polls);
     const certified_mesh made = made_until(until, polled);
     CHECK_FALSE(made.certified());
-    if (made.outcome.complete) {  // while the finished mesh was audited
+    if (made.outcome.complete) {  // stopped during the audit of the finished mesh
       CHECK(made.report.found[static_cast<std::size_t>(finding_kind::stopped)] > 0);
       continue;
     }
     CHECK(made.claim.reason.starts_with("stopped: enough"));
     if (made.claim.reason.find("being improved") == std::string::npos) continue;
     ++improving;
-    CHECK(made.report.certified);  // that mesh, by the auditor
+    CHECK(made.report.certified);  // the auditor judges that mesh
   }
   CHECK(improving > 0);
 }

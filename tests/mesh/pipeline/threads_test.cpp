@@ -21,7 +21,7 @@ struct made_mesh {
   bool certified = false;
 };
 
-// A field that every thread reads at once.
+// A field that all threads read at once.
 made_mesh make(const domain& d, const metric_field& field, refinement_strategy strategy) {
   mesh_options options;
   options.strategy = strategy;

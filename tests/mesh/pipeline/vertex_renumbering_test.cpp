@@ -24,8 +24,8 @@ using vertex_number = asterism::vertex_index;
 
 namespace {
 
-// A square with so many isolated vertices, in the order in which they are drawn; a segment from two
-// of them to each other in their midst.
+// A square with `count` vertices inside, numbered in the order drawn. A segment joins two of them,
+// the others are isolated.
 domain square_with_points(std::size_t count) {
   domain d = square();
   splitmix64 random(7);
@@ -80,7 +80,7 @@ TEST_CASE("an outcome in the order of a curve is restored to the order given") {
   const vertex_renumbering order(d);
   mesh_outcome outcome;
   for (const point& q : order.shape().vertices) outcome.result.sites.push_back({q, {1, 0, 1}});
-  outcome.result.sites.push_back({{2, 2}, {1, 0, 1}});  // not given
+  outcome.result.sites.push_back({{2, 2}, {1, 0, 1}});  // a vertex that the mesher added
   const auto places_of = [&](const triangle& t) {
     std::vector<point> places;
     for (const vertex_number v : t) places.push_back(outcome.result.sites[v].position);

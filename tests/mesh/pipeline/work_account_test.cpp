@@ -41,8 +41,8 @@ TEST_CASE("what a part is charged is taken off the whole", "[work_account]") {
   CHECK(part.is_requested());
   CHECK(whole.units_left() == 75);
   CHECK(whole.part(2).units_left() == 75);
-  // A larger mesh has more work, and a part of the account its share; a mesh of the known size
-  // changes nothing.
+  // Expecting a larger mesh increases the work in the account, and a part's by its share. Expecting
+  // the same mesh again changes nothing.
   part.expect(10);
   CHECK(whole.units_left() == 95);
   CHECK(part.units_left() == 5);

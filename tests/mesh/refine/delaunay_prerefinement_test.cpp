@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Sites added for low angles before there are stars.
+// Sites added to a triangulation for low angles before stars are made.
 #include "asterism/mesh/refine/delaunay_prerefinement.hpp"
 
 #include <algorithm>
@@ -32,7 +32,8 @@ domain scattered(std::size_t count) {
   return accepted(add_random_points(square(), count, 5).value());
 }
 
-// Returns a circle of so many vertices, its radius off by up to half of what neighbours are apart.
+// Returns a ring of `count` vertices. Their distance from the centre varies by up to half of the
+// distance of neighbours.
 domain noisy_ring(vertex_index count) {
   domain d;
   splitmix64 random(7);
@@ -55,7 +56,7 @@ refine_state started(const domain& d, const metric_field& field, const star_pred
   return state;
 }
 
-// A square with so many random points in a swirl, before there are stars.
+// Prepares a square with `count` random points in a swirl, without stars.
 struct scattered_refinement {
   scattered_refinement(std::size_t points, double k, std::size_t most_sites)
       : d(scattered(points)), field(swirl_field(k)), state(started(d, field, kernel, most_sites)) {}
@@ -67,8 +68,8 @@ struct scattered_refinement {
   refine_state state;
 };
 
-// Returns a strip from 0 to `teeth`, a tenth high, whose upper side is a zigzag of teeth that are
-// next to flat; at both its ends corners of 11 degrees.
+// Returns a strip of length `teeth` and height 0.1. Its upper side is a zigzag of nearly flat
+// teeth; both ends have corners of 11 degrees.
 domain flat_comb(vertex_index teeth) {
   domain d;
   d.vertices = {{0, -0.1}, {static_cast<double>(teeth), -0.1}};
@@ -81,7 +82,7 @@ domain flat_comb(vertex_index teeth) {
   return accepted(std::move(d));
 }
 
-// Returns a star of so many spikes, a thousand times as long as wide where there are 2,000.
+// Returns a star with `count` spikes, a thousand times as long as wide for 2,000.
 domain needles(vertex_index count) {
   domain d;
   const double apart = std::numbers::pi / count;
@@ -93,7 +94,7 @@ domain needles(vertex_index count) {
   return accepted(std::move(d));
 }
 
-// Counts the guesses that are the star of their site, of all sites inside the domain.
+// Counts the sites inside the domain whose guessed neighbours are those of their star.
 std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
   state.construct_stars(likely, star_confirmation::by_mesher);
   std::size_t same = 0;
@@ -105,7 +106,7 @@ std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
   return same;
 }
 
-// Checks that the domain gets a certified mesh of fewer sites than these.
+// Checks that the domain gets a certified mesh of fewer than `most_sites` sites.
 void check_meshed_with_20_degrees(const domain& d, std::size_t sites) {
   mesh_options options;
   options.angle_bound = 20;
@@ -159,7 +160,7 @@ TEST_CASE("sites added inside without stars are numbered along a curve") {
   }
   CHECK(inside > 500);
   CHECK(back == 0);
-  // The index follows: each site is found at its place.
+  // The index has every new site at its place.
   for (vertex_index v = 0; v < state.sites().size(); ++v)
     CHECK_FALSE(state.is_farther(state.sites()[v], 1e-12));
 }
@@ -201,7 +202,7 @@ TEST_CASE("subsegments on which new sites would encroach are split without stars
                    ? 0
                    : 1;
   CHECK(missing == 0);
-  // The stars have as good as nothing left to mend.
+  // The stars of the guessed neighbours disagree about few triangles only.
   state.construct_stars(likely, star_confirmation::by_mesher);
   const consistency_report found = check_consistency(state.oracle(), state.stars());
   CHECK(found.disagreeing.size() < 20);
@@ -218,7 +219,7 @@ TEST_CASE("a net takes a split of a subsegment, unless its place is on the wrong
   const point &a = sites[e.a].position, &b = sites[e.b].position;
   const std::size_t faces = delaunay->faces();
   std::vector<std::uint32_t> around;
-  // Twice as far inside as the subsegment is long: beyond the apex of its triangle.
+  // This place is twice as far inside as the subsegment is long: beyond the apex of its triangle.
   const point inside{a.x / 2 + b.x / 2 - 2 * (b.y - a.y), a.y / 2 + b.y / 2 + 2 * (b.x - a.x)};
   CHECK_FALSE(delaunay->split({inside, sites[e.a].metric}, e.a, e.b, around));
   CHECK(delaunay->faces() == faces);
@@ -234,8 +235,8 @@ TEST_CASE("a net takes a split of a subsegment, unless its place is on the wrong
   }
 }
 
-// Each site flipped 64 edges at most, so that what nearly all vertices were neighbours of stayed:
-// 20,832 and 30,858 sites, and from 10,000 vertices to 100,000 fifty times the work.
+// Before, a site flipped at most 64 edges, so that a vertex with nearly all others as neighbours
+// stayed one: 20,832 and 30,858 sites, and 50 times the work for 100,000 vertices as for 10,000.
 TEST_CASE("a circle of equal edges, or of ever longer ones, takes sites as its edges are many") {
   constexpr vertex_index count = 10000;
   for (const double grows : {0.0, 5.0}) {
@@ -266,20 +267,21 @@ TEST_CASE("a noisy ring of given vertices takes fewer sites than one that is fil
     options.angle_bound = 20;
     const certified_mesh made = make_certified_mesh(d, field, options).value();
     CHECK(made.certified());
-    // Filled first, rings of 10,000 took twice their vertices, and now 1.6 times.
+    // With a fill first, a ring of 10,000 vertices got twice as many sites. Now it gets 1.6 times
+    // as many.
     INFO(k << ": " << made.outcome.sites);
     CHECK(made.outcome.sites < 3500);
   }
 }
 
-// All of the lower side counted as beside the corners at its ends, so that thousands of triangles
+// Before, the whole lower side counted as beside the corners at its ends. Thousands of triangles
 // were left to stars, which gave up.
 TEST_CASE("of a strip with sharp corners at its ends the whole was left to the stars") {
   check_meshed_with_20_degrees(flat_comb(520), 13000);
 }
 
-// Sites in the middle of them divided the spikes, and so all along: 31,023 sites for 2,000 spikes,
-// and no mesh; so it was with 900.
+// Before, sites in the middle of triangles divided the spikes along their whole length: 31,023
+// sites for 2,000 spikes, and no mesh. The same happened with 900.
 TEST_CASE("spikes with sharp corners were divided for triangles between their feet") {
   check_meshed_with_20_degrees(needles(900), 3000);
 }
@@ -309,7 +311,7 @@ TEST_CASE("many sites with internal segments and sharp corners meet an angle bou
   const certified_mesh made = make_certified_mesh(shape, field, options).value();
   CHECK(made.outcome.complete);
   CHECK(made.certified());
-  // Random points of another seed took 3170 sites, put in by stars one by one.
+  // With another seed stars alone took 3170 sites for random points.
   INFO(made.outcome.sites);
   CHECK(made.outcome.sites < 3300);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The guaranteed refinement: whole meshes, certified by the auditor, the same for any number of
-// threads; what cannot be done is named.
+// The guaranteed refinement: whole meshes, certified by the auditor, equal for any number of
+// threads. Problems that it cannot solve are named.
 #include <tbb/global_control.h>
 
 #include <bit>
@@ -35,7 +35,7 @@ mesh_options as_given(mesh_options options) {
   return options;
 }
 
-// Across the y axis, five times finer there.
+// Lengths across the y axis are five times as short there.
 formula_field layer_field() {
   return formula_field([](const point& q) {
     const double h = 0.2 + 0.8 * std::min(1.0, std::abs(q.x));
@@ -86,8 +86,8 @@ TEST_CASE("guaranteed: the same mesh with one thread and with two") {
   CHECK(ending_text(one) == ending_text(two));
 }
 
-// Vertices on opposite walls are level up to 1e-10 of their distance, so each four of them are
-// nearly on one circle, and diagonals are longer than a search from near vertices goes.
+// Vertices on opposite walls are level up to 1e-10 of their distance. Each four of them are nearly
+// on one circle, and diagonals are longer than the search from near vertices reaches.
 TEST_CASE("guaranteed: a ladder between slanted walls needs no site to be agreed upon") {
   const formula_field linear([](const point& q) {
     const double h = 0.002 + 0.198 * std::fabs(q.y);
@@ -122,7 +122,7 @@ TEST_CASE("guaranteed: a steep metric that sites can resolve is not given up") {
   make_and_check(accepted(square()), shock, with_size(true));
 }
 
-// The fraction of the way that belongs to the whole length came out one ulp short of 1.
+// Before, the last division's share of the whole length came out one ulp below 1.
 TEST_CASE("guaranteed: dividing a segment leaves no subsegment of a rounding error's length") {
   splitmix64 random(7);
   const formula_field field = sized(swirl_field(5), 0.12);
@@ -142,8 +142,8 @@ TEST_CASE("guaranteed: dividing a segment leaves no subsegment of a rounding err
   }
 }
 
-// Sites are offered up to twice as far as the neighbours they stand behind; the field is steep
-// enough for a fifth of the questions to need more than one direction of the gap.
+// Sites are offered up to twice as far away as the neighbours before them. The field varies so fast
+// that a fifth of the questions need more than one direction of the gap.
 TEST_CASE("guaranteed: in a steep field doubles decide nearly every edge test") {
   const formula_field field = sized(swirl_field(24), 0.06);
   const mesh_outcome made = mesh_of(accepted(square()), field, with_size(true));
@@ -156,8 +156,9 @@ TEST_CASE("guaranteed: in a steep field doubles decide nearly every edge test") 
   CHECK(by(tier::interval) + by(tier::exact) < 0.01 * by(tier::semi_static));
 }
 
-// The sides of a square were divided alike, so that at each corner four sites after the other were
-// on one circle up to rounding: 137 questions came to exact numbers, a third of the time.
+// Before, the sides of a square were divided alike, so that at each corner successive quadruples of
+// sites were on one circle up to rounding. 137 questions were decided by exact numbers, in a third
+// of the time.
 TEST_CASE("guaranteed: sites on both sides of a symmetric corner are no exact ties") {
   const formula_field field = sized(swirl_field(24), 0.06);
   const mesh_outcome made = mesh_of(accepted(square()), field, with_size(true));
@@ -167,7 +168,7 @@ TEST_CASE("guaranteed: sites on both sides of a symmetric corner are no exact ti
             .counters.at(predicate::edge_test, tier::exact) < 10);
 }
 
-// The sides of a narrow strip have to be divided alike, or triangles between them are low.
+// The sides of a narrow strip must be divided alike, or triangles between them have low angles.
 TEST_CASE("guaranteed: parallel sides of a strip are divided at the same places") {
   domain d;
   add_ring(d, {{0, 0}, {4, 1}, {4, 1.01}, {0, 0.01}});
@@ -182,8 +183,8 @@ TEST_CASE("guaranteed: parallel sides of a strip are divided at the same places"
   }
 }
 
-// Some gaps have no Voronoi vertex where the metric varies as fast as edges are long. Farther and
-// farther sites were looked at, each refused by intervals: 100 questions for each site.
+// Where the metric varies by a factor along an edge, some gaps have no Voronoi vertex. Before, ever
+// farther sites were tested for them, each refused by intervals: 100 questions for each site.
 TEST_CASE("guaranteed: stars with gaps that have no vertex are made of near sites") {
   const formula_field field = sized(swirl_field(24), 0.2109);
   const mesh_outcome made = mesh_of(accepted(square()), field, with_size(true));
@@ -223,7 +224,7 @@ TEST_CASE("guaranteed: a jump by 1e4 in size ends with the reason") {
   CHECK(ending_text(made).find("bad triangles are left") != std::string::npos);
 }
 
-// The fill went on for minutes, in which every site was a neighbour of a part of all others.
+// Before, the fill took minutes, since every site was a neighbour of a part of all others.
 TEST_CASE("guaranteed: a metric too wild for sites to be spread ends by count, with the place") {
   const formula_field wild = sized(swirl_field(1e8), 10);
   const mesh_outcome one = mesh_of(accepted(square()), wild, as_given(with_size(true)));
@@ -237,8 +238,8 @@ TEST_CASE("guaranteed: a metric too wild for sites to be spread ends by count, w
   CHECK(one.ended.stars_missing == 0);
 }
 
-// 200 units long and 0.0002 high: every site is in the influence of most subsegments. What is
-// delivered in the end has no demands on angles and sizes, and says so.
+// A domain 200 units long and 0.0002 high: every site is near most subsegments. The mesh delivered
+// has no demands on angles and sizes, and says so.
 TEST_CASE("guaranteed: a domain far thinner than its units are apart ends by count") {
   const mesh_outcome made =
       mesh_of(accepted(square()), sized(constant_field({1e8, 0, 1e-4}), 100), with_size(true));
@@ -277,7 +278,7 @@ TEST_CASE("guaranteed: stars that were never made are counted where a run is sto
 }
 
 TEST_CASE("guaranteed: polygons of many short segments, with a size and without") {
-  // A regular one, whose corners are all on a circle, and a wavy one.
+  // Polygons: a regular one, whose corners are all on a circle, and a wavy one.
   const auto polygon = [](vertex_index n, double wave) {
     domain d;
     for (vertex_index i = 0; i < n; ++i) {
@@ -300,7 +301,7 @@ TEST_CASE("guaranteed: polygons of many short segments, with a size and without"
         static_cast<double>(made.counters.at(predicate::orientation, tier::semi_static));
     CHECK(asked < questions * static_cast<double>(made.sites));
   };
-  // Before sites were spread as the segments need them, every vertex saw all others.
+  // Before, no sites were spread inside first, and every vertex had all others in view.
   check(polygon(2500, 0), true, 16000, 1000);
   check(polygon(2500, 0.3), true, 12000, 1000);
   check(polygon(2500, 0.3), false, 8000, 5000);
@@ -309,7 +310,7 @@ TEST_CASE("guaranteed: polygons of many short segments, with a size and without"
 
 TEST_CASE(
     "guaranteed: thin metrics, in which edge tests are exact, are not given up for the work") {
-  // The square stretched by `aspect` along a turned axis, and the metric that undoes it.
+  // The square stretched by `aspect` along a rotated axis, and the metric that undoes it.
   for (const double aspect : {1e2, 1e4, 1e6, 1e7})
     for (const double turn : {0.1, 0.7, 1.3}) {
       const double c = std::cos(turn), s = std::sin(turn), thin = 1 / (aspect * aspect);
@@ -341,8 +342,9 @@ TEST_CASE("guaranteed: the limit on sites is kept and named") {
     CHECK(made.sites <= most);
     CHECK(ending_text(made).find("limit of " + std::to_string(most)) != std::string::npos);
     if (most < 100) continue;
-    // It was a failure where the segments alone needed more, and elsewhere fine in one part of the
-    // domain and coarse in the rest. Now edges are longer everywhere, and all else is as asked.
+    // Before, a run failed where the segments alone needed more sites than allowed, and else was
+    // fine in one part of the domain and coarse in the rest. Now edges are longer everywhere by one
+    // factor; angles and stars are as asked.
     CHECK(made.disagreeing == 0);
     CHECK(made.low_angle == 0);
     CHECK(made.too_large > 0);
@@ -410,7 +412,7 @@ TEST_CASE("guaranteed: a symmetric grid of given points, every circle through fo
 
 TEST_CASE(
     "guaranteed: a vertex beside a segment by less than roundings had tolerances tried down to 0") {
-  // (0.3, 0.30000000000000010) is on the segment but for its last bit.
+  // (0.3, 0.30000000000000010) is on the segment up to its last bit.
   domain d;
   add_ring(d, box_ring(0, 0, 0.4, 0.4));
   add_chain(d, {{0.4, 0.1}, {0, 0.30000000000000004}});

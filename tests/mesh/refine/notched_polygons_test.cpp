@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Polygons in one decimal with right angles across from slanted sides. The Voronoi vertex of such a
-// corner and the ends of such a side is the middle of the side, which is no double: it is rounded
-// to either side of it, and outside it is no place for a site.
+// Polygons with coordinates of one decimal and right angles across from slanted sides. The Voronoi
+// vertex of such a corner and the ends of such a side is the middle of the side. The middle is no
+// double; rounded, it may be outside of the domain, where no site may be.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -19,7 +19,7 @@ using namespace asterism::testing;
 
 namespace {
 
-// A point in tenths: what is decided of these is exact.
+// A point in units of a tenth, so that decisions about it are exact.
 struct tenths {
   int x = 0, y = 0;
 };
@@ -49,7 +49,7 @@ class notched_polygon {
  public:
   explicit notched_polygon(std::uint64_t seed) : random_(seed) {}
 
-  // Draws until there is a polygon with a notch and without a corner below `least` degrees.
+  // Draws polygons until one has a notch and no corner below `least` degrees.
   std::vector<tenths> draw(double least) {
     while (true) {
       draw_outline();
@@ -61,7 +61,7 @@ class notched_polygon {
   }
 
  private:
-  // Draws corners in the order of their directions from a place inside.
+  // Draws corners in the order of their directions from a point inside.
   void draw_outline() {
     const int corners = random_.integer(3, 12), reach = random_.integer(50, 1000);
     const tenths middle{random_.integer(0, 10000), random_.integer(0, 10000)};
@@ -81,9 +81,9 @@ class notched_polygon {
     return any;
   }
 
-  // Puts a reflex right angle between a corner and a point near the side that follows it; its legs
-  // along the axes, or turned by an angle with a rational tangent. Returns false where the ring
-  // would not stay simple.
+  // Puts a reflex right angle between a corner and a point near the side that follows it. Its legs
+  // are along the axes, or rotated by an angle with a rational tangent. Returns false where the
+  // ring would intersect itself.
   bool add_notch(std::size_t i) {
     const tenths here = ring_[i], next = ring_[(i + 1) % ring_.size()];
     const double part = random_.real();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole meshes of every kind of domain, as certified by the auditor.
+// Whole meshes of every kind of domain, certified by the auditor.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -31,7 +31,7 @@ TEST_CASE("every kind of domain is meshed at 20 degrees and certified, by darts"
   mesh_options options;
   options.strategy = refinement_strategy::poisson_darts;
   for (const named_domain& kind : domain_kinds()) {
-    // Darts do not come to an end around corners of 8 degrees, inside or not.
+    // Around corners of 8 degrees, inside or not, darts must be bounded.
     if (kind.name == "fan") continue;
     INFO(kind.name);
     check_certified(kind.shape, identity_field(), options);
@@ -67,7 +67,7 @@ TEST_CASE("free ends an ulp from the boundary, and a domain far from the origin"
   options.max_sites = 400;
   const domain d = accepted(near);
   const auto made = make_mesh(d, identity_field(), options);
-  REQUIRE(made.ok());  // whatever comes of it
+  REQUIRE(made.ok());  // complete or not
   domain far = with_fan();
   for (point& q : far.vertices) q = {q.x + 1e8, q.y - 1e8};
   check_certified(accepted(far), identity_field(), {});
@@ -77,8 +77,8 @@ TEST_CASE("free ends an ulp from the boundary, and a domain far from the origin"
 }
 
 TEST_CASE("a sharp corner excuses nothing in the wide corner beside it") {
-  // 14 degrees at (5, 5) above the chain's last segment, 76 below it: a triangle below was called
-  // exempt, the mesh complete, and the audit refused it.
+  // At (5, 5) there are 14 degrees above the chain's last segment and 76 below it. Before, a
+  // triangle below was called exempt, and the audit refused a mesh called complete.
   domain d = polygon(box_ring(0, 0, 5, 5));
   add_ring(d, {{3, 2}, {2, 2}, {2, 1}, {3, 1}});
   add_chain(d, {{1, 0}, {1, 4}, {1, 5}});
@@ -91,8 +91,8 @@ TEST_CASE("a sharp corner excuses nothing in the wide corner beside it") {
 }
 
 TEST_CASE("a Voronoi vertex on a segment has it split, though nothing encroaches") {
-  // The right angle at (3, 3) faces the segment's part from (3, 4) to (3.25, 3): the circumcentre
-  // is its middle, neither inside nor encroaching, and refinement was stuck.
+  // The right angle at (3, 3) faces the subsegment from (3, 4) to (3.25, 3). Its circumcentre is
+  // the subsegment's middle, neither inside nor encroaching. Before, refinement ended there.
   domain d = polygon(box_ring(0, 0, 5, 5));
   add_chain(d, {{0, 5}, {2, 4}});
   add_chain(d, {{3, 4}, {4, 0}});
@@ -104,8 +104,8 @@ TEST_CASE("a Voronoi vertex on a segment has it split, though nothing encroaches
 
 namespace {
 
-// Corners of 11 and 31 degrees in a square of side 4, moved to where `ulps` doubles lie between
-// whole numbers.
+// Corners of 11 and 31 degrees in a square of side 4, moved so far from the origin that `ulps`
+// doubles lie between whole numbers.
 domain sharp_corners_among_few_doubles(double ulps) {
   domain d = polygon(box_ring(0, 0, 4, 4));
   add_chain(d, {{3, 0}, {4, 4}, {3, 1}});
@@ -132,7 +132,7 @@ TEST_CASE("shells around a sharp corner that rounding made unequal split each ot
     const mesh_outcome made = mesh_of(d, identity_field(), {});
     CHECK(made.sites < 100);
     const audit_report report = audited(d, made, {});
-    // Points so few ulps apart need not be where angles beside the corners would want them.
+    // With so few doubles, no points may exist that give angles beside the corners.
     CHECK((made.complete || made.how() == ending::collateral));
     CHECK(made.complete == report.certified);
     CHECK(report.total_found() ==

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole meshes: complete, as certified by the auditor, which shares no code with the mesher.
+// Whole complete meshes, certified by the auditor, which shares no code with the mesher.
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -89,8 +89,8 @@ TEST_CASE("a corner below the bound is exempt, named and certified as such") {
 }
 
 TEST_CASE("a square whose corners are all exempt is refined nevertheless") {
-  // At K = 24 the corners measure 16.3 degrees: both triangles of the bare square touch exempt
-  // ones.
+  // At K = 24 the corners have 16.3 degrees. The square without further sites consists of two
+  // triangles, both beside exempt ones.
   const mesh_outcome made = mesh_of(square(), swirl_field(24), with_bound(20));
   CHECK(made.complete);
   CHECK(made.triangles > 100);
@@ -144,8 +144,8 @@ TEST_CASE("Poisson darts reach 10 degrees") {
   }
 }
 
-// A star whose neighbours replace each other in a circle is found out only when it is built anew at
-// the very end, with the neighbours it had before.
+// Neighbours of this star replace each other in turn. That is found only when the star is
+// constructed anew at the very end, from its former neighbours.
 TEST_CASE("a star that does not settle at the end is mended, not passed over") {
   domain d = square();
   d.vertices.insert(d.vertices.end(), {{-0.8400401032127593, 0.4218608754161983},
@@ -176,7 +176,7 @@ TEST_CASE("an impossible bound ends within the limit and says so") {
     CHECK_FALSE(ending_text(made).empty());
     CHECK(made.sites <= 300);
     CHECK(made.low_angle + made.disagreeing > 0);
-    // The certain part is there and holds together: no edge twice in one direction.
+    // The certain triangles are kept, and fit: no directed edge is there twice.
     std::vector<std::pair<asterism::vertex_index, asterism::vertex_index>> edges;
     for (const triangle& t : made.result.triangles)
       for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(t[i], t[(i + 1) % 3]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Moves the sites of a fill towards the middle of their neighbours.
+// Moves the sites of a fill toward the middle of their neighbours.
 #include "asterism/mesh/fill/relaxation.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ filled_domain filled(const domain& d, const char* metric, double size) {
   return std::move(made).value();
 }
 
-// Returns the sites by the numbers that the lists of neighbours have.
+// Returns the sites in the order of the numbers that the lists of neighbours use.
 std::vector<site> all_sites(const domain& d, const char* metric, double size,
                             const filled_domain& of) {
   const auto field = make_metric_field(metric, d.box(), size);
@@ -67,7 +67,7 @@ TEST_CASE("edges between sites that moved are hardly longer than between sites o
         sum += std::sqrt(squared_distance(sites[v], sites[w].position));
         edges += 1;
       }
-    // The area of each star, a third of which is its centre's.
+    // Sums the areas of stars. A third of each belongs to its centre.
     double area = 0;
     for (std::size_t v = sites.size() - made.interior.size(); v < sites.size(); ++v) {
       const auto star = made.stars[v];
@@ -82,8 +82,8 @@ TEST_CASE("edges between sites that moved are hardly longer than between sites o
       area += here / 3 * std::sqrt(m.m11 * m.m22 - m.m12 * m.m12);
       sectors += 1;
     }
-    // On a lattice of edges L each site has an area of sqrt(3)/2 L^2. It was 1.06 before sites
-    // moved.
+    // In an equilateral lattice with edges L each site has an area of sqrt(3)/2 L^2. The ratio was
+    // 1.06 before sites moved.
     const double mean = sum / edges, of_lattice = std::sqrt(area / sectors * 2 / std::sqrt(3.0));
     CHECK(mean * mean / (of_lattice * of_lattice) < 1.045);
     CHECK(mean > of_lattice);

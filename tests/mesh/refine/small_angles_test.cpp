@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Internal segments that meet at small angles: certified with what is exempt listed, or, where
-// other angles beside them could not be mended, not complete, with few sites.
+// Internal segments that meet at small angles. The mesh is certified with exempt angles listed.
+// Where other angles beside them cannot be improved it is not complete, and has few sites.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -37,8 +37,8 @@ vertex_index add_vertex(domain& d, const point& q) {
   return static_cast<vertex_index>(d.vertices.size() - 1);
 }
 
-// Segments that leave the centre, `degrees` from one to the next, each `shrink` as long as the
-// last.
+// Returns segments that leave the centre at steps of `degrees`, each `shrink` times as long as the
+// one before.
 domain fan(int count, double degrees, double shrink = 1, const point& centre = {0, 0}) {
   domain d = square_around(centre);
   const vertex_index apex = add_vertex(d, centre);
@@ -85,8 +85,8 @@ std::size_t count_of(const audit_report& report, finding_kind kind) {
   return report.found[static_cast<std::size_t>(kind)];
 }
 
-// Checks that maker and auditor say the same of the mesh: that all is met, or that collateral
-// angles are below the bound, nothing else, and how many. Returns whether all is met.
+// Checks that mesher and auditor agree: either all demands are met, or collateral angles are below
+// the bound, equally many, and nothing else. Returns whether all demands are met.
 bool check_agreement(const domain& d, const metric_field& field, bool limit_size,
                      std::size_t most_sites) {
   const mesh_outcome made = mesh_of(d, field, wanted(limit_size));
@@ -107,8 +107,8 @@ bool check_agreement(const domain& d, const metric_field& field, bool limit_size
   return made.complete;
 }
 
-// Square of side 2 with a wedge of 5.7 degrees that opens from its middle to the right; the wedge's
-// segments are divided once, at half their length.
+// A square of side 2 with a wedge of 5.7 degrees that opens from its middle to the right. The
+// wedge's segments are divided once, in their middle.
 mesh divided_wedge() {
   mesh m = test::make_mesh_of({{0, 0},
                                {1, 0.05},
@@ -209,7 +209,7 @@ TEST_CASE("triangles across an internal wedge were exempt, and are collateral") 
   CHECK(is_collateral(report, 1));
   CHECK(is_collateral(report, 2));
   CHECK(count_of(report, finding_kind::collateral_angle_below_bound) > 0);
-  CHECK_FALSE(report.low_triangles.empty());  // from the segments to the far corners
+  CHECK_FALSE(report.low_triangles.empty());  // between the segments and the far corners
 }
 
 TEST_CASE("triangles across a wedge wider than half the bound are not exempt") {
@@ -238,7 +238,7 @@ TEST_CASE("a wedge between two segments of the rim exempts the triangle at its t
 
 TEST_CASE("where a wedge keeps triangles below the bound the reason names its corner") {
   mesh_options few = wanted(false);
-  few.tolerance = 0.4;  // too coarse for anything
+  few.tolerance = 0.4;  // too coarse for any site
   const auto made = make_mesh(fan(2, 14), identity_field(), few);
   REQUIRE(made.ok());
   CHECK_FALSE(made.value().complete);

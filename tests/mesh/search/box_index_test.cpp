@@ -41,7 +41,7 @@ TEST_CASE("boxes of every shape are found where they are, and only there", "[box
     boxes.push_back(random_box(random, wide, high));
     present.push_back(1);
     index.insert(i, boxes.back());
-    if (i % 3 == 2) {  // one that was inserted before cells around it were divided
+    if (i % 3 == 2) {  // removes one inserted before the cells around it were divided
       index.remove(i / 2, boxes[i / 2]);
       present[i / 2] = 0;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Places on the Hilbert curve, beside those found one level after the other.
+// Compares places on the Hilbert curve with those found by descending one level at a time.
 #include "asterism/mesh/search/hilbert_order.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr int levels = bits_of_place_on_curve / 2;
 
-// Goes down one level at a time: the curve enters a cell as it is, with x and y exchanged, with
-// both reversed, or with both changes.
+// Descends one level at a time. In a cell the curve is as it is, with x and y exchanged, with both
+// reversed, or with both changes.
 std::uint64_t place_by_levels(std::uint32_t x, std::uint32_t y) {
   std::uint64_t place = 0;
   bool is_exchanged = false, is_reversed = false;

@@ -59,7 +59,7 @@ TEST_CASE("distances do not sink on the way from a long slanted segment", "[plac
   for (int k = 0; k < 200; ++k) {
     const double t = random.real();
     const point on{wall.a.x + t * (wall.b.x - wall.a.x), wall.a.y + t * (wall.b.y - wall.a.y)};
-    // From about a rounding of the coordinates to a hundredth of the segment.
+    // Takes distances from about a rounding of the coordinates to a hundredth of the segment.
     double before = -1;
     for (int e = -40; e < 6; ++e) {
       const double step = std::ldexp(1, e);

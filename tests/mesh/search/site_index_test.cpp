@@ -103,9 +103,8 @@ site_index index_of(const std::vector<site>& sites, const bounding_box& box,
 
 double length(const site& from, const point& to) { return std::sqrt(squared_distance(from, to)); }
 
-// Box corners are sites' own coordinates, so that closedness is put to the test.
-// Returns the sites in the box of those that come in clusters, each of which must come once and
-// with its own position.
+// Returns the sites in the box, each of which must be visited once, in a cluster that has its
+// position. Corners of boxes have coordinates of sites, so that the boxes must be closed.
 std::vector<vertex_index> in_clusters(const site_cloud& c, const site_index& tree,
                                       const bounding_box& box) {
   std::set<vertex_index> seen, inside;
@@ -149,7 +148,7 @@ void check_seeing(const site_cloud& c, const site_index& tree) {
   for (int i = 0; i < 200; ++i) {
     const point q = c.sites[random.bits() % c.sites.size()].position;
     const site& other = c.sites[random.bits() % c.sites.size()];
-    const double distance = length(other, q);  // the other one just sees it
+    const double distance = length(other, q);  // exactly the distance of `other`
     std::set<vertex_index> found;
     tree.visit_seeing(q, distance, [&](vertex_index w) { return found.insert(w).second; });
     for (vertex_index w = 0; w < c.sites.size(); ++w)
@@ -161,7 +160,7 @@ long double determinant_of(const metric_tensor& m) {
   return 1.0L * m.m11 * m.m22 - 1.0L * m.m12 * m.m12;
 }
 
-// The larger eigenvalue of M_w^-1 M_v, by long doubles.
+// Returns the larger eigenvalue of M_w^-1 M_v, in long doubles.
 long double largest_ratio(const metric_tensor& v, const metric_tensor& w) {
   const long double det_w = determinant_of(w);
   const long double det_v = determinant_of(v);
@@ -182,7 +181,7 @@ void check_reach(const site_cloud& c, const site_index& tree) {
       const double sigma = static_cast<double>(
           std::sqrt(std::max(1.0L, largest_ratio(v.metric, c.sites[w].metric))));
       const double away = length(v, c.sites[w].position);
-      // The scan is in rounded numbers itself: a site at the rim within 1e-6 may be either.
+      // The scan is rounded too: a site within 1e-6 of the rim may be found or not.
       const bool out = away * (1 + 1e-6) > (1 + sigma) * reach;
       if (!out) REQUIRE(found.count(w) == 1);
     }
@@ -271,7 +270,7 @@ TEST_CASE("boxes are found after any insertions and removals") {
     std::vector<char> there;
     const auto any = [&] { return c.sites[random.bits() % c.sites.size()].position; };
     for (std::uint32_t i = 0; i < 600; ++i) {
-      // Long, short and degenerate ones.
+      // Segments: long, short and degenerate ones.
       const point p = any(), q = i % 3 == 0 ? any() : p;
       boxes.push_back(box_of(p, i % 3 == 1 ? point{p.x / 2 + p.x / 2, p.y * 0.999} : q));
       there.push_back(1);

@@ -11,7 +11,7 @@ using namespace asterism::internal;
 
 namespace {
 
-// n x n cells of two triangles, sheared, in the unit square; one flat triangle besides.
+// n x n cells of two triangles, sheared, in the unit square, and one triangle without area.
 mesh sheared_grid(vertex_index n) {
   mesh m;
   for (vertex_index j = 0; j <= n; ++j)
@@ -45,7 +45,7 @@ TEST_CASE("a point inside is at the weights that are found, from any hint") {
   splitmix64 random(seed);
   const mesh m = sheared_grid(7);
   const triangle_locator locator(m);
-  REQUIRE(locator.triangles().size() == m.triangles.size() - 1);  // without the flat one
+  REQUIRE(locator.triangles().size() == m.triangles.size() - 1);  // without the one of no area
   for (int i = 0; i < 2000; ++i) {
     const double y = random.real(0.001, 0.999), x = 0.3 * y + random.real(0.001, 0.999);
     CAPTURE(x, y);
@@ -54,7 +54,7 @@ TEST_CASE("a point inside is at the weights that are found, from any hint") {
       const auto found = locator.nearby({x, y}, hint);
       CHECK(at_weights(locator, found).x == Approx(x).margin(1e-12));
       CHECK(at_weights(locator, found).y == Approx(y).margin(1e-12));
-      CHECK(found.looked_at == 0);  // the walk ends inside
+      CHECK(found.looked_at == 0);  // the walk ends in a triangle
     }
     CHECK(at_weights(locator, deepest).x == Approx(x).margin(1e-12));
     CHECK(deepest.looked_at > 0);

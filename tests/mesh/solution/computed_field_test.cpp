@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Values that solve equations are told from values of functions, and their layers bound aspects.
+// Distinguishes values that solve equations from values of functions. Layers of computed solutions
+// bound aspects.
 #include "asterism/mesh/solution/computed_field.hpp"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ using tests::sample_mesh;
 
 namespace {
 
-// A grid of [-1,1]^2 with cells that become narrower towards the sides, its inner vertices moved by
-// up to a sixth of a cell and half of its diagonals turned, by a fixed seed.
+// A grid of [-1,1]^2 with cells that become narrower toward the sides. By a fixed seed, inner
+// vertices are moved by up to a sixth of a cell and half of the diagonals are flipped.
 mesh irregular(vertex_index cells) {
   mesh m = sample_mesh(cells);
   std::mt19937 random(41);
@@ -50,13 +51,13 @@ mesh irregular(vertex_index cells) {
   return m;
 }
 
-// Linear elements for -w^2 lap u + c u = 1 with u = 0 on the sides, triangle by triangle.
+// Assembles linear elements for -w^2 lap u + c u = 1 with u = 0 on the sides, triangle by triangle.
 class linear_elements {
  public:
   linear_elements(const mesh& m, double w, double c)
       : mesh_(m), links_(m), diffusion_(w * w), reaction_(c) {}
 
-  // By conjugate gradients.
+  // Solves by conjugate gradients.
   std::vector<double> solve() const {
     std::vector<double> u(mesh_.sites.size(), 0.0), r = load(), p = r, product;
     double square = dot(r, r);
@@ -98,7 +99,7 @@ class linear_elements {
     std::vector<double> r(p.size(), 0.0);
     for (const triangle& t : mesh_.triangles) {
       const double size = area(t);
-      std::array<point, 3> slope;  // of the hats
+      std::array<point, 3> slope;  // gradients of the hat functions
       point whole{0, 0};
       for (std::size_t i = 0; i < 3; ++i) {
         const point &a = mesh_.sites[t[(i + 1) % 3]].position,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Least densities and longest edges: what is flat takes little of the complexity, and is told.
+// Bounds from below on densities, and longest edges: flat parts take a small share of the
+// complexity, and are reported.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -24,7 +25,8 @@ using tests::sample_mesh;
 
 namespace {
 
-// A grid of [-1,1]^2 that is fine in the middle, down to 2e-13 with a power of 8.
+// A grid of [-1,1]^2 with cells that become smaller toward the middle, down to 2e-13 for a power of
+// 8.
 mesh graded_mesh(double power) {
   constexpr vertex_index half = 40;
   mesh m = sample_mesh(2 * half);
@@ -36,7 +38,7 @@ mesh graded_mesh(double power) {
   return m;
 }
 
-// Second derivatives of log(r^2 + w^2) / 2.
+// Returns second derivatives of log(r^2 + w^2) / 2.
 std::vector<metric_tensor> softened_log(const mesh& m, double w) {
   std::vector<metric_tensor> made;
   for (const site& s : m.sites) {
@@ -46,7 +48,7 @@ std::vector<metric_tensor> softened_log(const mesh& m, double w) {
   return made;
 }
 
-// Returns the part of the complexity that places of the least density have.
+// Returns the share of the complexity in places whose density is the bound from below.
 double part_of_flat(const std::vector<metric_tensor>& tensors, const std::vector<double>& areas) {
   const auto density = [](const metric_tensor& t) {
     const symmetric_eigen e = eigen_of(t);
@@ -59,7 +61,7 @@ double part_of_flat(const std::vector<metric_tensor>& tensors, const std::vector
   return flat / complexity_of(tensors, areas);
 }
 
-// Bounds for a mesh of 4,000 vertices of a square of side 2.
+// Returns the bounds for a mesh of 4,000 vertices of a square of side 2.
 constexpr optimum_bounds usual_bounds{usual_floor_share, 1.0 / 4 / 3464};
 
 double greatest_size(const std::vector<metric_tensor>& tensors) {
@@ -102,12 +104,13 @@ TEST_CASE("sizes may differ by a factor of a hundred million") {
 }
 
 TEST_CASE("along a straight layer edges are as long as allowed, across it sizes follow the layer") {
-  // One derivative alone, exp(-30 (x + 1)). Across, sizes follow the power -p / (2p+1) of the
-  // derivative, as on a line; where that would be less dense than allowed, edges get shorter.
+  // Only one second derivative is not zero: exp(-30 (x + 1)). Across, sizes are proportional to its
+  // power -p / (2p+1), as in one dimension. Where the density would be below its bound, edges are
+  // shorter.
   const mesh m = sample_mesh(40);
   const auto areas = nodal_areas(m, mesh_links(m));
   const double least =
-      usual_floor_share / 4;  // density on a square of area 4, for a complexity of 1
+      usual_floor_share / 4;  // least density on a square of area 4, for a complexity of 1
   for (const double p : {1.0, 2.0, 5.0}) {
     std::vector<metric_tensor> h;
     for (const site& s : m.sites) h.push_back({std::exp(-30 * (s.position.x + 1)), 0, 0});
@@ -136,7 +139,7 @@ TEST_CASE("along a straight layer edges are as long as allowed, across it sizes 
     }
     CHECK(product > 0);
     CHECK(between > 0);
-    // With edges as short as those of flat places the error is several times as great.
+    // If no edge may be longer than those of flat places, the error is over ten times as great.
     const auto shorter = make_optimal_metric(h, areas, p, false, {usual_floor_share, least});
     CHECK(predicted_error(made.tensors, h, areas, p) <
           0.1 * predicted_error(shorter.tensors, h, areas, p));
@@ -165,7 +168,7 @@ TEST_CASE("edges as long as the domain along a straight layer are told, whatever
     CHECK(longest > 2 / 1.25);
     CHECK(longest < 2 * 1.25);
   }
-  // A function that is bent everywhere has no floored place.
+  // A function with curvature everywhere has no place at the bound.
   solution_metric_options options;
   options.vertices = 2000;
   const auto bowl = field(m, "u", [](const point& q) { return q.x * q.x + q.y * q.y; });
@@ -173,7 +176,7 @@ TEST_CASE("edges as long as the domain along a straight layer are told, whatever
 }
 
 TEST_CASE("least sizes do not flood what is far either") {
-  // Without them nearly all of the complexity is where they are.
+  // Without the bound, nearly all of the complexity would be in places of great density.
   const mesh m = graded_mesh(3);
   solution_metric_options options;
   options.vertices = 3000;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Linear and quadratic fields are recovered to rounding where the method promises it; nothing is
-// made of rounding; the answer does not depend on the number of threads.
+// Recovers second derivatives. Linear and quadratic fields give them to rounding where the method
+// promises it; rounding of the values gives none; the result does not depend on the number of
+// threads.
 #include "asterism/mesh/solution/hessian.hpp"
 
 #include <tbb/global_control.h>
@@ -39,7 +40,7 @@ recovered_hessian recovered(const mesh& m, const std::vector<double>& values,
   return std::move(found).value();
 }
 
-// Cells of a grid, all diagonals one way; `flatness` times as wide as high.
+// Returns the cells of a grid, with diagonals in one direction, `flatness` times as wide as high.
 mesh grid(vertex_index n, double flatness) {
   mesh m;
   for (vertex_index j = 0; j <= n; ++j)
@@ -75,7 +76,8 @@ TEST_CASE("a linear field has no second derivatives, whatever the method and the
 TEST_CASE("least squares recover a quadratic field to rounding on any mesh, at the boundary too") {
   for (const mesh& m : {sample_mesh(9), grid(8, 1), grid(8, 1e4)}) {
     const auto found = recovered(m, values_of(m, quadratic_at), hessian_method::least_squares);
-    // Values of size 5 and steps of 1/8: rounding is magnified by 64, and by the flatness squared.
+    // Values of size 5 at distances of 1/8: rounding is multiplied by 64, and by the square of the
+    // flatness.
     const double height = m.sites.back().position.y;
     CHECK(greatest_error(found, quadratic) <= 1e-11 * std::max(1.0, 1 / (height * height)));
     CHECK(found.at_boundary == 0);
@@ -88,7 +90,7 @@ TEST_CASE("averages and the weak form recover a quadratic field on a grid") {
   for (const auto method : {hessian_method::l2_projection, hessian_method::green}) {
     const auto found = recovered(m, values, method);
     CHECK(greatest_error(found, quadratic) < 1e-10);
-    // The weak form leaves the boundary to quadratics.
+    // At the boundary the weak form is replaced by quadratics.
     CHECK(found.at_boundary == (method == hessian_method::green ? 0 : 40));
   }
 }
@@ -110,12 +112,12 @@ TEST_CASE("averages come near the derivatives of a smooth field on an irregular 
 
 TEST_CASE("waves of three edges are seen by all but averages of averages") {
   constexpr vertex_index n = 30;
-  const double k = 2 * std::acos(-1.0) * n / 3;  // three edges of the grid to a wave
+  const double k = 2 * std::acos(-1.0) * n / 3;  // a wavelength is three edges of the grid
   const mesh m = grid(n, 1);
   const auto values = values_of(m, [&](const point& q) { return std::sin(k * q.x + 0.4); });
   const auto seen = [&](hessian_method method) {
     const auto found = recovered(m, values, method);
-    double greatest = 0;  // away from the boundary
+    double greatest = 0;  // over vertices away from the boundary
     for (std::size_t v = 0; v < m.sites.size(); ++v) {
       const point& q = m.sites[v].position;
       if (std::abs(q.x - 0.5) < 0.2 && std::abs(q.y - 0.5) < 0.2)
@@ -123,8 +125,8 @@ TEST_CASE("waves of three edges are seen by all but averages of averages") {
     }
     return greatest / (k * k);
   };
-  // A second difference sees (sin(kh/2) / (kh/2))^2 = 0.68 of a wave with kh = 2 pi / 3, averages
-  // of averages at most (sin(kh) / kh)^2 = 0.17.
+  // Of a wave with kh = 2 pi / 3, second differences keep the part (sin(kh/2) / (kh/2))^2 = 0.68,
+  // and averages of averages at most (sin(kh) / kh)^2 = 0.17.
   CHECK(seen(hessian_method::green) > 0.6);
   CHECK(seen(hessian_method::least_squares) > 0.3);
   CHECK(seen(hessian_method::l2_projection) < 0.2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The target is met after all bounds, or the reason told; bounds and gradation hold in what comes
-// out.
+// The metric reaches the target after all bounds, or says why not. Bounds and gradation hold in the
+// final metric.
 #include "asterism/mesh/solution/solution_metric.hpp"
 
 #include <tbb/global_control.h>
@@ -41,8 +41,8 @@ double complexity(const mesh& m, const std::vector<metric_tensor>& tensors) {
 }  // namespace
 
 TEST_CASE("a target beyond what bounds once made of it is met within two percent") {
-  // The Hessian diag(100, 0) on the unit square, sizes from 1e-5 to 0.2, aspect 10: one scaling
-  // before the bounds gives 1e9 in place of the 1000 wanted.
+  // The Hessian is diag(100, 0) on the unit square, with sizes from 1e-5 to 0.2 and aspects up to
+  // 10. A single scaling before the bounds gives a complexity of 1e9 in place of the 1000 wanted.
   mesh m = sample_mesh(30);
   for (site& s : m.sites) s.position = {(s.position.x + 1) / 2, (s.position.y + 1) / 2};
   solution_metric_options options;
@@ -102,7 +102,8 @@ TEST_CASE("a target that bounds do not allow is told, with the bound") {
 }
 
 TEST_CASE("a target between the bounds is met however far away the search begins") {
-  // Unit square, 401 vertices' worth of the identity over 0.12^2; all from 100 to 400 can be had.
+  // The identity over 0.12^2 on the unit square, for 401 vertices. All counts from 100 to 400 can
+  // be reached.
   const mesh m = sample_mesh(20);
   const std::vector<metric_tensor> given(m.sites.size(), metric_tensor{1 / 0.0144, 0, 1 / 0.0144});
   solution_metric_options options;
@@ -135,13 +136,13 @@ TEST_CASE("the error asked for is predicted of the metric") {
 }
 
 TEST_CASE("constants of the error are those of an equilateral triangle") {
-  // On the unit square with the identity as Hessian and metric: the constant itself, s / 8 and so
-  // on.
+  // On the unit square, with the identity as Hessian and as metric, the error is the constant
+  // itself: 1/8 in this norm, and so on.
   const std::vector<metric_tensor> one(1, metric_tensor{1, 0, 1});
   CHECK(predicted_error(one, one, {1.0}, 1.0) == Approx(0.125));
   CHECK(predicted_error(one, one, {1.0}, 2.0) == Approx(1 / (2 * std::sqrt(15.0))));
   CHECK(predicted_error(one, one, {1.0}, std::nullopt) == Approx(1.0 / 6));
-  // Between those by quadrature, and in order.
+  // Norms between these are integrated numerically, and lie between them.
   CHECK(predicted_error(one, one, {1.0}, 1.0000001) == Approx(0.125).epsilon(1e-3));
   CHECK(predicted_error(one, one, {1.0}, 2.0000001) ==
         Approx(1 / (2 * std::sqrt(15.0))).epsilon(1e-3));
@@ -149,7 +150,8 @@ TEST_CASE("constants of the error are those of an equilateral triangle") {
 }
 
 TEST_CASE("in the mean square the error of saddles and of single bends is predicted too") {
-  // By midpoints of the parts of an equilateral triangle of side 1 around the origin.
+  // Integrates by the midpoints of small parts of an equilateral triangle of side 1 around the
+  // origin.
   const auto integrated = [](double a, double b) {
     const double height = std::sqrt(3.0) / 2;
     const std::array<point, 3> corners = {
@@ -253,7 +255,7 @@ TEST_CASE("isotropic metrics are, and steps are kept to") {
 }
 
 TEST_CASE("a grid implies its own spacing") {
-  // Six unit edges evenly around in an equilateral lattice: the identity.
+  // Six unit edges at equal angles, as in an equilateral lattice, give the identity.
   mesh m;
   const double h = std::sqrt(3.0) / 2;
   m.sites = {{{0, 0}, {}},  {{1, 0}, {}},     {{0.5, h}, {}}, {{-0.5, h}, {}},
@@ -297,8 +299,8 @@ TEST_CASE("the metric is the same for any number of threads") {
 }
 
 TEST_CASE("a front asks for small triangles on the line where its second derivatives vanish") {
-  // Averages of signed derivatives, or a quadratic over two rings, see next to nothing there when
-  // the front is as wide as an edge, and the loop never resolved it.
+  // Before, averages of signed derivatives, or a quadratic over two rings, found nearly nothing
+  // where the front is as wide as an edge, and a loop never resolved the front.
   const mesh m = tests::sample_mesh(20);
   const auto across = [](const point& q) { return std::tanh(10 * q.x); };
   solution_metric_options options;
@@ -311,7 +313,7 @@ TEST_CASE("a front asks for small triangles on the line where its second derivat
     if (std::abs(m.sites[v].position.x) < 0.02) on_the_line = std::min(on_the_line, strength);
   }
   CHECK(on_the_line < 1e300);
-  CHECK(on_the_line > greatest / 25);  // lengths within a factor of five
+  CHECK(on_the_line > greatest / 25);  // lengths differ by at most a factor of five
 }
 
 TEST_CASE("a layer at the boundary is not averaged away") {

@@ -19,8 +19,8 @@ using asterism::vertex_index;
 
 namespace {
 
-// Counts the interior sites whose guess equals their star, made by a search of near sites without
-// the guess.
+// Counts the interior sites whose guessed neighbours equal their star. The star is made by
+// searching near sites, without the guess.
 std::size_t right_guesses(const site_oracle& oracle, const neighbour_lists& guesses) {
   std::size_t right = 0;
   for (vertex_index v = 0; v < oracle.size(); ++v) {
@@ -52,7 +52,7 @@ TEST_CASE("neighbours of random sites are guessed right but for a few where the 
 
 TEST_CASE("nothing is guessed where there is no triangulation to read it from") {
   domain d = square();
-  d.vertices.push_back({0, -1});  // on a segment
+  d.vertices.push_back({0, -1});  // vertices on a segment
   const indexed_setting now(d, identity_field());
   CHECK(guess_neighbours(now.oracle(), {}).size() == 0);
 }

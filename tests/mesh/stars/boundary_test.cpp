@@ -14,7 +14,7 @@ using namespace asterism::testing;
 
 namespace {
 
-// A square with a thin notch from above; 7 and 8 face each other across it.
+// A square with a thin notch from above. Vertices 7 and 8 face each other across it.
 domain notched() {
   domain d = polygon({{-1, -1}, {1, -1}, {1, 1}, {0.01, 1}, {0, -0.5}, {-0.01, 1}, {-1, 1}});
   d.vertices.push_back({-0.1, 0.5});
@@ -30,7 +30,7 @@ TEST_CASE("the inside is exact, edges and vertices excluded") {
     return strictly_inside(setting.edges, setting.sites, setting.kernel, {x, y});
   };
   CHECK(inside(0.5, 0.5));
-  CHECK(inside(-0.5, -0.3));  // level with vertices of the hole
+  CHECK(inside(-0.5, -0.3));  // at the height of vertices of the hole
   CHECK_FALSE(inside(0, 0));
   CHECK_FALSE(inside(0.3, 0.3));
   CHECK_FALSE(inside(0.3, 0));
@@ -117,7 +117,7 @@ TEST_CASE("splitting a piece renews the stars at its ends and keeps the chain") 
 }
 
 TEST_CASE("a split point rounded inwards hides what it cuts off") {
-  // The pair 4 - 5 lies so near the lower side that a vertex at (0, 0.02) comes between.
+  // The vertices 4 and 5 are so near the lower side that a new vertex at (0, 0.02) separates them.
   domain d = polygon({{-1, 0}, {1, 0}, {1, 1}, {-1, 1}});
   d.vertices.push_back({-0.5, 0.0125});
   d.vertices.push_back({0.5, 0.0125});

@@ -58,22 +58,22 @@ TEST_CASE("constructed stars of the same sites are those") {
 
 TEST_CASE("a missing edge is named, with the star that lacks it") {
   auto stars = agreed_stars();
-  stars[0].sectors[0].neighbours = {1, 3};  // no longer knows 4
+  stars[0].sectors[0].neighbours = {1, 3};  // removes 4 from the star of 0
   const consistency_report report = check(stars);
   CHECK_FALSE(report.consistent());
   CHECK(has_defect(report, defect_kind::missing_edge, 4, 0));  // 4 - 0 is not in the star of 0
   CHECK(has_defect(report, defect_kind::missing_edge, 0, 1) == false);
-  CHECK(has_defect(report, defect_kind::missing_triangle, 1, 0));  // 1 - 0 is, the triangle not
+  CHECK(has_defect(report, defect_kind::missing_triangle, 1, 0));  // the edge 1 - 0 is there
   CHECK(has_defect(report, defect_kind::missing_edge, 0, 4) == false);
-  // {0, 1, 3} is in the star of 0 alone; 0-1-4 and 0-4-3 are in the others'.
+  // {0, 1, 3} is in the star of 0 alone; 0-1-4 and 0-4-3 are in those of their other corners.
   CHECK(report.disagreeing == std::vector<triangle>{{0, 1, 3}, {0, 1, 4}, {0, 4, 3}});
   CHECK(report.agreeing == std::vector<triangle>{{1, 2, 4}, {2, 3, 4}});
 }
 
 TEST_CASE("a missing triangle is told from a missing edge") {
   auto stars = agreed_stars();
-  stars[4].sectors[0].neighbours = {0, 2,
-                                    3};  // lost 1: now holds 4, 0, 2 (clockwise of the centre)
+  // Removes 1: the star has 4, 0, 2, which is clockwise of the centre.
+  stars[4].sectors[0].neighbours = {0, 2, 3};
   const consistency_report report = check(stars);
   CHECK(has_defect(report, defect_kind::missing_edge, 1, 4));
   CHECK(has_defect(report, defect_kind::missing_triangle, 0, 4));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares stars made all at once in one metric with stars made one by one from all
-// sites.
+// Compares stars made all at once in one metric with stars made one at a time from all sites.
 #include "asterism/mesh/stars/equal_metric_stars.hpp"
 
 #include <algorithm>
@@ -40,7 +39,7 @@ void add_grid(domain& d, int side) {
 }
 
 // The square with segments inside that cross many edges of the triangulation without them: one from
-// side to side, one from the middle of it that ends inside, and one apart.
+// side to side, one that begins in its middle and ends inside, and one apart.
 domain divided_square() {
   domain d = square();
   d.vertices.insert(
@@ -87,7 +86,7 @@ std::vector<arrangement> arrangements() {
   return all;
 }
 
-// The star with each closed sector turned so that it begins with the least neighbour.
+// Returns the star with each closed sector rotated so that it begins with the least neighbour.
 star in_order(star s) {
   for (sector& part : s.sectors)
     if (part.closed)
@@ -115,13 +114,14 @@ TEST_CASE("stars made all at once in one metric are those made one by one from a
         REQUIRE(alone.settled);
         CHECK((*made)[v].settled);
         CHECK(in_order((*made)[v].content) == in_order(alone.content));
-        // Both reaches are bounds from above on the same radius; that of gaps has more to spare.
+        // Both reaches are upper bounds of the same radius. The gap's reach has the greater margin.
         const auto reach = final_reach(now.oracle(), v, (*made)[v].content);
         REQUIRE(reach);
         REQUIRE((*made)[v].final_reach);
         CHECK(*(*made)[v].final_reach <= *reach * (1 + 1e-9));
         const double radius = farthest_vertex(now.oracle(), v, (*made)[v].content);
-        // Doubles are off by more where the metric is thin, and may not find a vertex far away.
+        // Doubles have a larger error where the metric is thin, and may find no vertex that is far
+        // away.
         if (std::isfinite(radius)) CHECK(*(*made)[v].final_reach >= radius * (1 - 1e-2));
       }
     }
@@ -196,7 +196,7 @@ TEST_CASE(
   std::size_t added = 0;
   for (int i = 1; i < 16; ++i)
     for (int j = 1; j < 16; ++j) {
-      const point q{-1 + i / 8.0, -1 + j / 8.0};  // some on edges, one on a segment
+      const point q{-1 + i / 8.0, -1 + j / 8.0};  // some are on edges, one is on a segment
       const auto found = delaunay.locate_near(q, at);
       if (!found) continue;  // beyond a segment, or at a site
       at = delaunay.at(delaunay.insert_towards({q, {1, 0, 1}}, *found, is_better, 1000)).face;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares shortest and median distances by local searches with those of all pairs: the same
+// Compares shortest and median distances from local searches with those over all pairs: the same
 // doubles.
 #include "asterism/mesh/stars/nearest_distances.hpp"
 
@@ -75,7 +75,7 @@ std::vector<scene> scenes() {
   for (int i = 0; i < 300; ++i) {
     const double x = random.real(-0.9, 0.9), y = random.real(-0.9, 0.9);
     scattered.vertices.push_back({x, y});
-    // Two thirds within a millionth of the middle.
+    // Two thirds of the sites are within a millionth of the middle.
     const double near = i % 3 == 0 ? 1 : 0x1p-20;
     crowded.vertices.push_back({near * x, near * y});
     grid.vertices.push_back({(i % 17 - 8) / 10.0, (i / 17 - 8) / 10.0});

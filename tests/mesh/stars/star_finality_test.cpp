@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares final stars with a scan of all sites, and stars confirmed earlier with sites added
-// later.
+// Compares final stars with a scan of all sites, and earlier confirmations of stars with sites
+// added later.
 #include "asterism/mesh/stars/star_finality.hpp"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ domain filled_square(int count, std::uint64_t seed, double scale, const point& o
   return d;
 }
 
-// A different tensor everywhere, of condition up to `condition`.
+// Every site has another tensor, of condition up to `condition`.
 formula_field wild_field(double condition) {
   return formula_field([condition](const point& q) {
     const double t = 40 * q.x + 31 * q.y, c = std::cos(t), s = std::sin(t);
@@ -148,7 +148,7 @@ TEST_CASE("a reach that was found keeps out what comes later from farther away")
 
 TEST_CASE("stars confirmed as sites come one by one are those of all sites at once") {
   for (const arrangement& a : arrangements()) {
-    if (a.name == "wild" || a.name == "wilder") continue;  // costs seconds, shows no more
+    if (a.name == "wild" || a.name == "wilder") continue;  // takes seconds and adds no case
     INFO(a.name);
     indexed_setting now(a.shape, a.field);
     star_set stars;
@@ -177,7 +177,7 @@ TEST_CASE("stars confirmed as sites come one by one are those of all sites at on
 TEST_CASE("a right guess is the star at once, and a wrong one changes nothing") {
   std::size_t taken = 0, refused = 0;
   for (const arrangement& a : arrangements()) {
-    if (a.name == "wild" || a.name == "wilder") continue;  // stars there may have several forms
+    if (a.name == "wild" || a.name == "wilder") continue;  // a star may have several results
     INFO(a.name);
     const indexed_setting now(a.shape, a.field);
     const site_oracle oracle = now.oracle();
@@ -205,8 +205,8 @@ TEST_CASE("a right guess is the star at once, and a wrong one changes nothing") 
   CHECK(refused < taken);
 }
 
-// At the rim of many sites a star sees the boundary far away, in another metric: gaps have no
-// bound.
+// A star at the rim of many sites has neighbours on the boundary far away, in another metric: these
+// gaps have no bound on their reach.
 TEST_CASE("a star is not held against all sites because one gap of it has no bound") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   domain d = square();

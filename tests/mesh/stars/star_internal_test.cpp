@@ -109,7 +109,7 @@ TEST_CASE("an internal segment is split on both sides at once") {
   stars.construct_all(setting.oracle());
   CHECK_FALSE(stars[6].contains(7));
   CHECK(check_consistency(setting.oracle(), stars).consistent());
-  // Each way round, and then a part of it.
+  // Splits in both directions, and then splits a part again.
   const auto split = [&](vertex_index a, vertex_index b, const point& at) {
     const auto m = static_cast<vertex_index>(setting.sites.size());
     setting.sites.push_back({at, {1, 0, 1}});
@@ -142,7 +142,7 @@ TEST_CASE("a split point off an internal segment hides what it cuts off, on eith
   for (const double side : {1.0, -1.0}) {
     domain d = square();
     d.segments.push_back({0, 2, 5});
-    // Two sites so near the diagonal that a vertex beside its middle comes between.
+    // Two sites so near the diagonal that a vertex beside its middle separates them.
     const point off{-0.0125 * side, 0.0125 * side};
     d.vertices.push_back({-0.5 + off.x, -0.5 + off.y});
     d.vertices.push_back({0.5 + off.x, 0.5 + off.y});

@@ -65,7 +65,7 @@ TEST_CASE("gaps of a star with very many neighbours are found as in one with few
   for (const bool closed : {true, false}) {
     sector s{{}, closed};
     for (vertex_index w = 1; w < places.size(); w += 2) s.neighbours.push_back(w);
-    if (!closed) s.neighbours.push_back(1);  // a slit
+    if (!closed) s.neighbours.push_back(1);  // a slit (one subsegment on both sides)
     for (std::size_t gap = 0; gap < s.gaps(); ++gap) {
       const vertex_index y = s.neighbours[gap], x = s.neighbours[s.after(gap)];
       CHECK(gap_from(oracle, 0, s, y, x) == gap);
@@ -109,7 +109,8 @@ TEST_CASE("a site strictly inside a triangle of the star is inserted") {
 }
 
 TEST_CASE("inserting a near site removes neighbours on both sides") {
-  // With equal metrics a star is the Delaunay one: the square around site 0 replaces a far ring.
+  // With equal metrics a star is the Delaunay star: the square around site 0 replaces a ring
+  // farther away.
   const star_setting setting(isotropic({{0, 0},
                                         {9, 1},
                                         {-1, 9},
@@ -127,7 +128,7 @@ TEST_CASE("inserting a near site removes neighbours on both sides") {
 }
 
 TEST_CASE("forced neighbours stay, and nothing is inserted on their rays") {
-  // Site 4 lies inside, site 5 on the ray beyond a forced end, both near corner 0.
+  // Site 4 is inside, site 5 on the ray beyond a forced end; both are near corner 0.
   domain d = polygon({{0, 0}, {1, 0}, {4, 4}, {0, 1}});
   d.vertices.push_back({0.25, 0.25});
   const star_setting setting(d);
@@ -139,7 +140,7 @@ TEST_CASE("forced neighbours stay, and nothing is inserted on their rays") {
 }
 
 TEST_CASE("with equal metrics stars are the Delaunay ones, far neighbours and near") {
-  // A 5 x 5 grid skewed and squeezed so that no four points are cocircular.
+  // A 5 x 5 grid, skewed and squeezed so that no four points are cocircular.
   std::vector<site> sites;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
@@ -153,7 +154,7 @@ TEST_CASE("with equal metrics stars are the Delaunay ones, far neighbours and ne
     REQUIRE(holds_triangle(oracle, 12, s.sectors[0], gap));
     for (vertex_index w = 0; w < sites.size(); ++w) {
       if (w == 12 || w == x || w == y) continue;
-      // In-circle by long double determinants, far from zero here.
+      // Evaluates in-circle tests by determinants in long doubles, which are far from zero here.
       const auto row = [&](vertex_index k) {
         const long double dx = sites[k].position.x - sites[w].position.x;
         const long double dy = sites[k].position.y - sites[w].position.y;

@@ -13,7 +13,7 @@ using namespace asterism::testing;
 
 namespace {
 
-// Vertices on the boundary of the grid first, counter-clockwise, then the inner ones.
+// Lists vertices on the grid's boundary first, counter-clockwise, then the inner ones.
 domain grid(int n) {
   std::vector<point> ring;
   ring.reserve(4 * static_cast<std::size_t>(n));
@@ -28,7 +28,8 @@ domain grid(int n) {
   return d;
 }
 
-// Integer points on one circle round the origin: exactly cocircular, by Pythagoras.
+// Returns integer points on one circle around the origin: exactly cocircular, by Pythagorean
+// triples.
 std::vector<point> points_on_circle(std::int64_t radius, std::size_t wanted) {
   std::vector<point> points;
   for (std::int64_t x = -radius; x <= radius && points.size() < wanted; ++x) {
@@ -54,7 +55,8 @@ void check_convex_set(const std::vector<site>& sites) {
   stars.construct_all(setting.oracle());
   const consistency_report report = check_consistency(setting.oracle(), stars);
   CHECK(report.disagreeing.empty());
-  // Points on a circle: each has the one gap outside the circle, and there are n - 2 triangles.
+  // Each point on the circle has one wide gap, outside of the circle. The polygon has n - 2
+  // triangles.
   CHECK(report.defects.size() == sites.size());
   CHECK(wide_gaps(report) == sites.size());
   CHECK(report.agreeing.size() == sites.size() - 2);

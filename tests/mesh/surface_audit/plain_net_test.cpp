@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Nets in doubles hold the exact net within their bound, which is made of the roundings counted
-// here once more; and what knots cut off narrowly is proved like the rest.
+// Control nets in doubles contain the exact net within their bounds, whose number of roundings is
+// counted here again. Triangles next to knots are proved like others.
 #include "asterism/mesh/surface_audit/plain_net.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using namespace asterism::internal;
 
 namespace {
 
-// Returns the polar form of a Bezier curve, a step for each of its arguments.
+// Returns the polar form of a Bezier curve, by one step for each argument.
 exact_weighted_point polar(std::vector<exact_weighted_point> c,
                            const std::vector<double>& arguments) {
   for (const double x : arguments) {
@@ -35,7 +35,7 @@ exact_weighted_point polar(std::vector<exact_weighted_point> c,
   return c[0];
 }
 
-// Each corner as often as the multi-index says.
+// Returns the list that has each corner as often as the multi-index says.
 std::vector<double> repeated(const std::array<double, 3>& at, const std::array<int, 3>& times) {
   std::vector<double> all;
   for (std::size_t k = 0; k < 3; ++k)
@@ -46,7 +46,7 @@ std::vector<double> repeated(const std::array<double, 3>& at, const std::array<i
 struct random_patch {
   int p = 0, q = 0;
   std::vector<weighted_point> control;
-  std::array<std::array<double, 3>, 2> at{};  // s and t of the corners
+  std::array<std::array<double, 3>, 2> at{};  // parameters s and t of the corners
   parameter_triangle corners;
 
   tensor_net tensor() const { return {p, q, control.data()}; }
@@ -68,7 +68,7 @@ random_patch patch_of(splitmix64& random, int most, double least_weight) {
   return r;
 }
 
-// The net's point times the number of ways, exactly.
+// Returns the net's point times the number of arrangements of its arguments, exactly.
 exact_weighted_point exact_sum(const random_patch& r, const std::array<int, 3>& index) {
   exact_weighted_point sum{{0, 0, 0}, 0};
   for (int i = 0; i <= r.p; ++i)
@@ -98,7 +98,8 @@ bool holds(const rounded_interval& a, const dyadic& times, const dyadic& x) {
          (times * dyadic(a.sup()) - x).sign_value() != sign::negative;
 }
 
-// A patch of one inner knot, bent, and a plane mesh of three triangles with a vertex on its side.
+// A bent patch with one inner knot, and a plane mesh of three triangles with a vertex on the
+// patch's side.
 struct bent_shell {
   surface of;
   surface_shell shell;
@@ -156,7 +157,7 @@ TEST_CASE("a net in doubles holds the exact one, and its roundings are no more t
           CHECK(holds(found.at.y, ways, exact.at.y));
           CHECK(holds(found.at.z, ways, exact.at.z));
           if (is_rational) CHECK(holds(found.weight, ways, exact.weight));
-          // Narrow beside the weight, however small that is.
+          // The interval is narrow in proportion to the weight, also where the weight is small.
           CHECK(found.at.x.sup() - found.at.x.inf() <= 1e-13 * found.weight.sup());
         }
     }
@@ -200,7 +201,7 @@ TEST_CASE("vertices next to a knot leave parts that are proved like others") {
     REQUIRE(report);
     CHECK(report.value().findings == std::vector<std::string>{});
     CHECK(report.value().folded == 0);
-    // The curve of height 0.01 rises by at most 0.01 / 0.15 beside its start.
+    // A curve of height 0.01 rises beside its start by at most 0.01 / 0.15 of the distance.
     CHECK(report.value().normal_tangent < 0.1);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Nets hold the surface over their triangles, hulls and pairs of triangles bound distances, and
-// enclosures hold what is known of flat and round surfaces.
+// Control nets contain the surface over their triangles, hulls and pairs of triangles bound
+// distances, and enclosures contain the known values of flat and round surfaces.
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 surface known(const char* name) { return *built_in_surface(name); }
 
-// n x n cells of a patch's parameters, lifted.
+// Returns n x n cells of a patch's parameters, mapped to space.
 space_mesh lifted_grid(const std::vector<bezier_piece>& pieces, std::uint32_t n) {
   space_mesh m;
   for (const bezier_piece& piece : pieces) {
@@ -42,7 +42,7 @@ space_mesh lifted_grid(const std::vector<bezier_piece>& pieces, std::uint32_t n)
   return m;
 }
 
-// The greatest distance from a plain sample of the one to the triangles, in doubles.
+// Returns the greatest distance of sampled points from the triangles, in doubles.
 double sampled_from_surface(const std::vector<bezier_piece>& pieces, const space_mesh& m, int n) {
   double most = 0;
   for (const bezier_piece& piece : pieces)
@@ -67,7 +67,7 @@ double sampled_from_surface(const std::vector<bezier_piece>& pieces, const space
   const double t = a * corners[0].t.sup() + b * corners[1].t.sup() + c * corners[2].t.sup();
   const plain_vector p = evaluate(piece, s, t).at;
   double low = 1e300, high = -1e300;
-  // Along one direction; the numbers are rounded alike to some units.
+  // Compares extents in one direction. Both are rounded, by some units in the last place.
   for (const interval_vector& q : points) {
     low = std::min(low, q.x.inf() + 2 * q.y.inf() - 3 * q.z.sup());
     high = std::max(high, q.x.sup() + 2 * q.y.sup() - 3 * q.z.inf());
@@ -110,7 +110,7 @@ TEST_CASE("a distance is certainly more or not, and never both, in intervals and
     const double squared = nearest_in(t, plain(p)).squared_distance;
     const exact_vector exact = vector_of<dyadic>(p);
     INFO(k);
-    // Integers and their quotients by areas: a share of a millionth decides.
+    // The numbers are integers and their quotients by areas, so that a part of a millionth decides.
     CHECK(is_farther(exact, dyadic(1), t, dyadic(squared * (1 - 1e-6) - 1e-12)));
     CHECK(!is_farther(exact, dyadic(1), t, dyadic(squared * (1 + 1e-6) + 1e-12)));
     const floating_point_scope scope(rounding::upward);

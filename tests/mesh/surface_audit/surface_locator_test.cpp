@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Searches for the nearest place of a surface find it beside a pole.
+// Searches for the nearest place of a surface, and finds it beside a pole.
 #include "asterism/mesh/surface_audit/surface_locator.hpp"
 
 #include <array>
@@ -15,7 +15,7 @@ using namespace asterism::internal;
 
 namespace {
 
-// Returns the unit sphere as one NURBS patch: meridians of two arcs, turned by four arcs about z.
+// Returns the unit sphere as one NURBS patch: meridians of two arcs, rotated about z by four arcs.
 surface ball() {
   const double root = std::sqrt(0.5);
   const std::array<std::array<double, 3>, 5> half = {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounds of distances of trimming curves are no smaller than the distances of points of them, also
-// where a curve's polynomials beyond their knots have weights that are not positive.
+// Bounds of distances of trimming curves are at least the distances of points of these curves. This
+// holds also where a curve's polynomials have weights that are not positive beyond their knots.
 #include "asterism/mesh/surface_audit/trim_distance.hpp"
 
 #include <array>
@@ -23,7 +23,7 @@ surface unit_square() {
   return s;
 }
 
-// An arc whose weight is negative beyond its knot, up to `height`, and a straight line.
+// Returns an arc of height `height` whose weight is negative beyond its knot, and a straight line.
 trim_curve arc_and_line(double height) {
   trim_curve c;
   c.degree = 2;
@@ -40,7 +40,8 @@ TEST_CASE("no piece of a trimming curve is left out of a bound") {
   const auto spans = spans_of(pieces.value(), 1);
   const trim_curve high = arc_and_line(0.9), flat = arc_and_line(0.5);
   const curve_on_patch a{pieces.value(), spans[0], high}, b{pieces.value(), spans[0], flat};
-  // In the middle of the arcs v differs by 0.4 times the share of the inner point, 1.5 of 2.
+  // In the middle of the arcs v differs by 0.4 times the share of the inner point, which is 1.5 of
+  // 2.
   const double gap = trim_gap_above(a, b, false, 1e-9);
   CHECK(gap >= 0.3 - 1e-12);
   CHECK(gap <= 1.06 * 0.3);
@@ -55,7 +56,7 @@ TEST_CASE("a piece between knots that rounding does not tell apart proves nothin
   const auto pieces = bezier_pieces(unit_square());
   REQUIRE(pieces);
   const auto spans = spans_of(pieces.value(), 1);
-  // The piece between the knots is a jump by 0.3; what is on both sides is the same in both curves.
+  // Between the two knots the curve jumps by 0.3. Before and after them both curves are the same.
   const auto with_jump = [](double high) {
     trim_curve c;
     c.knots = {0, 0, 1, std::nextafter(1.0, 2.0), 3, 3};

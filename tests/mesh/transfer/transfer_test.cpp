@@ -24,7 +24,8 @@ namespace {
 constexpr std::array methods = {transfer_method::interpolate, transfer_method::project,
                                 transfer_method::bounded};
 
-// nx x ny cells on [0,1]^2, all diagonals one way, without those that `is_out` takes out.
+// Returns nx x ny cells on [0,1]^2 with diagonals in one direction, without the cells for which
+// `is_out` is true.
 mesh grid(vertex_index nx, vertex_index ny,
           const std::function<bool(vertex_index, vertex_index)>& is_out = {}) {
   mesh m;
@@ -156,7 +157,8 @@ TEST_CASE("a bounded transfer of a smooth field is nearly the projection") {
 }
 
 TEST_CASE("nothing is read across a hole or a thin gap") {
-  // Two plates with a gap of one cell, value 0 below and 1 above; then a finer mesh of the same.
+  // Two plates with a gap of one cell between them, with value 0 below and 1 above; then a finer
+  // mesh of the same domain.
   const auto plates = [](vertex_index n) {
     return grid(n, 1000, [](vertex_index, vertex_index j) { return j == 500; });
   };
@@ -168,8 +170,8 @@ TEST_CASE("nothing is read across a hole or a thin gap") {
 }
 
 TEST_CASE("nothing is read across holes, slits, or from one part to another") {
-  // A hole that leaves corridors of one cell; a slit whose two sides are the same points twice; and
-  // three parts side by side. Each side has a value of its own.
+  // A hole with corridors of one cell around it, a slit whose two sides have the same points twice,
+  // and three parts side by side. Each side has a value of its own.
   const auto hole = [](vertex_index k) {
     return grid(20 * k, 20 * k, [k](vertex_index i, vertex_index j) {
       return (i >= 2 * k && i < 18 * k && j >= 2 * k && j < 18 * k) ||
@@ -189,7 +191,7 @@ TEST_CASE("nothing is read across holes, slits, or from one part to another") {
     return m;
   };
   const auto by_part = [](const point& q) { return std::floor(2.5 * q.x + 0.25); };
-  // The corridor below joins the two arms, which end at the gap above.
+  // The corridor below joins the two arms. At the gap above, the arms end.
   const auto by_arm = [](const point& q) {
     return q.y > 0.15 ? (q.x < 0.5 ? -1.0 : 1.0) : std::clamp(4 * q.x - 2, -1.0, 1.0);
   };
@@ -203,7 +205,8 @@ TEST_CASE("nothing is read across holes, slits, or from one part to another") {
     const mesh three = parts(2), many = parts(5);
     CHECK(greatest_difference(many, moved(three, scalar(three, by_part), many, how).values,
                               by_part) < 1e-14);
-    // Both sides of the slit have the same coordinates: the part decides, not the place.
+    // Both sides of the slit have the same coordinates. The component decides which side's value is
+    // taken.
     const mesh two = slit(4), again = slit(9);
     solution s = scalar(two, [](const point&) { return 0.0; });
     for (std::size_t v = two.sites.size() / 2; v < two.sites.size(); ++v) s.fields[0].values[v] = 1;
@@ -234,7 +237,7 @@ TEST_CASE("a vertex that rounding has put outside takes its value from its own s
   mesh to = plates(7);
   std::size_t pushed = 0;
   for (site& v : to.sites)
-    if (v.position.y == 500.0 / 1000) {  // into the gap, more than half of it
+    if (v.position.y == 500.0 / 1000) {  // more than half of it is in the gap
       v.position.y += 0.0006;
       ++pushed;
     }
@@ -360,7 +363,8 @@ TEST_CASE("common parts add up to the triangle, and degenerate positions are no 
     INFO("pair " << i);
     CHECK(area(there) == Approx(area(back)).margin(1e-12));
     CHECK(area(there) >= -1e-14);
-    // The square [0,4]^2 cut in four parts around the middle of the new triangle: parts add up.
+    // The square [0,4]^2, cut in four parts around the middle of the new triangle: the integrals
+    // over the parts add up.
     double sum = 0;
     const std::array<point, 4> square = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
     for (std::size_t k = 0; k < 4; ++k) {
