@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Asks the corpus of questions, whose answers are known, in every way that asterism-predicates has: on
-// lists, on numbers, and over tables. Runs in node and in browsers.
+// Asks a corpus of questions with known answers in every way that asterism-predicates has: on
+// lists, on numbers and over tables. Runs in node and in browsers.
 
-// Returns the double that a decimal or C99 hexadecimal text stands for. Both factors are exact, and so is
-// the number before the last one.
+// Returns the double that a decimal or C99 hexadecimal text stands for. Both factors are exact, and
+// the product is rounded once.
 export function numberOf(text) {
   const parts = /^(-?)0x([0-9a-f]+)\.?([0-9a-f]*)p([+-]?\d+)$/i.exec(text);
   if (!parts) return Number(text);
@@ -33,7 +33,7 @@ const QUESTIONS = {
 };
 const PLANE = [1, 0, 1];
 
-// Returns the records of the text: what is asked, its numbers and the answer.
+// Returns the records of the text: the name of the predicate, its numbers and the answer.
 export function recordsOf(text) {
   const records = [];
   for (const line of text.split('\n')) {
@@ -53,7 +53,8 @@ function argumentsOf({ name, numbers }) {
   return QUESTIONS[name][2].map((width) => numbers.slice(at, at += width));
 }
 
-// Asks one question in numbers, and the functions with robust-predicates' arguments where it is theirs.
+// Asks one question in numbers, and also with robust-predicates' arguments where the function is
+// one of that package's.
 function otherWaysAlike(predicates, record) {
   const [one] = QUESTIONS[record.name];
   if (Number(predicates[one](...record.numbers)) !== record.answer) return false;
@@ -62,7 +63,7 @@ function otherWaysAlike(predicates, record) {
   return true;
 }
 
-// Returns how many questions of one name are answered otherwise over tables.
+// Returns how many questions of one name have other answers over tables.
 function tableDifferences(predicates, name, records) {
   const [, many, widths] = QUESTIONS[name];
   const tables = widths.map((width) => new Float64Array(width * records.length));
@@ -70,8 +71,8 @@ function tableDifferences(predicates, name, records) {
   return predicates[many](...tables).reduce((sum, answer, row) => sum + (answer !== records[row].answer), 0);
 }
 
-// Returns how many records there were, how many were answered otherwise, and the tiers that decided the
-// questions one by one.
+// Returns the number of records, the number of wrong answers, and the tiers that decided the
+// questions asked singly.
 export function askCorpus(predicates, text) {
   const records = recordsOf(text);
   predicates.resetCounters();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// corpus_in_node.mjs CORPUS: prints what askCorpus tells, as JSON.
+// corpus_in_node.mjs CORPUS: prints what askCorpus returns, as JSON.
 import { readFileSync } from 'node:fs';
 import * as predicates from 'asterism-predicates';
 import { askCorpus } from './corpus.mjs';

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where robust-predicates is overridden by asterism-predicates, delaunator and d3-delaunay ask the latter, as
-// import and as require() give it, and triangulate. (d3-delaunay 6.0.6 has a copy of robust-predicates inside.)
+// Overrides robust-predicates by asterism-predicates. delaunator and d3-delaunay then ask the
+// latter, by import and by require(), and triangulate. (d3-delaunay 6.0.6 contains a copy of
+// robust-predicates.)
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { Delaunay } from 'd3-delaunay';

@@ -53,7 +53,7 @@ test('what no predicate can be asked is a RangeError, which says the row', () =>
   assert.throws(() => orientation([0, 0], [1, 0], [0, NaN]), RangeError);
   assert.throws(() => edgeTest([0, 0, 1, 0, 1], [0, 0, 2, 0, 1], [1, 0, 1, 0, 1], [0, 1, 1, 0, 1]), /same position/);
   assert.throws(() => inCircle([1, 1, 1], [0, 0], [1, 0], [0, 1], [1, 1]), /not positive definite/);
-  // Behind the first part of a table that is asked at once.
+  // An error behind the first block of a table.
   const rows = 20000;
   const r = new Float64Array(2 * rows).fill(1);
   r[2 * 19990] = Infinity;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// asterism-mesh as installed, in node: jobs of a file, answered with the texts of the files; then what a test of
-// its own asks.   node mesh.mjs JOBS.json ANSWERS.json
+// Runs asterism-mesh as installed, in node. Writes the texts of the files that the jobs of a file
+// make, and then checks the package's own functions. node mesh.mjs JOBS.json ANSWERS.json
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -22,7 +22,7 @@ assert.equal(made.sites.length % 5, 0);
 assert.equal(made.edges.length, 2 * made.markers.length);
 assert.match(version, /^\d+\.\d+\.\d+/);
 
-// The mesh and its certificate are judged again; what is spoiled is refused, with the witness.
+// The mesh and its certificate are verified. A spoiled mesh is refused, with the witness.
 assert.deepEqual((await verify(made.files)).certified, true);
 const spoiled = made.files.mesh.replace(/\nVertices\n(\d+)\n\S+/, '\nVertices\n$1\n0.0625');
 assert.notEqual(spoiled, made.files.mesh);
@@ -33,13 +33,14 @@ const asked = await certify(made.files, { angleBound: 22 });
 assert(asked.certified && asked.certificate.includes('"certified"'));
 assert.equal((await certify(made.files, { angleBound: 50 })).certified, false);
 
-// A metric of one's own, what it throws, and what it should not return.
+// A metric that is a function of the caller: its exceptions are passed on, and wrong results are
+// refused.
 assert((await mesh('square', (x, y) => [1 + 4 * x * x, 0, 1 + y * y], { size: 0.3 })).certified);
 await assert.rejects(mesh('square', () => { throw new Error('mine'); }, { size: 0.3 }), /^Error: mine$/);
 await assert.rejects(mesh('square', () => [1, 0], { size: 0.3 }), TypeError);
 await assert.rejects(mesh('square', () => [1, 5, 1], { size: 0.3 }), RangeError);
 
-// Refused with the program's words; other shapes of arguments.
+// Wrong arguments are refused with the command's own messages, or for their shape.
 await assert.rejects(mesh({ points: [[0, 0], [1, 1], [1, 0], [0, 1]] }, 'identity'), { name: 'RangeError', message: /cross/ });
 await assert.rejects(mesh('square', 'no such metric'), RangeError);
 await assert.rejects(mesh('square', 'expr:1;0;1'), { name: 'RangeError', message: /formulas are not part of this module/ });

@@ -30,7 +30,7 @@ def run(command, folder, expected=0):
 
 
 def translated(words):
-    """The job as the package takes it, or the word that it does not take."""
+    """Returns the job as the package takes it, or the word that it does not take."""
     options, metric, at = {}, "identity", 2
     if words[0] != "mesh" or words[1] not in ("square", "airfoil"):
         return None, words[1]
@@ -61,7 +61,7 @@ def translated(words):
 
 
 def recorded_jobs(project, asterism, work):
-    """Of each command of the record that meshes a built-in domain: the job, and the files of the command."""
+    """Yields for each recorded command that meshes a built-in domain the job and the files of the command."""
     sys.path.insert(0, str(project / "tests/runs"))
     import jobs  # pylint: disable=import-outside-toplevel
     taken, passed_over = [], []
@@ -83,7 +83,7 @@ def recorded_jobs(project, asterism, work):
 
 
 def remade(words):
-    """The command with one output."""
+    """Returns the words of the command with one output only."""
     kept, at = [], 0
     while at < len(words):
         if words[at] in ("-o", "--certificate"):
@@ -115,7 +115,8 @@ def installed(packed, project, work):
 
 
 def claims(text):
-    """The certificate without counts of orientations: sorts of another standard library compare in another order."""
+    """Returns the certificate without counts of orientations. Sorting in another standard library compares in another
+    order."""
     def stripped(part):
         if isinstance(part, list):
             return [stripped(one) for one in part]

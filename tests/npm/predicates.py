@@ -13,7 +13,7 @@ import sys
 
 import served
 
-BOUND = 150_000  # bytes of the packed file
+BOUND = 150_000  # greatest size of the packed file in bytes
 FROM_REGISTRY = ["typescript", "robust-predicates"]
 SKIPPED = 77
 NAMES = {"is_spd": "isPositiveDefinite"}
@@ -27,7 +27,7 @@ def run(command, folder):
 
 
 def built(project):
-    """The packed file, made anew."""
+    """Packs the package anew, and returns the file."""
     missing = [tool for tool in ("em++", "node", "npm") if shutil.which(tool) is None]
     if missing:
         print("skipped:", ", ".join(missing), "not installed")
@@ -59,7 +59,7 @@ def camel_case(name):
 
 
 def native_tiers(asterism, work):
-    """Of the command's statistics: name, then what the tiers decided."""
+    """Returns, from the command's statistics, for each predicate how many questions each tier decided."""
     done = subprocess.run([asterism, "eval", "--stats", work / "corpus.txt"], capture_output=True, text=True, check=True)
     rows = [line.split() for line in done.stderr.splitlines()[1:] if not line.startswith("answers")]
     return {camel_case(row[0]): dict(zip(("semiStatic", "interval", "exact"), map(int, row[1:4]))) for row in rows}
@@ -74,7 +74,7 @@ def judge(told, where, tiers):
 
 
 def in_place_of_robust_predicates(packed, work):
-    """Delaunator and d3-delaunay, told by their host's package.json to take this package instead."""
+    """Installs delaunator and d3-delaunay in a host whose package.json replaces robust-predicates by this package."""
     folder = work / "override"
     folder.mkdir()
     told = {"name": "override", "version": "1.0.0", "private": True, "type": "module",
@@ -86,7 +86,7 @@ def in_place_of_robust_predicates(packed, work):
 
 
 def with_packages_of_others(packed, work):
-    """Types, and the places of robust-predicates: with a registry at hand."""
+    """Checks types, and both packages in place of robust-predicates. Needs a registry of npm."""
     fetched = subprocess.run(["npm", "install", "--silent", *FROM_REGISTRY], cwd=work, capture_output=True, text=True,
                              check=False)
     if fetched.returncode != 0:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// orient2d and incircle beside robust-predicates': the same signs on questions that are close, and values
-// that differ by rounding alone.
+// Compares orient2d and incircle with robust-predicates': equal signs on near ties, and values that
+// differ by rounding only.
 import assert from 'node:assert/strict';
 import * as ours from 'asterism-predicates';
 import * as robust from 'robust-predicates';
@@ -13,7 +13,7 @@ function random() {
   return state / 2147483647;
 }
 
-// Points on and beside lines and circles of whole numbers, some of them a unit in the last place off.
+// Draws points on lines and circles of whole numbers, some moved by a unit in the last place.
 function near(x) {
   const off = Math.floor(3 * random()) - 1;
   return x + off * Math.abs(x) * 2 ** -52;
@@ -24,7 +24,7 @@ let zeros = 0, questions = 0;
 for (let i = 0; i < 100000; ++i) {
   const dx = 1 + whole(50), dy = 1 + whole(50), s = whole(20), t = whole(20), x = whole(9) / 8, y = whole(9) / 8;
   const line = [x, y, near(x + s * dx), near(y + s * dy), near(x - t * dx), near(y - t * dy)];
-  // Two sides of a rectangle about the middle (x, y), and the fourth corner.
+  // Two sides of a rectangle around the middle (x, y), and the fourth corner.
   const circle = [x - dx, y - dy, x + dx, y - dy, near(x + dx), near(y + dy), near(x - dx), near(y + dy)];
   for (const [name, given] of [['orient2d', line], ['incircle', circle]]) {
     const mine = ours[name](...given), theirs = robust[name](...given);

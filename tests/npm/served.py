@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A page of the tests in headless Chromium, from a folder served to it: modules and WebAssembly are not read from files."""
+"""Opens a page of the tests in headless Chromium. A server hands out its folder, since modules and WebAssembly cannot
+be read from files."""
 import functools
 import http.server
 import json
@@ -17,7 +18,8 @@ class Server(http.server.SimpleHTTPRequestHandler):
 
 
 def told_by(page, project, work, seconds):
-    """Returns what the page of the folder `work` leaves in its body's data; None, with a word, without Chromium."""
+    """Returns the text that the page in the folder `work` writes to its body's data. Without Chromium, says so and
+    returns None."""
     try:
         sys.path.insert(0, str(project / "tests/apps"))
         import browser  # pylint: disable=import-outside-toplevel

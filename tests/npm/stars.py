@@ -18,7 +18,7 @@ from browser_or_skip import browser  # noqa: E402
 from selenium.webdriver.common.action_chains import ActionChains  # noqa: E402
 from selenium.webdriver.common.keys import Keys  # noqa: E402
 
-# Rings as they are, and as stars of the same sites made from nothing have them.
+# Returns the neighbours of every star as they are, and those of stars of the same sites made from nothing.
 RINGS = """
 const { state } = asterismStars, { set } = state;
 set.settle();
@@ -91,7 +91,7 @@ class StarsTest(unittest.TestCase):
         self.settle()
 
     def place(self, site):
-        """Of a site, from the middle of the canvas in pixels."""
+        """Returns the place of a site, in pixels from the middle of the canvas."""
         return self.ask(f"(([x, y]) => [x - asterismStars.view.width / 2, y - asterismStars.view.height / 2].map(Math.round))"
                         f"(asterismStars.view.toPage(...asterismStars.state.set.sites[{site}]))")
 
@@ -123,7 +123,7 @@ class StarsTest(unittest.TestCase):
             self.assertGreater(len(questions), 2, scene)
             done = subprocess.run([ASTERISM, "eval"], input="\n".join(q for q, _, _ in questions), capture_output=True, text=True, check=True)
             self.assertEqual([answer for _, answer, _ in questions], [int(line) for line in done.stdout.split()], scene)
-            # A star has those neighbours that the test lets in.
+            # The neighbours of a star are those that the insertion test accepts.
             self.assertTrue(all(answer == has for _, answer, has in questions), scene)
 
     def test_stars_after_moves_are_those_made_from_nothing(self):
@@ -159,7 +159,7 @@ class StarsTest(unittest.TestCase):
                 self.assertIn(f"All stars agree and no angle is below {bound}", self.text("event"))
                 self.assert_certified(bound)
 
-    # Without waiting for frames, which a busy machine draws slowly.
+    # Steps without frames, which a machine under load draws slowly.
     def refine(self):
         self.driver.execute_script("while (!['done', 'stuck'].includes(asterismStars.refineStep()));")
         self.settle()
@@ -198,7 +198,7 @@ class StarsTest(unittest.TestCase):
         self.assertGreater(after[1], before[1])
         self.assertEqual(after[2:], before[2:])
         self.assertEqual(self.ask("asterismStars.state.selected"), 2)
-        # A neighbour clicked is asked about.
+        # A click on a neighbour asks about it.
         neighbour = self.ask("asterismStars.state.set.stars[2].ring[0]")
         ActionChains(self.driver).move_to_element_with_offset(canvas, *self.place(neighbour)).click().perform()
         self.settle()
@@ -271,7 +271,7 @@ class StarsTest(unittest.TestCase):
     # --- The program's mesher.
 
     def at_work(self, script):
-        """Runs what gives a promise; returns the verdict."""
+        """Runs code that returns a promise; returns the verdict."""
         self.driver.execute_async_script(f"const done = arguments[0]; {script}.then(() => done())")
         return self.text("mesh-verdict")
 
@@ -286,7 +286,8 @@ class StarsTest(unittest.TestCase):
         (self.folder / "domain.poly").write_text("\n".join(lines) + "\n")
         subprocess.run([ASTERISM, "mesh", "domain.poly", "--metric", "swirl:12", "--size", "0.2", "--angle-bound", "20", "-o", "stars.mesh", "--quiet"],
                        cwd=self.folder, check=True)
-        # The module in the page is as old as the page: what certificates hold besides may have changed.
+        # The certificate is verified and not compared: the module in the page may be older than the command, and lack
+        # fields that certificates have now.
         for name in ("stars.mesh", "stars.sol"):
             self.assertEqual((self.folder / name).read_text(), files[name], name)
         (self.folder / "stars.certificate.json").write_text(files["stars.certificate.json"])

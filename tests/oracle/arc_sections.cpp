@@ -18,8 +18,8 @@ namespace {
 using root_number = CGAL::Sqrt_extension<rational, rational>;
 using sample_point = basic_point<root_number>;
 
-// Coordinates X + slope Y, Y instead of X, Y: every question is affine, so the sites are moved and
-// everything is asked about the moved ones.
+// Uses the coordinates X + slope Y, Y in place of X, Y. All questions are affine, so the sites are
+// moved, and everything is asked about the moved ones.
 exact_site sheared(const exact_site& s, const rational& slope) {
   exact_site t = s;
   t.position.x -= slope * s.position.y;
@@ -28,22 +28,23 @@ exact_site sheared(const exact_site& s, const rational& slope) {
   return t;
 }
 
-// Returns it as a polynomial in Y whose coefficients are polynomials in X.
+// Returns the conic as a polynomial in Y whose coefficients are polynomials in X.
 std::array<univariate, 3> by_powers_of_y(const conic& g) {
   return {univariate{g.constant, g.x, g.xx}, univariate{g.y, g.xy}, univariate{g.yy}};
 }
 
-// The curve has no vertical line and at each X as many complex points (with multiplicity) as its
-// degree: the highest power of Y has a constant coefficient that is not zero.
+// True if the highest power of Y has a constant coefficient that is not zero. Then the curve has no
+// vertical line, and at each X as many complex points, with multiplicity, as its degree.
 bool is_upright(const conic& g) {
   const bool straight = sign_of(g.xx) == 0 && sign_of(g.xy) == 0 && sign_of(g.yy) == 0;
   return straight ? sign_of(g.y) != 0 : sign_of(g.yy) != 0;
 }
 
-// Polynomials among whose zeros are the abscissas where `other` changes sign along the curve.
-// Usually one, the resultant; if that vanishes there is a common component, which does not change
-// the sign, and other = beta Y + gamma along the curve can change it only where the remaining
-// component meets beta = 0 or the curve's double points, which are critical anyway.
+// Returns polynomials whose zeros contain the abscissas at which `other` changes sign along the
+// curve. Usually that is one, the resultant. If it vanishes, the curves have a common component.
+// `other` is zero there, and equals beta Y + gamma along the curve. It then changes sign only where
+// the remaining component meets beta = 0, or at the curve's double points, which are critical in
+// any case.
 std::vector<univariate> abscissas_of_zeros(const conic& curve, const conic& other) {
   const auto [c0, c1, c2] = by_powers_of_y(curve);
   const auto [k0, k1, k2] = by_powers_of_y(other);
@@ -73,8 +74,8 @@ struct critical_curve {
   critical_kind kind;
 };
 
-// Finds where the number of points of the segments to x or from x changes, and where x meets the
-// border of the triangle v, w, p.
+// Returns abscissas at which the number of curve points on the segments to or from x may change,
+// and at which x meets the border of the triangle v, w, p.
 void add_critical_curves_of(const exact_site& v, const exact_site& w, const exact_site& x,
                             critical_kind equidistant, std::vector<critical_curve>& curves) {
   for (const exact_site* owner : {&v, &w}) {
@@ -99,7 +100,7 @@ std::vector<cut> sorted_cuts(const conic& curve, const std::vector<critical_curv
   for (const critical_curve& critical : criticals)
     for (const univariate& p : abscissas_of_zeros(curve, critical.curve))
       add_zeros(p, critical.kind);
-  // Vertical tangents and double points; a double line has only the one branch.
+  // Returns abscissas of vertical tangents and double points. A double line has one branch.
   if (sign_of(curve.yy) != 0)
     if (const univariate d = discriminant(curve); !is_zero(d)) add_zeros(d, tangency);
   std::stable_sort(cuts.begin(), cuts.end(),
@@ -129,7 +130,8 @@ std::vector<sample_point> points_at(const conic& curve, const rational& abscissa
 
 int sign_of(const root_number& value) { return static_cast<int>(CGAL::sign(value)); }
 
-// |segment from the site to p intersected with the curve|; the site is not on the curve.
+// Returns the number of curve points on the segment from the site to p. The site is not on the
+// curve.
 int points_on_segment(const conic& g, const exact_site& from, const sample_point& p) {
   const rational &px = from.position.x, &py = from.position.y;
   const rational two(2);
@@ -156,7 +158,7 @@ bool in_closed_triangle(const sample_point& q, const sample_point& a, const samp
   return turn(a, b, q) * side >= 0 && turn(b, c, q) * side >= 0 && turn(c, a, q) * side >= 0;
 }
 
-// The definition of the insertion test at one point of Vor{v,w}, word by word.
+// Evaluates the definition of the insertion test at one point of Vor{v,w}.
 class definition {
  public:
   definition(const exact_site& v, const exact_site& w, const exact_site& x, const exact_site& y)
@@ -179,7 +181,7 @@ class definition {
   conic between_;
 };
 
-// A slope for which Vor{v,w} is upright: at most two of any three distinct slopes fail.
+// Returns a slope with which Vor{v,w} is upright. Of any three distinct slopes at most two are not.
 std::array<exact_site, 4> brought_upright(const std::array<const exact_site*, 4>& sites) {
   std::array<exact_site, 4> moved;
   for (const rational& slope : {rational(3, 7), rational(-5, 11), rational(13, 17)}) {
@@ -222,7 +224,7 @@ swept_arc sweep(const exact_site& v, const exact_site& w, const exact_site& x,
                 const exact_site& y) {
   const auto [sv, sw, sx, sy] = brought_upright({&v, &w, &x, &y});
   const conic curve = bisector(sv, sw);
-  // Visibility changes at the points of tangency, where the curve meets its polars.
+  // Visibility changes at points of tangency, in which the curve meets its polars.
   std::vector<critical_curve> criticals = {{polar_line(curve, sv.position), tangency},
                                            {polar_line(curve, sw.position), tangency},
                                            {line_through(sv.position, sw.position), line_event}};

@@ -27,7 +27,7 @@ conic squared_distance(const exact_site& s);
 // f_v - f_w
 conic bisector(const exact_site& v, const exact_site& w);
 
-// The lines below are conics with no quadratic part.
+// The functions below return lines as conics without a quadratic part.
 conic line_through(const basic_point<rational>& p, const basic_point<rational>& q);
 // Returns the polar of p: the line through the points where tangents from p touch the curve.
 conic polar_line(const conic& g, const basic_point<rational>& p);

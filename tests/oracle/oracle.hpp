@@ -17,31 +17,32 @@ namespace asterism::oracle {
 
 sign orientation(const point& p, const point& q, const point& r);
 bool is_positive_definite(const metric_tensor& metric);
-// By the determinant of the four lifted points, with |u|^2 = u^T m u.
+// Decides by the determinant of the four lifted points, with |u|^2 = u^T m u.
 sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
                const point& p);
 sign compare_distance(const site& v, const site& w, const point& q);
 bool in_wedge(const site& v, const site& w, const point& q);
 
-// By counting the points of the closed segments vp and wp on Vor{v,w} (thesis, definition 6).
+// Decides by counting the points of the closed segments vp and wp on Vor{v,w} (thesis, definition
+// 6).
 sign dominates(const site& v, const site& w, const point& p);
 
-// By solving the two bisector equations as polynomials in the plane.
+// Decides by solving the two bisector equations as polynomials in the plane.
 int voronoi_vertex_count(const site& u, const site& v, const site& w);
 int arc_intersection_count(const site& v, const site& w, const site& x);
 
-// By the roots of f_w - f_a and f_w - f_b on the segment.
+// Decides by the roots of f_w - f_a and f_w - f_b on the segment.
 bool encroaches(const site& a, const site& b, const site& w);
 
-// By a sweep of the plane in a rational direction: between critical abscissas each branch of the
-// conic Vor{v,w} is one section, and one point of each is tried against the definition.
+// Decides by a sweep of the plane in a rational direction. Between critical abscissas each branch
+// of the conic Vor{v,w} is one section. One point of each is tested by the definition.
 bool insertion_test(const site& v, const site& w, const site& x, const site& y);
 
-// Decides as insertion_test does, and where that says no and some point may be equidistant from all
-// four sites, with f_i + e_i for explicit tiny rationals e_i in the order of the tie rule. Empty
-// where the rule, which is first order in e, and the literal perturbation need not agree: such
-// points may form a line, or be points where a segment from a site or another bisector touches; or
-// the numbers have so many digits that the tiny ones may not be tiny enough.
+// Decides as insertion_test does. If that says no, and some point may be equally far from all four
+// sites, asks it of f_i + e_i, with explicit small rationals e_i in the order of the tie rule.
+// Empty where the rule, which is of first order in e, and the perturbation need not agree: such
+// points may form a line, or a segment from a site or another bisector may touch there. Empty also
+// where the numbers have so many digits that the e_i may not be small enough.
 std::optional<bool> edge_test(const site& v, const site& w, const site& x, const site& y);
 
 }  // namespace asterism::oracle

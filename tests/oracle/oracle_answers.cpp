@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Answers records of the batch protocol by the oracle: one integer a line, "-" where it has no
-// opinion (ties of edge_test that are not first order). Milliseconds a record, seconds for some.
+// Answers records of the batch protocol by the oracle: one integer a line, or "-" for a tie of
+// edge_test that the oracle does not decide. Takes milliseconds a record, seconds for some.
 #include <iostream>
 #include <optional>
 #include <string>

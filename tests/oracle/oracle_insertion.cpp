@@ -28,8 +28,8 @@ std::array<std::size_t, 4> lexicographic_ranks(const std::array<const site*, 4>&
   return ranks;
 }
 
-// Only differences of offsets matter, so the least site keeps zero; the others get 2^-k, 2^-4k and
-// 2^-16k, the greatest site the greatest.
+// Only differences of offsets matter. The least site has offset zero; the others have 2^-k, 2^-4k
+// and 2^-16k, the greatest site the greatest.
 four_sites pushed_away(const std::array<const site*, 4>& sites, long k) {
   const auto ranks = lexicographic_ranks(sites);
   const std::array<rational, 4> offsets = {rational(0), two_to_minus(16 * k), two_to_minus(4 * k),
@@ -42,8 +42,8 @@ four_sites pushed_away(const std::array<const site*, 4>& sites, long k) {
   return pushed;
 }
 
-// Whole multiples of 2^-10 below 2^10: the roots then stay further apart than the offsets can move
-// them (tried at two scales, not proven).
+// True if the numbers are whole multiples of 2^-10 below 2^10. The roots are then farther apart
+// than the offsets can move them (tried at two scales, not proven).
 bool has_few_digits(const site& s) {
   const std::array<double, 5> numbers = {s.position.x, s.position.y, s.metric.m11, s.metric.m12,
                                          s.metric.m22};
@@ -52,7 +52,8 @@ bool has_few_digits(const site& s) {
   });
 }
 
-// The run opened where one bisector with x and one with y met: the contact the tie rule is about.
+// True if the run begins or ends where a bisector with x and one with y meet: the point that the
+// tie rule is about.
 bool is_between_x_and_y(const good_run& run) {
   const unsigned low = run.kinds_at_low_end, high = run.kinds_at_high_end;
   return (low == equidistant_from_x && high == equidistant_from_y) ||
@@ -81,7 +82,7 @@ std::optional<bool> edge_test(const site& v, const site& w, const site& x, const
   const std::array<const site*, 4> sites = {&v, &w, &x, &y};
   if (!std::all_of(sites.begin(), sites.end(), [](const site* s) { return has_few_digits(*s); }))
     return std::nullopt;
-  // Two scales that disagree are not both below the separation of the roots: no answer then.
+  // If two scales disagree, one of them is above the separation of the roots: there is no answer.
   const std::optional<bool> coarse = perturbed_answer(sites, 100),
                             fine = perturbed_answer(sites, 130);
   return coarse == fine ? fine : std::nullopt;

@@ -40,7 +40,8 @@ polynomial_2 with_integer_coefficients(const conic& g) {
   return x * x * n[0] + x * y * n[1] + y * y * n[2] + x * n[3] + y * n[4] + polynomial_2(n[5]);
 }
 
-// The common part of two curves: a curve (constant when they are coprime), and the rest of each.
+// Holds the common part of two curves, which is a constant when they are coprime, and the rest of
+// each.
 struct factors {
   polynomial_2 common, rest_first, rest_second;
 };
@@ -59,15 +60,15 @@ std::vector<solution> solve(const algebraic_kernel_2& kernel, const polynomial_2
   return solutions;
 }
 
-// CGAL 5.5 evaluates the canonical form of the polynomial, whose leading coefficient is positive,
-// so its sign is for that one and not for p.
+// CGAL 5.5 evaluates the canonical form of the polynomial, with a positive leading coefficient. Its
+// sign may be opposite to p's.
 bool is_positive_at(const algebraic_kernel_2& kernel, const polynomial_2& p, const solution& at) {
   const CGAL::Sign canonical = kernel.sign_at_2_object()(CGAL::canonicalize(p), at.first);
   const CGAL::Sign unit = CGAL::sign(CGAL::innermost_leading_coefficient(p));
   return canonical * unit == CGAL::POSITIVE;
 }
 
-// a X + b Y + c
+// Holds the line a X + b Y + c.
 struct line {
   rational a, b, c;
   rational at(const basic_point<rational>& p) const { return a * p.x + b * p.y + c; }
@@ -89,7 +90,7 @@ std::optional<basic_point<rational>> meet(const line& l, const line& m) {
   return basic_point<rational>{(l.b * m.c - l.c * m.b) / det, (l.c * m.a - l.a * m.c) / det};
 }
 
-// The open wedge as two lines, positive inside.
+// Returns the open wedge as two lines that are positive inside.
 std::array<line, 2> wedge_sides(const exact_site& v, const exact_site& w) {
   const auto side = [](const exact_site& from, const exact_site& to) {
     const rational dx = to.position.x - from.position.x, dy = to.position.y - from.position.y;
@@ -102,7 +103,7 @@ std::array<line, 2> wedge_sides(const exact_site& v, const exact_site& w) {
 
 conic as_conic(const line& l) { return {rational(0), rational(0), rational(0), l.a, l.b, l.c}; }
 
-// Some point of the line is strictly inside both half planes.
+// True if some point of the line is strictly inside both half planes.
 bool line_enters(const line& l, const std::array<line, 2>& sides) {
   const rational norm = l.a * l.a + l.b * l.b;
   const basic_point<rational> origin = {-l.c * l.a / norm, -l.c * l.b / norm};
@@ -137,7 +138,7 @@ int voronoi_vertex_count(const site& u, const site& v, const site& w) {
   const exact_site eu = to_exact(u), ev = to_exact(v), ew = to_exact(w);
   const polynomial_2 first = with_integer_coefficients(bisector(eu, ev));
   const polynomial_2 second = with_integer_coefficients(bisector(eu, ew));
-  // A shared component is a rational line or a whole bisector, so it has real points.
+  // A common component is a rational line or a whole bisector, and therefore has real points.
   if (total_degree(CGAL::gcd(first, second)) > 0) return -1;
   return static_cast<int>(solve(algebraic_kernel_2(), first, second).size());
 }

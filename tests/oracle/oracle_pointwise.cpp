@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The questions about given points and segments: rational arithmetic, and real roots in one
+// Decides questions about given points and segments by rational arithmetic and real roots in one
 // variable.
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ rational inner_product(const exact_site& s, const exact_point& q, const exact_po
          uy * (s.metric.m12 * vx + s.metric.m22 * vy);
 }
 
-// g(from + t (to - from)) by interpolation at t = 0, 1, -1.
+// Interpolates g(from + t (to - from)) at t = 0, 1, -1.
 univariate along_segment(const conic& g, const exact_point& from, const exact_point& to) {
   const exact_point back = {from.x + from.x - to.x, from.y + from.y - to.y};
   const rational at_zero = g.at(from), at_one = g.at(to), at_minus_one = g.at(back);
@@ -45,13 +45,15 @@ sign orientation(const point& p, const point& q, const point& r) {
   return to_sign(sign_of((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)));
 }
 
-// By Sylvester's criterion on the other diagonal: m22 > 0 and the determinant.
+// Uses Sylvester's criterion from the other end of the diagonal: m22 > 0 and a positive
+// determinant.
 bool is_positive_definite(const metric_tensor& metric) {
   const rational a(metric.m11), b(metric.m12), c(metric.m22);
   return sign_of(c) > 0 && sign_of(a * c - b * b) > 0;
 }
 
-// Rows x, y, u^T m u, 1 without differences: expanded along the last column.
+// The determinant of the rows x, y, u^T m u, 1, without differences, expanded along the last
+// column.
 sign in_circle(const metric_tensor& m, const point& a, const point& b, const point& c,
                const point& p) {
   const rational m11(m.m11), m12(m.m12), m22(m.m22);

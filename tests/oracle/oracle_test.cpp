@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The oracle is tested too: its own two ways to one answer, and answers known by hand.
+// Tests the oracle: compares its two ways to one answer, and known answers.
 #include "oracle.hpp"
 
 #include <catch2/catch.hpp>

@@ -13,10 +13,10 @@ int roots_in_closed_unit_interval(const Number& c0, const Number& c1, const Numb
   const Number at_one = c0 + c1 + c2;
   const int start = sign_of(c0), end = sign_of(at_one), leading = sign_of(c2);
   if (start * end < 0) return 1;
-  // One root is 1, so the other is c0 / c2: is 0 < c0 / c2 < 1?
+  // One root is 1, the other c0 / c2. Tests 0 < c0 / c2 < 1.
   if (end == 0) return leading == start && sign_of(c2 - c0) == leading ? 2 : 1;
-  // Both roots inside or none. Inside needs a parabola that turns its hollow side to the ends' sign
-  // and has its extremum inside.
+  // Both roots are inside, or none. Both are if the extremum is inside and the parabola opens
+  // toward the sign of its ends.
   const bool extremum_inside =
       sign_of(c1) * leading < 0 && sign_of(c1 + Number(2) * c2) * leading > 0;
   if (leading != start || !extremum_inside) return 0;

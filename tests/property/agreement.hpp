@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One question put to every kernel and to the oracle, over many generated cases.
+// Puts one question to every kernel and to the oracle, over many generated cases.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@
 
 namespace asterism::property {
 
-// The build may ask for a share of the cases only, where each takes a hundred times longer.
+// A build in which each case takes a hundred times longer may ask for a part of the cases.
 #ifndef ASTERISM_SHARE_OF_CASES
 #define ASTERISM_SHARE_OF_CASES 1
 #endif
@@ -38,8 +38,8 @@ inline int as_int(sign s) { return to_int(s); }
 inline int as_int(bool b) { return b ? 1 : 0; }
 inline int as_int(int i) { return i; }
 
-// Reported only when it fails: Catch's own macros would dominate the time. The record is printed by
-// itself because Catch breaks long lines.
+// Reports only failures: Catch's own macros would take most of the time. The record is printed by
+// itself, since Catch breaks long lines.
 inline void report_failure(const std::string& replay, const std::string& what) {
   std::cerr << what << ": " << replay << '\n';
   FAIL_CHECK(what);
@@ -64,7 +64,7 @@ void expect_agreement(T expected, Ask ask, const std::string& replay) {
   expect_equal<T>(expected, ask(filtered), replay, "filtered");
   const uncertain<T> enclosed = ask(interval_kernel());
   if (enclosed.certain()) expect_equal<T>(expected, enclosed.value(), replay, "interval");
-  (void)ask(double_kernel());  // may be wrong, must return
+  (void)ask(double_kernel());  // may be wrong, but must return
 }
 
 }  // namespace asterism::property

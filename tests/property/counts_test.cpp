@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers of Voronoi vertices and arc intersections: every kernel against the oracle.
+// Compares numbers of Voronoi vertices and arc intersections of every kernel with the oracle's.
 #include "agreement.hpp"
 #include "asterism/tests/oracle/oracle.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Drawing valid cases, points that matter to them, and records that replay them.
+// Draws valid cases, points that are critical to them, and records that replay them.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -22,8 +22,8 @@ bool valid(const four_sites& sites) {
   return true;
 }
 
-// x on one side of the line vw and y on the other, as in a mesher's questions, if some order of the
-// sites allows it.
+// Orders the sites so that x is on one side of the line vw and y on the other, as in a mesher's
+// questions, if some order has it.
 four_sites straddled(four_sites sites, random_source& random) {
   for (int attempts = 0; attempts < 8; ++attempts) {
     const auto side = [&sites](std::size_t i) {
@@ -54,7 +54,7 @@ four_sites draw(const kind& k, random_source& random) {
   for (int attempts = 0; attempts < 1000; ++attempts)
     if (const four_sites sites = k.attempt(random); valid(sites))
       return random.chance(4) ? sites : straddled(sites, random);
-  // No kind fails a thousand times in practice; a plain square keeps the contract if one did.
+  // In practice no kind fails a thousand times. A plain square satisfies the contract if one does.
   const metric_tensor m = {1, 0, 1};
   return {site{{0, 0}, m}, site{{1, 1}, m}, site{{1, 0}, m}, site{{0, 1}, m}};
 }
@@ -67,7 +67,7 @@ point draw_point(const four_sites& sites, random_source& random) {
       return a;
     case 1:
       return {(a.x + b.x) / 2, (a.y + b.y) / 2};
-    case 2:  // a whole multiple of the difference: on the line
+    case 2:  // a whole multiple of the difference is on the line
       return {b.x + random.integer(-2, 2) * (b.x - a.x), b.y + random.integer(-2, 2) * (b.y - a.y)};
     case 3:
       return {a.x + std::round(random.real(-4, 4)), a.y + std::round(random.real(-4, 4))};

@@ -14,7 +14,8 @@ site make_site(double x, double y, double m11, double m12, double m22) {
   return {{x, y}, {m11, m12, m22}};
 }
 
-// Eigenvalues `along` in the direction of the angle and `across` at right angles to it.
+// Returns the tensor with eigenvalue `along` in the direction of the angle and `across` at a right
+// angle to it.
 metric_tensor stretched(double angle, double along, double across) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {along * c * c + across * s * s, (along - across) * c * s, along * s * s + across * c * c};
@@ -40,8 +41,8 @@ four_sites each(Make make) {
   return sites;
 }
 
-// Hides a construction made in convenient coordinates: a random map with integer entries and
-// determinant 1, and an integer translation. Exact for numbers of few digits.
+// Maps a construction in convenient coordinates to general ones: by a random integer matrix of
+// determinant 1 and an integer translation. Exact for numbers of few digits.
 four_sites sheared_and_moved(const four_sites& sites, random_source& random) {
   const double k = random.integer(-2, 2), l = random.integer(-1, 1);
   const bool exchange = random.chance(2);
@@ -49,7 +50,7 @@ four_sites sheared_and_moved(const four_sites& sites, random_source& random) {
   four_sites moved;
   for (std::size_t i = 0; i < 4; ++i) {
     auto [p, m] = sites[i];
-    p.x += k * p.y;  // inverse: x - k y
+    p.x += k * p.y;  // inverse of x + k y
     m = {m.m11, m.m12 - k * m.m11, m.m22 - 2 * k * m.m12 + k * k * m.m11};
     p.y += l * p.x;
     m = {m.m11 - 2 * l * m.m12 + l * l * m.m22, m.m12 - l * m.m22, m.m22};
@@ -62,7 +63,7 @@ four_sites sheared_and_moved(const four_sites& sites, random_source& random) {
   return moved;
 }
 
-// Four neighbours in a field that turns and stretches slowly: what a mesher asks about.
+// Four neighbouring sites in a field that rotates and stretches slowly, as a mesher asks about.
 four_sites smooth_metrics(random_source& random) {
   const point centre = real_point(random, 1);
   const double spacing = random.real(0.01, 0.5), strength = random.real(0, 15);
@@ -128,8 +129,8 @@ four_sites cocircular(random_source& random) {
   return sheared_and_moved(integer_points_on_circle(random), random);
 }
 
-// On a circle around the middle of a field that stretches along circles or along rays: the middle
-// is equidistant from all four though no two metrics are equal.
+// Sites on a circle around the middle of a field that stretches along circles or along rays. The
+// middle is equally far from all four, though no two metrics are equal.
 four_sites symmetric_field(random_source& random) {
   four_sites sites = integer_points_on_circle(random);
   const double strength = random.chance(2) ? 3 : 12;
@@ -198,7 +199,8 @@ four_sites shared_line(random_source& random) {
   return sheared_and_moved(shuffled(sites, random), random);
 }
 
-// At squared distance `beta` from the origin, at an offset whose first coordinate is 1 or -1.
+// Returns a site at squared distance `beta` from the origin. The first coordinate of their
+// difference is 1 or -1.
 site at_distance_from_origin(double beta, random_source& random) {
   const double x = random.chance(2) ? 1 : -1, y = random.integer(-3, 3);
   const double m12 = random.integer(-4, 4), m22 = random.integer(1, 5);
@@ -206,7 +208,7 @@ site at_distance_from_origin(double beta, random_source& random) {
   return random.chance(2) ? s : make_site(y, x, m22, m12, s.metric.m11);
 }
 
-// The origin is equidistant from three or four sites.
+// The origin is equally far from three or four sites.
 four_sites common_point(random_source& random) {
   const double beta = random.integer(2, 30);
   four_sites sites = each([&] { return at_distance_from_origin(beta, random); });
@@ -214,8 +216,8 @@ four_sites common_point(random_source& random) {
   return sheared_and_moved(shuffled(sites, random), random);
 }
 
-// Equidistant from four sites at the origin, and the ray from v to it (from the first or second
-// site to the other in the shuffled order) touches their bisector there.
+// The origin is equally far from four sites, and a ray from v to it touches their bisector there.
+// The shuffled order makes the first or the second site v.
 four_sites tangency_at_common_point(random_source& random) {
   const double a = random.integer(1, 3), beta = random.integer(3, 40);
   const double m11 = random.integer(1, 5), m12 = random.integer(-4, 4);
@@ -226,8 +228,8 @@ four_sites tangency_at_common_point(random_source& random) {
   return sheared_and_moved(shuffled(sites, random), random);
 }
 
-// v and w, or x and y, or both are images of each other in the line Y = 0; sites on it have axis
-// parallel metrics. Bisectors of images contain the line.
+// v and w, or x and y, or both pairs, are images of each other in the line Y = 0. Sites on the line
+// have metrics with axes along it. Bisectors of images contain the line.
 four_sites mirror_images(random_source& random) {
   const auto image = [](const site& s) {
     return make_site(s.position.x, -s.position.y, s.metric.m11, -s.metric.m12, s.metric.m22);
@@ -245,7 +247,7 @@ four_sites mirror_images(random_source& random) {
   return sheared_and_moved(shuffled(sites, random), random);
 }
 
-// Draws of any other kind, with one number moved by one unit in the last place.
+// Draws a case of another kind, and moves one number by a unit in the last place.
 four_sites one_ulp_away(random_source& random) {
   const auto all = kinds();
   four_sites sites = draw(all[static_cast<std::size_t>(random.integer(4, 17))], random);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Quadruples of sites of every degenerate kind, deterministic: (kind, seed) names a case for ever.
-// Each has four distinct sites with positive definite metrics, exactly as doubles; where a kind
-// promises an exact coincidence its numbers are small integers or dyadic fractions.
+// Generates quadruples of sites of every degenerate kind. (kind, seed) gives the same case in all
+// versions. Each case has four distinct sites with positive definite metrics, exactly as doubles.
+// Where a kind promises an exact coincidence, its numbers are small integers or dyadic fractions.
 #pragma once
 
 #include <array>
@@ -33,8 +33,7 @@ four_sites shuffled(four_sites sites, random_source& random);
 // Returns a valid case of this kind.
 four_sites draw(const kind& k, random_source& random);
 
-// Returns a point that has a chance to matter to these sites: near, on or at them, of as few
-// digits.
+// Returns a point that may be critical to these sites: near, on or at them, with as few digits.
 point draw_point(const four_sites& sites, random_source& random);
 
 // Returns the record of the batch protocol (hexadecimal doubles) that replays a question.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The insertion test and the edge test: every kernel against the oracle.
+// Compares the insertion test and the edge test of every kernel with the oracle's.
 #include <optional>
 
 #include "agreement.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The laws of the predicates about bisectors and arcs, by the numbers they have in their headers.
+// The laws of the predicates about bisectors and arcs, by the numbers that the predicates' headers
+// give them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +30,7 @@ TEST_CASE("voronoi_vertex_count, law 1: symmetric in all three sites", "[laws]")
   });
 }
 
-using symmetric_matrix = std::array<dyadic, 6>;  // of a conic: xx xy yy x y 1
+using symmetric_matrix = std::array<dyadic, 6>;  // coefficients of a conic: xx xy yy x y 1
 
 symmetric_matrix conic(const site& u, const site& v) {
   const auto g = distance_difference(convert<dyadic>(u), convert<dyadic>(v));
@@ -49,7 +50,7 @@ bool are_proportional(const symmetric_matrix& m, const symmetric_matrix& n) {
   return true;
 }
 
-// Conics that share a line contain one, and so does every member of their pencil: all degenerate.
+// Conics that contain a common line, as all members of their pencil then do: all are degenerate.
 TEST_CASE("voronoi_vertex_count, law 2: infinitely many only on a common line or equal conics",
           "[laws]") {
   int infinite = 0;
@@ -149,7 +150,8 @@ TEST_CASE("insertion_test, law 2: symmetric under x <-> y", "[laws]") {
   });
 }
 
-// With x left and y right of vw: an edge iff y is outside the circle of v, w, x.
+// Law: with x on the left and y on the right of vw there is an edge if and only if y is outside the
+// circle of v, w, x.
 TEST_CASE("insertion_test, law 3: with equal metrics, the in-circle test", "[laws]") {
   int asked = 0;
   for_each_case(100, [&](const four_sites& sites, random_source&) {

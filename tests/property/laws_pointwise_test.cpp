@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The laws of the predicates about given points, by the numbers they have in their headers.
+// The laws of the predicates about given points, by the numbers that the predicates' headers give
+// them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,7 +61,7 @@ TEST_CASE("orientation, law 3: equal points give zero", "[laws]") {
   });
 }
 
-// Definite, semidefinite and indefinite tensors, and their neighbours.
+// Draws definite, semidefinite and indefinite tensors, and their neighbours.
 template <class Check>
 void for_tensors(Check check) {
   random_source random(22);
@@ -142,7 +143,7 @@ TEST_CASE("in_wedge, law 1: symmetric in v and w", "[laws]") {
             });
 }
 
-// The midpoint, when it is a double: then both differences are the same.
+// If the midpoint is a double, both differences are the same.
 bool exact_midpoint(const point& a, const point& b, point& middle) {
   middle = {(a.x + b.x) / 2, (a.y + b.y) / 2};
   const auto between_exactly = [](double x, double y, double m) {
@@ -227,17 +228,17 @@ TEST_CASE("dominates: a territory was said to be star-shaped about its site", "[
   CHECK(exact.dominates(v, w, {0, -4}) == sign::positive);
 }
 
-// How often the closed segment vp meets the bisector, from the definition.
+// Counts the common points of the closed segment vp and the bisector, from the definition.
 int meetings(const site& from, const site& other, const point& p) {
   const auto v = convert<dyadic>(from), w = convert<dyadic>(other);
   const auto u = between(v.position, convert<dyadic>(p)), d = between(v.position, w.position);
   const dyadic a = squared_length(v.metric, u) - squared_length(w.metric, u);
   const dyadic half_b = dot(u, apply(w.metric, d)), c = squared_length(w.metric, d);
   const auto is_negative_number = [](const dyadic& x) { return x.sign_value() == sign::negative; };
-  const dyadic at_end = a + half_b + half_b - c;  // the value at t = 0 is -c < 0
+  const dyadic at_end = a + half_b + half_b - c;  // the value at t = 0, -c, is negative
   if (at_end.sign_value() == sign::positive) return 1;
   const dyadic discriminant = half_b * half_b + a * c;
-  const dyadic past_top = a + half_b;  // the top -half_b / a is in (0, 1)
+  const dyadic past_top = a + half_b;  // the extremum -half_b / a is in (0, 1)
   const bool top_inside =
       is_negative_number(a) && is_negative_number(-half_b) && is_negative_number(past_top);
   if (at_end.is_zero()) return top_inside ? 2 : 1;
@@ -297,7 +298,7 @@ TEST_CASE("in_circle, law 1: permutations and their parity", "[laws]") {
 TEST_CASE("in_circle, law 2: with the identity, the usual in-circle test", "[laws]") {
   for_quadruples([](const metric_tensor&, const std::array<point, 4>& points,
                     const std::string& replay) {
-    // det of rows x, y, x^2 + y^2, 1, expanded in differences to the last point.
+    // The determinant of rows x, y, x^2 + y^2, 1, expanded in differences to the last point.
     std::array<std::array<dyadic, 3>, 3> row;
     for (std::size_t i = 0; i < 3; ++i) {
       const dyadic x = dyadic(points[i].x) - dyadic(points[3].x),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Laws of all predicates together: maps of the plane that keep every answer. The laws of each
-// predicate are in laws_pointwise_test.cpp and laws_arc_test.cpp.
+// Laws of all predicates together: maps of the plane under which every answer stays. The laws of
+// single predicates are in laws_pointwise_test.cpp and laws_arc_test.cpp.
 #include <array>
 
 #include "agreement.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 const exact_kernel exact;
 
-// Four sites seen through a map that keeps every answer.
+// Four sites under a map that keeps every answer.
 void expect_same_answers(const four_sites& before, const four_sites& after, const char* what) {
   const auto& [v, w, x, y] = before;
   const auto& [v2, w2, x2, y2] = after;
@@ -60,7 +60,7 @@ TEST_CASE("exact translations change nothing", "[property][laws]") {
 
 TEST_CASE("a tie-free answer does not depend on the frame", "[property][laws]") {
   for_each_case(60, [](const four_sites& sites, random_source&) {
-    four_sites turned = sites;  // by a quarter: (x, y) to (-y, x)
+    four_sites turned = sites;  // by a right angle: (x, y) to (-y, x)
     for (site& s : turned) {
       s.position = {-s.position.y, s.position.x};
       s.metric = {s.metric.m22, -s.metric.m12, s.metric.m11};

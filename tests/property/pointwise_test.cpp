@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The predicates about given points: every kernel against the oracle.
+// Compares the predicates about given points of every kernel with the oracle's.
 #include <array>
 
 #include "agreement.hpp"
@@ -9,7 +9,7 @@
 namespace asterism::property {
 namespace {
 
-// Nearly or exactly collinear triples: multiples of a difference, moved by a unit in the last
+// Triples that are collinear or nearly: multiples of a difference, moved by a unit in the last
 // place.
 std::array<point, 3> draw_triple(random_source& random) {
   const auto coordinate = [&random] {

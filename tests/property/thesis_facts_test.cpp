@@ -47,7 +47,7 @@ site random_site(random_source& random, int size) {
   return {random_point(random, size), random_metric(random)};
 }
 
-// Do the open segments ab and cd cross properly?
+// True if the open segments ab and cd cross in a point that is an end of neither.
 bool cross_properly(const point& a, const point& b, const point& c, const point& d) {
   const auto side = [](const point& p, const point& q, const point& r) {
     return to_int(kernel.orientation(p, q, r));
@@ -55,8 +55,8 @@ bool cross_properly(const point& a, const point& b, const point& c, const point&
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-// The first point on the ray from v in this direction that is as far from w, rounded; none if the
-// ray never meets one or w does not see it.
+// Returns the first point on the ray from v in this direction that is equally far from w, rounded.
+// None if the ray meets no such point or w does not see it.
 std::optional<point> arc_point(const site& v, const site& w, double x, double y) {
   const auto square = [](const metric_tensor& m, double a, double b) {
     return m.m11 * a * a + 2 * m.m12 * a * b + m.m22 * b * b;
@@ -92,8 +92,8 @@ TEST_CASE("fact 8 of the thesis does not hold where a view is blocked twice", "[
   CHECK(cross_properly(one.position, p, two.position, q));
 }
 
-// Checks what is left of them: territories as far as the sites see them. That is what lemma 9 is
-// about, as its points are on visible arcs.
+// Checks the weaker statement that remains: territories within what the sites see. Lemma 9 needs
+// only that, since its points are on visible arcs.
 TEST_CASE("facts 7 and 8 of the thesis hold of rays from a site, as far as it sees", "[laws]") {
   random_source random(8);
   int left = 0, crossed = 0;
@@ -107,7 +107,7 @@ TEST_CASE("facts 7 and 8 of the thesis hold of rays from a site, as far as it se
     };
     const std::array sites{one, two};
     const std::array points{p, q};
-    // Along the ray from a site: once it does not see, never again.
+    // Along a ray from a site, the site's view, once lost, does not return.
     bool blocked = false;
     for (int i = 1; i <= 16; ++i) {
       const point at{one.position.x + i * (p.x - one.position.x) * 0.125,
@@ -127,10 +127,10 @@ TEST_CASE("facts 7 and 8 of the thesis hold of rays from a site, as far as it se
   CHECK(crossed > 5000);
 }
 
-// Lemma 6 (and 5, the case of it that its proof starts from): where all arcs and vertices are
-// wedged, no site y is in a triangle a, b, p with p on the arc of a and b. Here the diagram is that
-// of a mesh whose dual it is proved to be, within the domain, and p a Voronoi vertex or between
-// two.
+// Lemma 6, and lemma 5, a case of it with which its proof starts. Where all arcs and vertices are
+// wedged, no site y is in a triangle a, b, p with p on the arc of a and b. The diagram tested is
+// that of a mesh which is proved to be its dual, within the domain. p is a Voronoi vertex or
+// between two.
 TEST_CASE("lemmas 5 and 6 of the thesis: no site is between an edge and its Voronoi arc",
           "[laws]") {
   for (const char* metric : {"identity", "swirl:3", "swirl:12", "sink:12"}) {
@@ -164,8 +164,8 @@ TEST_CASE("lemmas 5 and 6 of the thesis: no site is between an edge and its Voro
 
 namespace {
 
-// Points of the arc of v and w that both dominate over x and y, with x and y outside the triangle
-// v, w, p.
+// Returns points of the arc of v and w, of sites x and y outside the triangle v, w, p, that v and w
+// dominate over x and y.
 std::vector<point> good_points(const site& v, const site& w, const site& x, const site& y) {
   std::vector<point> good;
   for (int k = 0; k < 120; ++k) {
@@ -186,7 +186,7 @@ std::vector<point> good_points(const site& v, const site& w, const site& x, cons
   return good;
 }
 
-// Are the points in counter-clockwise order around v, once around?
+// True if the points are in counter-clockwise order around v, in one turn.
 bool turn_once(const point& v, const std::vector<point>& points) {
   double whole = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

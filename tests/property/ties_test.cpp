@@ -27,7 +27,7 @@ bool are_cocircular(const four_points& p) {
          0;
 }
 
-// Cocircular points, no three of them collinear, are in convex position: any order around the
+// Cocircular points, no three of them collinear, are in convex position. Their order around the
 // centre of gravity is the order along the circle.
 void sort_around(four_points& points) {
   double x = 0, y = 0;
@@ -89,8 +89,9 @@ TEST_CASE("ties on a 20 x 20 grid", "[property][ties]") {
   CHECK(count > 100);
 }
 
-// Every unit square of a grid on [-1, 1]^2 whose coordinates are rounded: a step of 2/19 is not a
-// double, so the squares are ties only where rounding left them so. Nothing must contradict itself.
+// Every unit square of a grid on [-1, 1]^2 with rounded coordinates. A step of 2/19 is no double,
+// so that a square is a tie only where rounding made it one. No two answers may contradict each
+// other.
 TEST_CASE("squares of a rounded grid have exactly one diagonal", "[property][ties]") {
   const exact_kernel exact;
   const auto at = [](int i) { return -1 + i * (2.0 / 19); };
@@ -125,13 +126,13 @@ TEST_CASE("ties among points of one circle", "[property][ties]") {
     sort_around(four);
     if (std::adjacent_find(four.begin(), four.end()) != four.end()) continue;
     const double scale = std::ldexp(1, random.integer(-20, 20));
-    // The circle is one in every multiple of the identity.
+    // Any multiple of the identity gives the same circle.
     for (point& p : four) p = {scale * p.x, scale * p.y};
     expect_one_diagonal(four, {3, 0, 3});
   }
 }
 
-// Mirror images in both axes in a field that is symmetric too: one tie, at the middle.
+// Mirror images in both axes, in a field with the same symmetries: one tie, in the middle.
 TEST_CASE("rectangles around the middle of a symmetric field", "[property][ties]") {
   const exact_kernel exact;
   const filtered_kernel filtered;
@@ -147,7 +148,7 @@ TEST_CASE("rectangles around the middle of a symmetric field", "[property][ties]
         const std::string replay = record("edge_test", std::array{s[0], s[2], s[1], s[3]});
         if (exact.insertion_test(s[0], s[2], s[1], s[3]) ||
             exact.insertion_test(s[1], s[3], s[2], s[0]))
-          continue;  // so far from round that a diagonal passes elsewhere
+          continue;  // far enough from round that a diagonal passes at another place
         expect_equal(false, exact.edge_test(s[0], s[2], s[1], s[3]), replay, "through greatest");
         expect_equal(true, exact.edge_test(s[1], s[3], s[2], s[0]), replay, "the other diagonal");
         expect_equal(true, filtered.edge_test(s[3], s[1], s[2], s[0]), replay, "filtered");

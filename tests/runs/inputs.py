@@ -59,7 +59,7 @@ PROVINCES = """{"type": "FeatureCollection", "features": [
 """
 WKT = "MULTIPOLYGON (((0 0, 2 0, 2 1, 0 1, 0 0), (0.5 0.25, 0.5 0.75, 1.5 0.5, 0.5 0.25)), ((3 0, 4 0, 3 1, 3 0)))"
 
-# The same kind of domain with its vertices in a file of their own, numbered from 0.
+# A domain of the same kind, numbered from 0, with its vertices in a file of their own.
 NODES = """# the vertices
 5 2 1 1
 0 0 0 0.5 1
@@ -78,8 +78,8 @@ NODES_POLY = """0 2 0 0
 0
 """
 
-# What is mended and told: a point twice, a segment without length, segments that overlap, a vertex
-# on a segment, what lies outside, a limit on areas.
+# Faults that are mended with a note: a point twice, a segment without length, segments that overlap, a vertex on a
+# segment, parts outside, a limit on areas.
 REPAIRED = """10 2 0 0
 1 0 0
 2 2 0
@@ -188,7 +188,7 @@ is_spd 1 0 1
 
 
 def changed(text, old, new):
-    """Returns `text` with the first `old` replaced, which must be there."""
+    """Returns `text` with the first `old` replaced. Raises if there is none."""
     if old not in text:
         raise ValueError(f"{old!r} is not in the text")
     return text.replace(old, new, 1)
@@ -247,17 +247,18 @@ def grid_values(n):
 
 
 def slanted(_x, _y):
-    """Returns the tensor in which all triangles of a grid are equilateral."""
+    """Returns a tensor in which all triangles of a grid are equilateral."""
     return 1, -0.5, 1
 
 
 def varying(x, y):
-    """Returns a tensor that a plain grid does not suit."""
+    """Returns a tensor in which the triangles of a grid have small angles."""
     return 30 * (1 + 2 * x), 9 * x * y, 25 * (1 + 8 * y * y)
 
 
 def reaching(x, y):
-    """Lets the site in the middle reach over its neighbours, between the corners of their cells."""
+    """Changes the middle site's metric so that its cell reaches over its neighbours' cells, between the corners of
+    these."""
     return (0.05, 0, 2) if x == y == 0.5 else (1, 0, 1)
 
 

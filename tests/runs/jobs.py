@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The recorded runs: jobs, each a few commands in a folder of its own. Names stay as they are,
-since records are compared by them."""
+"""The recorded runs: jobs, each of a few commands in a folder of its own. Records are compared by the jobs' names,
+which therefore stay."""
 import dataclasses
 import re
 
@@ -9,14 +9,14 @@ import inputs as given
 
 @dataclasses.dataclass(frozen=True)
 class Change:
-    """Writes `target`: the text of `source` with the first match of `pattern` replaced."""
+    """Writes `target`, the text of `source` with the first match of `pattern` replaced."""
     source: str
     target: str
     pattern: str
     replacement: str
 
     def apply(self, folder):
-        """Writes the file. True if there was a match."""
+        """Writes the file. Returns whether there was a match."""
         text = (folder / self.source).read_text(encoding="utf-8")
         text, count = re.subn(self.pattern, self.replacement, text, count=1)
         (folder / self.target).write_text(text, encoding="utf-8")
@@ -25,8 +25,8 @@ class Change:
 
 @dataclasses.dataclass(frozen=True)
 class Job:
-    """Steps are command lines, without the program's name, and changes of files. A file whose name
-    ends in a slash is a folder."""
+    """A job. Its steps are command lines, without the program's name, and changes of files. A file whose name ends in
+    a slash is a folder."""
     name: str
     steps: tuple
     files: dict = dataclasses.field(default_factory=dict)
@@ -106,7 +106,7 @@ def of_domains():
 
 
 def of_runs_not_reached():
-    """Metrics that are kept to, or replaced, and limits; most of the commands end with status 1."""
+    """Metrics that are delivered as wanted or replaced, and limits. Most of the commands end with status 1."""
     jump = "mesh square --metric 'expr:(x>0)?100:1;0;1'"
     yield Job("size-jump", ("mesh square --metric 'expr:(x<0.1)?100:1;0;(x<0.1)?100:1' --size 1 "
                             "-o out.mesh", "verify out.mesh"))
@@ -187,7 +187,7 @@ def of_other_commands():
 
 
 def of_adaptation():
-    """What follows a solution: metrics, meshes and fields for it, in loops."""
+    """Metrics, meshes and fields from a solution, in loops."""
     files = {"in.mesh": given.grid(8), "u.sol": given.values(given.grid_values(8)),
              "next.sol": given.values([y - x for x, y in given.grid_places(8)])}
     yield Job("adapt", ("adapt in.mesh --solution u.sol --vertices 200 -o out.mesh", "verify out.mesh",

@@ -17,7 +17,7 @@ JOBS = [["--metric", FORMULA, "--size", "0.4"],
 
 
 def written(job, **environment):
-    """Returns what a job writes, and how often the preloaded library was asked."""
+    """Returns what a job writes, and how often it called the preloaded library."""
     with tempfile.TemporaryDirectory() as name:
         count = pathlib.Path(name) / "count"
         words = [COMMAND, "mesh", "square", *job, "--quiet", "-o", "m.mesh", "-o", "m.vtu"]
@@ -36,7 +36,7 @@ def main():
             sys.exit("the other library was not loaded")
         if usual != other:
             sys.exit(f"{job}: {[name for name in usual if usual[name] != other[name]]} differ")
-    # That it would be seen: Python's own functions are the C library's.
+    # Checks that the preloaded library is in effect: Python's own functions are those of the C library.
     digits = subprocess.run([sys.executable, "-c", "import math; print(math.exp(1).hex())"], check=True, text=True,
                             capture_output=True, env={**os.environ, "LD_PRELOAD": LIBRARY}).stdout
     if digits.strip() == "0x1.5bf0a8b145769p+1":
