@@ -51,7 +51,7 @@ edge_batch to_batch(std::span<const edge_question> questions) {
   return batch;
 }
 
-// The contender whose one question is a batch; time is given a row.
+// A contender that puts its rows as one batch. Time is per row.
 template <class Question, class Ask>
 void add_batch_contender(const std::string& name, const lazy<std::vector<Question>>& questions,
                          Ask ask) {

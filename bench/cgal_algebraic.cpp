@@ -19,7 +19,7 @@ using algebraic_kernel = CGAL::Algebraic_kernel_d_2<integer>;
 using curve = algebraic_kernel::Polynomial_2;
 using solution = std::pair<algebraic_kernel::Algebraic_real_2, algebraic_kernel::Multiplicity_type>;
 
-// f_s - offset: the coefficients of x^2, xy, y^2, x, y, 1.
+// Returns f_s - offset by its coefficients of x^2, xy, y^2, x, y, 1.
 std::array<rational, 6> distance_coefficients(const site& s) {
   const rational a(s.metric.m11), b(s.metric.m12), c(s.metric.m22), x(s.position.x),
       y(s.position.y), two(2);
@@ -27,7 +27,7 @@ std::array<rational, 6> distance_coefficients(const site& s) {
   return {a, two * b, c, -two * to_x, -two * to_y, to_x * x + to_y * y};
 }
 
-// f_v - f_w without denominators.
+// Returns f_v - f_w without denominators.
 curve bisector(const site& v, const site& w) {
   std::array<rational, 6> difference = distance_coefficients(v);
   const std::array<rational, 6> other = distance_coefficients(w);
@@ -49,7 +49,7 @@ curve bisector(const site& v, const site& w) {
 }  // namespace
 
 struct algebraic_rival::content {
-  algebraic_kernel kernel;  // the solutions point into it
+  algebraic_kernel kernel;  // the solutions point into this kernel
   curve vw, vx, vy;
   std::vector<solution> solutions;
 };
@@ -65,7 +65,7 @@ algebraic_rival::~algebraic_rival() = default;
 algebraic_rival::algebraic_rival(algebraic_rival&&) noexcept = default;
 
 std::size_t algebraic_rival::solve() {
-  // A new kernel: it remembers curves, and a question is asked once.
+  // Makes a new kernel for each question: a kernel remembers curves, and questions do not repeat.
   content_->solutions.clear();
   content_->kernel = algebraic_kernel();
   content_->kernel.solve_2_object()(content_->vw, content_->vx,

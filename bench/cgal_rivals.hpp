@@ -28,9 +28,9 @@ class algebraic_rival {
   algebraic_rival(const algebraic_rival&) = delete;
   algebraic_rival& operator=(const algebraic_rival&) = delete;
 
-  // Solves f_v = f_w = f_x and keeps the solutions; how many.
+  // Solves f_v = f_w = f_x and keeps the solutions. Returns their number.
   std::size_t solve();
-  // The signs of f_v - f_y at the solutions, packed into a number.
+  // Returns the signs of f_v - f_y at the solutions, packed into a number.
   int signs() const;
 
  private:

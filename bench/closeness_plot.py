@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The plot: wrong answers of plain doubles, and time, against closeness to degeneracy. SVG."""
+"""Draws wrong answers of plain doubles, and time, against closeness to degeneracy, as SVG."""
 import math
 
 WIDTH, HEIGHT, LEFT, TOP = 340, 230, 62, 40
@@ -17,7 +17,7 @@ def text(x, y, words, anchor="middle", more=""):
 
 
 class Panel:
-    """One diagram; `place` maps a value to 0 (bottom) .. 1 (top)."""
+    """Draws one diagram; `place` maps a value to 0 (bottom) .. 1 (top)."""
 
     def __init__(self, left, title, place, ticks):
         self.left, self.place, self.parts = left, place, []

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Benchmarks of one contender over a list of questions. Lists are made when first needed: only what
-// is run is paid for.
+// Benchmarks one contender over a list of questions. A list is made when it is first needed.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -44,8 +43,8 @@ class lazy {
   std::shared_ptr<content> content_;
 };
 
-// `ask` answers one question, as a number; an iteration asks the first `count` of the list (0:
-// all).
+// `ask` answers one question as a number. An iteration asks the first `count` questions of the
+// list, all if `count` is 0.
 template <class Question, class Ask>
 void add_contender(const std::string& name, const lazy<std::vector<Question>>& questions, Ask ask,
                    std::size_t count = 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions about four sites.
+// Generates questions about four sites.
 #include <optional>
 
 #include "asterism/kernels/double_kernel.hpp"
@@ -12,16 +12,16 @@ using namespace internal;
 
 namespace {
 
-// A metric for each place: what a question's sites have in common.
+// A metric field, from which the sites of a question have their tensors.
 struct field {
-  double condition = 0, angle = 0;  // 0: the swirl; 1: the identity
+  double condition = 0, angle = 0;  // of condition 0: the swirl; of 1: the identity
   metric_tensor at(const point& p) const {
     if (condition == 1) return round_metric;
     return condition > 0 ? stretched(condition, angle + 1e-7 * (p.x + p.y)) : swirl(p);
   }
 };
 
-// v, and x, w, y around it counter-clockwise.
+// Returns v, with x, w, y around it counter-clockwise.
 struct ring {
   field metric;
   site v, x, y;
@@ -52,7 +52,8 @@ ring draw_ring(const field& metric, random_source& random) {
   return {metric, {v, m}, x, at(next()), to_w};
 }
 
-// The factor at which w's answer changes, to the last place that plain doubles can tell.
+// Returns the factor of w's distance at which the answer changes, to the last place that plain
+// doubles resolve.
 std::optional<double> find_flip(const ring& r) {
   const double_kernel plain;
   const auto accepted = [&](double factor) {
@@ -76,8 +77,8 @@ edge_question near_flip(const field& metric, double closeness, random_source& ra
   }
 }
 
-// A swirl about c is the same after a quarter turn: c is equally far from all four as each of them
-// sees it. Half a turn apart are v and w.
+// A swirl about c does not change by a quarter turn, so that all four sites are equally far from c
+// in their metrics. v and w are half a turn apart.
 edge_question four_site_tie(random_source& random) {
   const point c{few_bits(random), few_bits(random)};
   const double a = few_bits(random), b = few_bits(random);
@@ -85,7 +86,8 @@ edge_question four_site_tie(random_source& random) {
   return {at(a, b), at(-a, -b), at(b, -a), at(-b, a)};
 }
 
-// (5, 0) (4, 3) (3, 4) and their reflections lie on one circle; scaled and shifted exactly.
+// (5, 0), (4, 3), (3, 4) and their reflections are on one circle. They are scaled and shifted
+// exactly.
 edge_question cocircular(random_source& random) {
   constexpr std::array<std::array<int, 2>, 12> circle = {{{5, 0},
                                                           {4, 3},
@@ -117,7 +119,7 @@ edge_question grid_square(const field& metric, random_source& random) {
 
 edge_question far_off(edge_question sites) {
   for (site& s : sites)
-    s.position = {1e8 + 1e-4 * s.position.x, 1e8 + 1e-4 * s.position.y};  // spacing about 1e-5
+    s.position = {1e8 + 1e-4 * s.position.x, 1e8 + 1e-4 * s.position.y};  // neighbours 1e-5 apart
   return sites;
 }
 

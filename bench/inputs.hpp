@@ -41,27 +41,26 @@ struct point_question {
   site v, w;
   point q;
 };
-using edge_question = std::array<site, 4>;  // v, w, and the neighbours x (clockwise) and y of w
+using edge_question = std::array<site, 4>;  // v, w, and w's neighbours x and y in v's star
 using line_question = std::array<point, 3>;
 
-// Names the border that a point question is brought to: f_v = f_w inside the wedge, or the wedge's
-// side.
+// The border to which a point question is moved: f_v = f_w inside the wedge, or the wedge's side.
 enum class border { bisector, wedge };
 
 std::vector<point_question> point_questions(input_class which, border near, std::size_t count,
                                             std::uint64_t seed = 1);
-// Mesh-like: v's neighbours at about one edge length and 60 degrees from each other in v's metric;
-// every site has the metric of its place.
+// Draws questions like a mesher's: v's neighbours at about one edge length, 60 degrees from each
+// other in v's metric. Every site has the metric of its place.
 std::vector<edge_question> edge_questions(input_class which, std::size_t count,
                                           std::uint64_t seed = 1);
-// Four sites with the identity for a metric: in-circle questions.
+// Draws four sites with the identity as metric: in-circle questions.
 std::vector<edge_question> circle_questions(input_class which, std::size_t count,
                                             std::uint64_t seed = 1);
 std::vector<line_question> line_questions(input_class which, std::size_t count,
                                           std::uint64_t seed = 1);
 
-// Random questions at a relative distance `closeness` (0: as near as rounding allows) from the
-// place where the answer changes.
+// Draws questions at a relative distance `closeness` from a change of the answer. 0: as near as
+// rounding allows.
 std::vector<point_question> point_questions_near(border near, double closeness, std::size_t count,
                                                  std::uint64_t seed = 1);
 std::vector<edge_question> edge_questions_near(double closeness, std::size_t count,

@@ -18,7 +18,7 @@ using namespace asterism;
 
 constexpr std::size_t count = 1000;
 
-// splitmix64, in [-1, 1)
+// Draws by splitmix64, in [-1, 1).
 double next(std::uint64_t& state) {
   std::uint64_t z = (state += 0x9E3779B97F4A7C15U);
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
@@ -26,7 +26,7 @@ double next(std::uint64_t& state) {
   return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
 }
 
-// Sites of a smooth metric, four to a question and near each other.
+// Sites of a smooth metric, four near each other for each question.
 struct questions {
   std::vector<std::array<double, 20>> rows;
   questions() {

@@ -9,7 +9,7 @@ import numpy as np
 
 import asterism
 
-# A million rows leave every cache; edge tests of different metrics take microseconds, so fewer do.
+# A million rows leave every cache. Edge tests of different metrics take microseconds, so there are fewer.
 ROWS = {"1000 rows": 1000, "10^6 rows": 1000000}
 MOST_EDGE_TESTS = 20000
 
@@ -20,7 +20,7 @@ def sites(rows, centre, random):
 
 
 def nanoseconds(ask, rows, repeats):
-    """The least of the repeats, each long enough for the clock."""
+    """Returns the shortest time of the repeats, each long enough for the clock."""
     calls = max(1, 200000 // rows)
     best = float("inf")
     for _ in range(repeats):

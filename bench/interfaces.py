@@ -61,7 +61,7 @@ def row(cells):
 
 
 def of_c(program, repeats):
-    """Nanoseconds by predicate and way."""
+    """Returns nanoseconds by predicate and route."""
     done = subprocess.run([program, "--benchmark_min_time=0.05", f"--benchmark_repetitions={repeats}",
                            "--benchmark_enable_random_interleaving=true", "--benchmark_format=json"],
                           capture_output=True, text=True, check=True)
@@ -95,7 +95,7 @@ def table_of_numpy(rows, c):
 
 
 def of_bamg(build, metrics, repeats):
-    """The page's part on BAMG; nothing where its source cannot be had."""
+    """Returns the page's part on BAMG; "" where its source cannot be had."""
     program = TOP / "examples/embedding/bamg/compare.py"
     done = subprocess.run([sys.executable, program, build / "gmsh-source", "--build", build, "--metrics",
                            *metrics, "--repeats", str(repeats)], capture_output=True, text=True, check=False)

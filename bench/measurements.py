@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Times of interleaved repetitions: medians, quartiles, and ratios of them."""
+"""Times of interleaved repetitions: medians, quartiles, and their ratios."""
 import collections
 import statistics
 
 
 class Sample:
-    """Nanoseconds a question, one number a repetition."""
+    """Nanoseconds per question, a number for each repetition."""
 
     def __init__(self, times):
         self.times = sorted(times)
@@ -19,8 +19,8 @@ class Sample:
 
 
 class Ratio:
-    """Median against median. The range is from lower over upper to upper over lower quartile: wide
-    when either was disturbed."""
+    """Returns the ratio of medians. Its range is from lower over upper to upper over lower quartile: wide when either
+    measurement was disturbed."""
 
     def __init__(self, above, below):
         self.value = above.median / below.median
@@ -32,7 +32,7 @@ class Ratio:
 
 
 def short(x):
-    """Three significant digits, two of small numbers, no exponent."""
+    """Returns three significant digits, or two of small numbers, without exponent."""
     if x >= 100:
         return f"{x:.0f}"
     if x >= 0.1:
@@ -48,7 +48,7 @@ def duration(nanoseconds):
 
 
 def measurements(report):
-    """{predicate: {input: {contender: Sample}}}, in the order in which they were registered."""
+    """Returns {predicate: {input: {contender: Sample}}}, in the order of registration."""
     times = collections.defaultdict(list)
     family = {}
     for entry in report["benchmarks"]:

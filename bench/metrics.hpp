@@ -14,18 +14,18 @@ using namespace internal;
 
 inline constexpr metric_tensor round_metric{1, 0, 1};
 
-// I + 12 p p^T: stretched along circles, aspect up to 5 on the square.
+// I + 12 p p^T: stretched along circles, with aspects up to 5 on the square.
 inline metric_tensor swirl(const point& p) {
   return {1 + 12 * p.x * p.x, 12 * p.x * p.y, 1 + 12 * p.y * p.y};
 }
 
-// Eigenvalues 1 and `condition`, the direction of the first at `angle`.
+// Returns the tensor with eigenvalues 1 and `condition`; the first's direction is `angle`.
 inline metric_tensor stretched(double condition, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * c + condition * (s * s), (1 - condition) * (c * s), s * s + condition * (c * c)};
 }
 
-// The displacement of length `length` in m, at `angle` after m is made round.
+// Returns the displacement of length `length` in m, at `angle` in the frame in which m is round.
 inline displacement<double> at_length(const metric_tensor& m, double length, double angle) {
   const double a = std::sqrt(m.m11), b = m.m12 / a, c = std::sqrt(m.m22 - b * b);
   const double y = length * std::sin(angle) / c;
@@ -45,12 +45,12 @@ inline double random_angle(random_source& random) {
   return random.real(-std::numbers::pi, std::numbers::pi);
 }
 
-// k / 2^20 in [-1, 1]: sums and products of two are exact.
+// Draws k / 2^20 in [-1, 1]: sums and products of two are exact.
 inline double few_bits(random_source& random) {
   return std::ldexp(static_cast<double>(random.integer(-1 << 20, 1 << 20)), -20);
 }
 
-// Left or right by some units in the last place.
+// Moves the point left or right by some units in the last place.
 inline double nudged(double x, random_source& random) {
   const int steps = random.integer(-2, 2);
   for (int k = 0; k < std::abs(steps); ++k) x = std::nextafter(x, steps * 1e300);

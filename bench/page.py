@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Markdown for the pages that the benchmarks write: tables, and prose of a readable width."""
+"""Formats Markdown of the pages that benchmarks write: tables, and prose with short lines."""
 import textwrap
 
 WIDTH = 110
@@ -12,7 +12,7 @@ def table(head, rows):
 
 
 def wrapped(text):
-    """Breaks the long lines of prose and lists; tables, headings and pictures stay as they are."""
+    """Breaks the long lines of prose and lists. Tables, headings and pictures stay."""
     lines = []
     for line in text.split("\n"):
         if len(line) <= WIDTH or line.startswith(("|", "#", "!")):

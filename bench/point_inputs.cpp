@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions about two sites and a point, and about three points.
+// Generates questions about two sites and a point, and about three points.
 #include "inputs.hpp"
 #include "metrics.hpp"
 
@@ -14,7 +14,8 @@ point_question uniform(random_source& random) {
   return {{v, swirl(v)}, {w, swirl(w)}, q};
 }
 
-// The point of the bisector on the ray from v at `aside` radians from the direction of w.
+// Returns the point of the bisector on the ray from v at an angle of `aside` radians from the
+// direction of w.
 point on_bisector(const site& v, const site& w, double aside, double factor) {
   const auto d = between(v.position, w.position);
   const displacement<double> u{d.x * std::cos(aside) - d.y * std::sin(aside),
@@ -25,7 +26,8 @@ point on_bisector(const site& v, const site& w, double aside, double factor) {
   return moved(v.position, u, factor * c / (half_b + std::sqrt(half_b * half_b + a * c)));
 }
 
-// The point of the line where v sees a right angle to w, and a step towards or away from w.
+// Returns a point of the line on which v sees a right angle to w, moved by a step towards or away
+// from w.
 point on_wedge_side(const site& v, const site& w, double length, double step) {
   const auto d = between(v.position, w.position);
   const auto seen = apply(v.metric, d);
@@ -42,8 +44,8 @@ point_question near_border(random_source& random, border near, double closeness)
   return std::isfinite(q.x) && std::isfinite(q.y) ? point_question{v, w, q} : base;
 }
 
-// w's view of q is v's after the shear (x, y) -> (x + y, y), so both distances are one number; the
-// roundings on the way to it differ.
+// The shear (x, y) -> (x + y, y) maps v's view of q to w's, so that both distances are equal. They
+// are rounded differently.
 point_question on_bisector_exactly(random_source& random) {
   const point q{few_bits(random), few_bits(random)};
   const displacement<double> u{few_bits(random), few_bits(random)};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The time of one predicate, over contenders that are asked the same questions. A benchmark is
-// named predicate/input/contender; an iteration asks every question of its list once.
-// Run through scripts/bench, which interleaves repetitions and reports medians and ratios.
+// Measures the time of one predicate for contenders that answer the same questions. A benchmark is
+// named predicate/input/contender. An iteration asks every question of its list once. Run it by
+// scripts/bench, which interleaves repetitions and reports medians and ratios.
 #include <benchmark/benchmark.h>
 
 #include "asterism/kernels/double_kernel.hpp"
@@ -30,7 +30,8 @@ std::string name_of(input_class which) {
   return std::string(input_classes[static_cast<std::size_t>(which)].name);
 }
 
-// ask(kernel, question) on every kernel; fewer questions where exact arithmetic takes long.
+// Registers ask(kernel, question) for every kernel, with fewer questions where exact arithmetic
+// takes long.
 template <class Question, class Ask>
 void add_kernels(const std::string& name, const lazy<std::vector<Question>>& questions, Ask ask,
                  std::size_t asked_exactly = 0) {
@@ -43,7 +44,7 @@ void add_kernels(const std::string& name, const lazy<std::vector<Question>>& que
   add_contender(name + "/exact", questions, on(exact_kernel()), asked_exactly);
 }
 
-// The list with every question turned into `convert(question)`.
+// Returns the list with every question converted by `convert(question)`.
 template <class Question, class Convert>
 auto converted(const lazy<std::vector<Question>>& questions, Convert convert) {
   using list = std::vector<decltype(convert(std::declval<const Question&>()))>;
@@ -84,8 +85,8 @@ void add_orientation(input_class which) {
   });
 }
 
-// With equal metrics an edge test is two orientations and an in-circle test at most; the contender
-// "with orientations" is what a mesh generator on CGAL computes for the same answer.
+// With equal metrics an edge test needs at most two orientations and an in-circle test. The
+// contender "with orientations" computes these, as a mesh generator on CGAL would.
 void add_in_circle(input_class which) {
   const std::string name = "in_circle/" + name_of(which);
   const lazy<std::vector<edge_question>> questions([=] { return circle_questions(which, many); });

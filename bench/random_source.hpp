@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Random numbers for inputs to be measured: the same on every machine. Small seeds that follow each
-// other give sequences that have nothing in common.
+// Random numbers for inputs of benchmarks: the same on every machine. Consecutive small seeds give
+// independent sequences.
 #pragma once
 
 #include "asterism/core/random.hpp"

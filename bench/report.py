@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""report.py RAW PAGE PLOT CMAKE_CACHE: the Markdown page and the plot from the benchmarks' JSON."""
+"""report.py RAW PAGE PLOT CMAKE_CACHE: writes the Markdown page and the plot from the benchmarks' JSON."""
 import datetime
 import json
 import os

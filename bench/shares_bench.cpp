@@ -19,11 +19,11 @@ namespace asterism::bench {
 
 namespace {
 
-using json = nlohmann::ordered_json;  // keeps the order in which things are tried
+using json = nlohmann::ordered_json;  // keeps the order of registration
 
 constexpr std::size_t pointwise_count = 4000, edge_count = 400;
 
-// Wrong answers of the double kernel and the tiers that decided, among `questions`.
+// Counts wrong answers of the double kernel, and the tiers that decided, among `questions`.
 template <class Question, class Ask>
 json count(predicate which, const std::vector<Question>& questions, Ask ask) {
   const double_kernel plain;
@@ -75,7 +75,7 @@ json count_class(input_class which) {
   return result;
 }
 
-// Nanoseconds a question, the median of rounds in which both kernels are asked in turn.
+// Returns nanoseconds per question, the median of rounds in which both kernels take turns.
 template <class Question, class Ask>
 json time_both(const std::vector<Question>& questions, Ask ask) {
   constexpr std::size_t rounds = 7;
@@ -94,7 +94,7 @@ json time_both(const std::vector<Question>& questions, Ask ask) {
     time(filtered, times[1]);
   }
   for (auto& list : times) std::sort(list.begin(), list.end());
-  // The sum keeps the calls from being optimised away.
+  // Uses the sum, so that the calls are not optimised away.
   return {{"double", times[0][rounds / 2]}, {"filtered", times[1][rounds / 2]}, {"sum", sum}};
 }
 
@@ -106,7 +106,7 @@ json at_closeness(predicate which, int bits, const std::vector<Question>& questi
   return result;
 }
 
-// The answer changes at a relative distance of 2^-bits.
+// Draws questions at a relative distance of 2^-bits from a change of the answer.
 json count_by_closeness() {
   json result = {{"compare_distance", json::array()},
                  {"edge_test, equal metrics", json::array()},

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The tables of the performance page."""
+"""Makes the tables of the performance page."""
 from measurements import Ratio, duration, short
 from page import table
 
 
 def goals(timed):
-    """What the project asks of itself."""
+    """Returns the section on the project's own limits."""
     def ratio(predicate, given, above, below):
         samples = timed[predicate][given]
         return Ratio(samples[above], samples[below])
@@ -49,7 +49,7 @@ def goals(timed):
 
 
 def times(timed):
-    """A table a predicate: medians of every contender on every input, and their ratios to doubles."""
+    """Returns a table for each predicate: medians of every contender on every input, and their ratios to doubles."""
     parts, spreads = [], []
     for predicate, inputs in timed.items():
         if predicate == "batch":
@@ -75,7 +75,7 @@ def time_cell(samples, contender):
 
 
 def half_spread(sample):
-    """Returns the part of the median by which the farther quartile is off."""
+    """Returns the distance of the farther quartile from the median, as a part of the median."""
     low, high = sample.quartiles()
     return max(high - sample.median, sample.median - low) / sample.median
 
@@ -126,7 +126,7 @@ def tier_cell(counts, names):
 
 
 def with_doubles(runs):
-    """What goes wrong with plain doubles, and that nothing does with the filtered kernel."""
+    """Returns the tables of runs on plain doubles, and on the filtered kernel."""
     outcomes = [{k: run["kernels"][k]["outcome"] for k in ("double", "filtered", "exact")} for run in runs]
 
     def certified(kernel):
@@ -169,7 +169,7 @@ def middle(times):
 
 
 def verdict(found):
-    """Returns why a run's mesh is not certified, or nothing if it is."""
+    """Returns why a run's mesh is not certified, or "" if it is."""
     told = "" if found["complete"] else f"not complete ({found['reason']})"
     if not found.get("certified"):
         findings = ", ".join(f"{n} {kind}" for kind, n in found.get("findings", {}).items())

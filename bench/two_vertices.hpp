@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The quickest edge test that plain doubles allow, as a baseline: find by Newton's method the two
-// Voronoi vertices that bound v and w's common border, and look at one point between them. It knows
-// no other cuts and has no error bound; double_kernel looks at every section.
+// Answers the edge test by the quickest method in plain doubles, as a baseline: finds the two
+// Voronoi vertices that bound v and w's common border by Newton's method, and tests one point
+// between them. It has no error bound and knows no other critical points; double_kernel tests every
+// section.
 #pragma once
 
 #include "asterism/kernels/double_kernel.hpp"

@@ -43,8 +43,8 @@ struct job {
   mesh_options options;
 };
 
-// n x n points inside the square, turned by `angle`: of a grid's squares every four corners are a
-// tie, and after rounding a turned grid's are nearly one.
+// Returns n x n points inside the square, rotated by `angle`. The corners of each grid square are a
+// tie. After rounding, those of a rotated grid are nearly one.
 void add_grid(domain& shape, int n, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (int i = 0; i < n; ++i)
@@ -136,7 +136,7 @@ json run_job(const job& j, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     run<double_kernel>(j, result["kernels"]["double"]);
     run<filtered_kernel>(j, result["kernels"]["filtered"]);
-    // Exact arithmetic takes long; once is enough beside the others' spread.
+    // Runs exact arithmetic once, since it takes long.
     if (round == 0) run<exact_kernel>(j, result["kernels"]["exact"]);
   }
   return result;

@@ -18,7 +18,7 @@ import time
 
 
 def metric(t, a, b):
-    """Rotated by t, with eigenvalues exp(2a), exp(2b)."""
+    """Returns a tensor rotated by t, with eigenvalues exp(2a), exp(2b)."""
     c, s, e, f = math.cos(t), math.sin(t), math.exp(2 * a), math.exp(2 * b)
     return c * c * e + s * s * f, c * s * (e - f), s * s * e + c * c * f
 
@@ -39,7 +39,8 @@ def distortion(p, q):
 
 
 def smallest_angle(c, s, most, sites_only):
-    """Of configuration c, three times (direction, t, a, b); None when it is not allowed."""
+    """Returns the least angle of configuration c, three times (direction, t, a, b); None when it breaks a
+    hypothesis."""
     metrics, sites = [], []
     for direction, t, a, b in (c[i:i + 4] for i in (0, 4, 8)):
         if max(abs(a), abs(b)) > most:

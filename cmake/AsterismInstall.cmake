@@ -17,8 +17,8 @@ if(TARGET asterism)
   install(EXPORT AsterismMesher NAMESPACE Asterism:: DESTINATION ${asterism_cmake_dir})
 endif()
 
-# The public headers, by list: nothing else is installed, and none of them reaches a header of
-# another library (tests/build/check_public_headers.py).
+# Installs the public headers, by list, and no others. None of them includes a header of another
+# library (tests/build/check_public_headers.py).
 file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt public_headers REGEX "^[^#]")
 foreach(header IN LISTS public_headers)
   if(header MATCHES "^mesh/" AND NOT TARGET asterism)

@@ -7,9 +7,9 @@ foreach(folder IN ITEMS support data search numerics domain metric stars fill re
   target_sources(asterism PRIVATE ${sources})
 endforeach()
 get_target_property(sources asterism SOURCES)
-# Files are texts that JavaScript hands over. What reads formulas says that it cannot.
+# JavaScript hands over files as texts. Readers of formulas return an error.
 list(FILTER sources EXCLUDE REGEX "/io/text_scanner_files|/metric/plane_expression")
-# Left out: what draws, and files of VTK's XML, which zlib unpacks.
+# Leaves out pictures, and files of VTK's XML, which need zlib.
 list(FILTER sources EXCLUDE REGEX "/io/(write_mesh|vtu|vtu_[a-z]+)\\.cpp")
 list(APPEND sources ${PROJECT_SOURCE_DIR}/packages/npm/asterism-mesh/no_formulas.cpp
                     ${PROJECT_SOURCE_DIR}/packages/npm/asterism-mesh/no_vtu.cpp

@@ -5,7 +5,7 @@
 macro(asterism_find_mpi)
   find_program(ASTERISM_MPI_WRAPPER NAMES mpicxx mpic++)
   mark_as_advanced(ASTERISM_MPI_WRAPPER)
-  set(mpi_compiles TRUE) # or is not asked: find_package knows places besides the wrapper's
+  set(mpi_compiles TRUE)  # no such wrapper: find_package searches other places too
   if(ASTERISM_MPI_WRAPPER)
     file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/mpi_header.cpp "#include <mpi.h>\n")
     execute_process(COMMAND ${ASTERISM_MPI_WRAPPER} -c ${CMAKE_CURRENT_BINARY_DIR}/mpi_header.cpp

@@ -6,7 +6,7 @@ function(asterism_shared_library target of)
   foreach(library IN ITEMS ${of} ${ARGN})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${library}>)
   endforeach()
-  # For what the objects need of other libraries; the archives themselves have nothing left to add.
+  # Links the libraries that the objects need. The archives themselves add nothing.
   target_link_libraries(${target} PRIVATE ${of})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} INTERFACE
@@ -14,7 +14,7 @@ function(asterism_shared_library target of)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set(script ${PROJECT_SOURCE_DIR}/cmake/exported.map)
   target_link_options(${target} PRIVATE LINKER:--version-script=${script} LINKER:-Bsymbolic-functions)
-  if(NOT ASTERISM_SANITIZE)  # whose run-time library comes with the program
+  if(NOT ASTERISM_SANITIZE)  # the program brings the sanitizer's run-time library
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()
   set_target_properties(${target} PROPERTIES
@@ -22,8 +22,8 @@ function(asterism_shared_library target of)
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
 endfunction()
 
-# The names that programs link: the shared libraries where they are built, with the static ones under
-# names of their own.
+# Defines the names that programs link: the shared libraries where they are built. The static ones
+# then have names of their own.
 function(asterism_name_library name static)
   if(BUILD_SHARED_LIBS)
     set_target_properties(${static} PROPERTIES EXPORT_NAME ${name}_static)

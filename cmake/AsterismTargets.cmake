@@ -2,12 +2,12 @@
 function(asterism_configure target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  # Contraction would change the value of a*b+c; the filters' error bounds assume it does not.
+  # Contraction would change the value of a*b+c. The filters' error bounds assume two roundings.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
-  if(EMSCRIPTEN)  # whose standard library may lack something
+  if(EMSCRIPTEN)  # targets whose standard library lacks some functions
     target_compile_options(${target} PRIVATE
       -include ${PROJECT_SOURCE_DIR}/packages/npm/standard_library.hpp)
-    if(ASTERISM_BUILD_MESHER)  # whose readers catch what other libraries throw
+    if(ASTERISM_BUILD_MESHER)  # targets that catch exceptions of other libraries
       target_compile_options(${target} PRIVATE -fwasm-exceptions)
       target_link_options(${target} PRIVATE -fwasm-exceptions)
     endif()
@@ -23,12 +23,12 @@ function(asterism_configure target)
   endif()
 endfunction()
 
-# asterism_hide(TARGET): objects that can go into a shared library, which shows what ASTERISM_EXPORT
-# marks and nothing else. Nobody replaces our functions at load time, so they may be inlined.
+# asterism_hide(TARGET): compiles objects for a shared library that exports only what
+# ASTERISM_EXPORT marks. Its functions are not replaced at load time, so they may be inlined.
 function(asterism_hide target)
   set_target_properties(${target} PROPERTIES
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  if(EMSCRIPTEN)  # a module is linked once, and independence of positions would cost time
+  if(EMSCRIPTEN)  # WebAssembly: a module is linked once, and position-independent code would take time
     return()
   endif()
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
@@ -60,7 +60,7 @@ function(asterism_unite target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${group}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # A name inside one file may be that of a constant of another's.
+  # Undefines constants of one file whose names another file uses.
   target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Sourced by what tries things in a Debian 12 that has nothing of ours: needs root and debootstrap. ASTERISM_MIRROR
-# names another mirror.
+# Sourced by scripts that try something in a bare Debian 12. Needs root and debootstrap.
+# ASTERISM_MIRROR names another mirror.
 
-# make_bare_debian FOLDER [PACKAGE...]: the least system that has these packages.
+# make_bare_debian FOLDER [PACKAGE...]: makes the smallest system that has these packages.
 make_bare_debian() {
   local system=$1 IFS=,
   shift
@@ -12,13 +12,13 @@ make_bare_debian() {
   rm -f "$system.log"
 }
 
-# in_bare_debian FOLDER COMMAND: by sh, with nothing of this system's environment.
+# in_bare_debian FOLDER COMMAND: runs the command by sh, without this system's environment.
 in_bare_debian() {
   env -i HOME=/root LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     DEBIAN_FRONTEND=noninteractive chroot "$1" sh -euc "$2"
 }
 
-# size_of_bare_debian FOLDER: how many packages and megabytes it has.
+# size_of_bare_debian FOLDER: prints the number of packages and the size in megabytes.
 size_of_bare_debian() {
   echo "$(in_bare_debian "$1" "dpkg-query -W -f '\${db:Status-Status}\n'" | grep -cx installed) packages," \
     "$(in_bare_debian "$1" "apt-get clean" && du -sxm "$1" | cut -f1) MB"

@@ -26,7 +26,7 @@ def run(*words: str) -> str:
 
 
 def needed_by(file: pathlib.Path) -> dict[str, pathlib.Path]:
-    """The libraries that a file and those it needs are linked with, by name."""
+    """Returns, by name, the libraries that a file is linked with, directly or not."""
     found = dict(re.findall(r"^\s*(\S+) => (/\S+)", run("ldd", str(file)), re.MULTILINE))
     return {name: pathlib.Path(path).resolve() for name, path in found.items() if not _EVERYWHERE.match(name)}
 
@@ -41,7 +41,7 @@ def own_name(name: str, path: pathlib.Path) -> str:
 
 
 def licence_of(path: pathlib.Path) -> pathlib.Path | None:
-    """The copyright file of the Debian package that a library is of."""
+    """Returns the copyright file of the Debian package to which a library belongs."""
     for spelling in (path, pathlib.Path(str(path).replace("/usr/lib/", "/lib/", 1))):
         owner = subprocess.run(["dpkg", "-S", str(spelling)], capture_output=True, text=True, check=False).stdout
         if owner:
@@ -51,7 +51,7 @@ def licence_of(path: pathlib.Path) -> pathlib.Path | None:
 
 
 def bundle(tree: pathlib.Path) -> list[pathlib.Path]:
-    """Copies what the modules of the tree need into asterism.libs, and has them look there."""
+    """Copies the libraries that the tree's modules need into asterism.libs, and makes the modules search there."""
     modules = sorted(tree.glob("asterism/*.so"))
     libraries = {name: path for module in modules for name, path in needed_by(module).items()}
     inside = tree / "asterism.libs"
@@ -78,7 +78,7 @@ def bundle(tree: pathlib.Path) -> list[pathlib.Path]:
 
 
 def age_of(files: list[pathlib.Path]) -> tuple[int, int]:
-    """The newest version of the C library that any of them asks for."""
+    """Returns the newest version of the C library that any of the files requires."""
     versions = [tuple(map(int, found)) for file in files
                 for found in re.findall(r"Name: GLIBC_(\d+)\.(\d+)", run("readelf", "-V", str(file)))]
     return max(versions)  # type: ignore[return-value]

@@ -5,22 +5,22 @@
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$project/build/release
 
-# For the command and the library.
+# Packages for the command and the library.
 command_packages=(
   g++ cmake ninja-build pkg-config
   libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev
   libcairo2-dev libtbb-dev zlib1g-dev
 )
 
-# For the tests and the Python package besides.
+# Further packages for the tests and the Python package.
 test_packages=(
   libcgal-dev catch2 libfast-float-dev doxygen python3 python3-meshio python3-ezdxf python3-h5py python3-numpy freefem++
   pybind11-dev python3-dev python3-pytest python3-skbuild python3-setuptools mypy
   python3-matplotlib python3-shapely python3-scipy python3-nbclient python3-ipykernel
 )
 
-# Large ones, for tests alone, which say so and are skipped without them. ASTERISM_LARGE_PACKAGES=1
-# has them installed as well. rustc with its library and LLVM unpacks to 375 MB.
+# Large packages for tests alone. Without them the tests say that they are skipped.
+# ASTERISM_LARGE_PACKAGES=1 installs them too. rustc with its library and LLVM unpacks to 375 MB.
 large_packages=(libocct-data-exchange-dev libocct-modeling-algorithms-dev libopenmpi-dev openmpi-bin python3-dolfinx python3-dolfinx-mpc python3-petsc4py python3-mpi4py chromium chromium-driver python3-selenium python3-pil gmsh python3-vtk9 rustc
   zsh fish emscripten nodejs npm coq)
 packages=("${command_packages[@]}" "${test_packages[@]}")
@@ -28,7 +28,7 @@ packages=("${command_packages[@]}" "${test_packages[@]}")
 
 installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
 
-# install_packages PACKAGE...: those that are not there.
+# install_packages PACKAGE...: installs those that are missing.
 install_packages() {
   local missing=() as_root=()
   for package in "$@"; do
@@ -42,12 +42,12 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# configure [OPTION...]: the build tree, with everything unless an option leaves it out.
+# configure [OPTION...]: configures the build tree, with everything that no option leaves out.
 configure() {
   (cd "$project" && cmake --preset release "$@" >/dev/null)
 }
 
-# build_targets [TARGET...]: all of them when none is named.
+# build_targets [TARGET...]: builds all targets when none is named.
 build_targets() {
   cmake --build "$build" --parallel "$(nproc)" ${1:+--target "$@"}
 }

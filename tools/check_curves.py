@@ -24,7 +24,7 @@ import check_mesh
 from check_mesh import NotProved, need, need_file, number
 
 FINE = 1 << 200         # roots are rounded to 2^-200
-SAMPLES = 1 << 10       # places of a cubic that are looked at for each vertex
+SAMPLES = 1 << 10  # places of a cubic that are tried for each vertex
 
 
 def minus(p, q): return p[0] - q[0], p[1] - q[1]
@@ -34,7 +34,7 @@ def exact(point): return Fraction(point[0]), Fraction(point[1])
 
 
 def root_below(x):
-    """Returns a fraction at most the root of x, by less than 2^-200."""
+    """Returns a fraction that is less than the root of x by at most 2^-200."""
     return Fraction(math.isqrt(int(x * FINE * FINE)), FINE)
 
 
@@ -92,7 +92,7 @@ class Cubic:
         return tuple(sum(w * c[k] for w, c in zip(weights, self.doubles)) for k in (0, 1))
 
     def look_for(self, point, after):
-        """Returns the parameter of the curve's point nearest to another, about, above one."""
+        """Returns, approximately, the parameter above `after` of the curve's point nearest to another point."""
         best = min((k / SAMPLES for k in range(1, SAMPLES) if k / SAMPLES > after),
                    key=lambda t: math.dist(self.place(t), point), default=1.0)
         step = 1 / SAMPLES
@@ -103,7 +103,7 @@ class Cubic:
         return best
 
     def blossom(self, u, v, w):
-        """Returns the polar form: affine in each of three parameters, the curve where they are equal."""
+        """Returns the polar form: affine in each of three parameters, and the curve's point where they are equal."""
         points = self.control
         for t in (u, v, w):
             points = [((1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1])

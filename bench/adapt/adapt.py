@@ -18,8 +18,8 @@ import meshes  # noqa: E402
 
 
 def timed(command, folder, limit):
-    """Exit status (None: not ended in time), user seconds, output. What takes less than a tenth of a second is run
-    several times, and the seconds are the mean: clocks of processes tick in hundredths."""
+    """Returns exit status (None: ended by the limit), user seconds and output. A run shorter than a tenth of a second
+    is repeated, and the mean is returned: clocks of processes count hundredths."""
     enough, most = 0.1, 10
     before, status, output, runs = resource.getrusage(resource.RUSAGE_CHILDREN), None, "", 0
     spent = 0.0
@@ -75,7 +75,8 @@ class Asterism:
 
 
 def hessians_of(name, mesh):
-    """Exact, or (NAME~) recovered from the values at the vertices, with noise in them (NAME~~)."""
+    """Returns the Hessian at the vertices: exact, or for NAME~ recovered from the values, or for NAME~~ recovered
+    from values with noise."""
     plain = name.rstrip("~")
     if name == plain:
         return functions.hessians(plain, mesh.points)
@@ -143,7 +144,7 @@ def median_of_last(rows, key):
 
 
 def already_measured(path):
-    """The functions and counts that a file of --json has, so that an interrupted run goes on."""
+    """Returns the functions and counts that a file of --json has, so that an interrupted run goes on."""
     if not path or not os.path.exists(path):
         return set()
     with open(path, encoding="utf-8") as lines:

@@ -13,18 +13,18 @@ OPTION = re.compile(r"(\w+)\s*=(?!=)\s*(.*)", re.DOTALL)
 
 
 class CannotRewrite(Exception):
-    """A call that has no counterpart."""
+    """A call without a counterpart in asterism.idp."""
 
 
 def without_comments(text):
-    """The text with as many blanks in the place of comments, so that positions stay."""
+    """Returns the text with comments replaced by as many blanks, so that positions stay."""
     def blanks(found):
         return re.sub(r"[^\n]", " ", found.group())
     return re.sub(r"//[^\n]*|/\*.*?\*/", blanks, text, flags=re.DOTALL)
 
 
 def end_of_call(text, start):
-    """Position of the bracket that closes the one before start."""
+    """Returns the position of the bracket that closes the one before start."""
     depth = 1
     for at in range(start, len(text)):
         depth += (text[at] in "([") - (text[at] in ")]")
@@ -34,7 +34,7 @@ def end_of_call(text, start):
 
 
 def parts_of(text):
-    """What commas outside of all brackets separate."""
+    """Returns the parts between the commas that are outside of all brackets."""
     parts, depth = [""], 0
     for letter in text:
         depth += (letter in "([") - (letter in ")]")
@@ -46,7 +46,7 @@ def parts_of(text):
 
 
 def fields_of(parts):
-    """Expressions of all fields, those of vectors singly."""
+    """Returns the expressions of all fields, each component of a vector by itself."""
     fields = []
     for part in parts:
         fields += parts_of(part[1:-1]) if part.startswith("[") else [part]
@@ -54,13 +54,13 @@ def fields_of(parts):
 
 
 def sizes_of_vectors(parts):
-    """Numbers of components of the fields as asterism.idp has them, "2 1"; nothing where all are scalars."""
+    """Returns the numbers of components of the fields as asterism.idp takes them, "2 1"; "" where all are scalars."""
     sizes = [len(fields_of([part])) for part in parts]
     return '"' + " ".join(map(str, sizes)) + '"' if max(sizes, default=1) > 1 else ""
 
 
 def pairs_of_sides(text, value):
-    """The labels of adaptmesh's periodic, "4,2 1,3", of an array or the name of one."""
+    """Returns the labels of adaptmesh's periodic as "4,2 1,3". The argument is an array or the name of one."""
     named = re.search(r"\bfunc\s+" + re.escape(value) + r"\s*=\s*(\[.*?\]\s*\])\s*;", text)
     labels = re.findall(r"\[\s*(\d+)\s*,", named.group(1) if named else value)
     if not labels or len(labels) % 2:
@@ -69,7 +69,7 @@ def pairs_of_sides(text, value):
 
 
 def rewritten(text, target, arguments):
-    """The line for one call, and the names of variables that are named as the option they are given to."""
+    """Returns the line for one call, and the names of variables that are equal to their option's name."""
     mesh, *rest = parts_of(arguments)
     options = [found for found in map(OPTION.fullmatch, rest) if found]
     given = [part for part in rest if not OPTION.fullmatch(part)]
@@ -95,7 +95,7 @@ def rewritten(text, target, arguments):
 
 
 def rewrite(text):
-    """The script by asterism.idp, and how many calls were rewritten."""
+    """Returns the script with asterism.idp, and how many calls were rewritten."""
     plain, made, done, calls, renamed = without_comments(text), "", 0, 0, set()
     for found in CALL.finditer(plain):
         end = end_of_call(plain, found.end())

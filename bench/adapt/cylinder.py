@@ -12,7 +12,7 @@ import re
 import shutil
 import subprocess
 
-REFERENCE = 5.57953523384  # of the benchmark's page at featflow.de
+REFERENCE = 5.57953523384  # reference values of the benchmark's page at featflow.de
 # Markers: 1 below, 2 outflow, 3 above, 4 inflow, 5 the cylinder.
 DOMAIN = """5 2
 1 0 0
@@ -42,7 +42,7 @@ def run(options, folder, *words):
 
 
 def loop(options, way, wanted):
-    """Vertices, edges on the cylinder and drag of the last round."""
+    """Returns vertices, edges on the cylinder and drag of the last round."""
     folder = pathlib.Path(options.work) / way / str(wanted)
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copy(pathlib.Path(__file__).with_name("cylinder.edp"), folder)

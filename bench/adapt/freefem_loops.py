@@ -23,7 +23,7 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples" / "freefem"
 
 
 def measured(script, by, wanted, options):
-    """Vertices and true error of the last round."""
+    """Returns vertices and true error of the last round."""
     folder = pathlib.Path(options.work) / script / str(wanted) / by
     kept = folder / "measured.json"
     if kept.exists():

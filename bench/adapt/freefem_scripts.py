@@ -22,8 +22,8 @@ INCLUDE = pathlib.Path(__file__).resolve().parents[2] / "apps" / "freefem"
 
 @dataclasses.dataclass
 class Script:
-    """One script: how the table calls it, code to be put at its end that says "measured ERROR", the power of the
-    number of vertices with which that error falls, and text that is left out as Debian's FreeFEM has no such part."""
+    """One script: how the table calls it; code appended to it that prints "measured ERROR"; the power of the number
+    of vertices with which the error falls; and text that is removed since Debian's FreeFEM lacks that part."""
     name: str
     measured: str = ""
     kind: str = ""
@@ -32,8 +32,9 @@ class Script:
 
 
 def energy(load, on, mass="0", weight="1", element="P1", mesh="Th", finest="1e-7"):
-    """Code for the energy norm of the error of Galerkin's method of one problem on the last mesh, beside degree 2 on
-    meshes of adaptmesh for a far smaller error. Energies of nested minimisers differ by the error's square."""
+    """Returns code for the energy norm of the error of Galerkin's method on the last mesh. The reference is a
+    solution of degree 2 on meshes of adaptmesh for a far smaller error. Energies of nested minimisers differ by the
+    square of the error."""
     def problem(name, on_mesh, unknown, degree):
         conditions = on.replace("U", unknown)
         return f"""
@@ -55,7 +56,7 @@ problem {name}({unknown}, {unknown}T, solver = sparsesolver)
 
 
 def in_the_mean(mesh, found, exact):
-    """Code for the error in the mean square of a function on a mesh."""
+    """Returns code for the error of a function on a mesh in the mean square."""
     return (f'cout << "measured " << {mesh}.nv << " " << sqrt(int2d({mesh}, qforder = 9)(square({found} - ({exact})))) '
             "<< endl;\n")
 
@@ -113,7 +114,7 @@ SCRIPTS = [
 
 
 def run(text, name, by, options):
-    """The script's output, its errors included, and its exit status."""
+    """Returns the script's output, standard error included, and its exit status."""
     folder = pathlib.Path(options.work) / name / by
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -133,7 +134,7 @@ def run(text, name, by, options):
 
 
 def text_of(script, options):
-    """The script as FreeFEM has it, but for what is left out, with the code that measures at its end."""
+    """Returns FreeFEM's script without the removed text and with the appended code that measures."""
     path, = pathlib.Path(options.scripts).glob(f"*/{script.name}.edp")
     text = path.read_text(encoding="latin-1")
     for words in script.without:
@@ -144,7 +145,7 @@ def text_of(script, options):
 
 
 def obstacle_reference(text, options):
-    """The energy of VI-adap's own solution for a sixth of its tolerance."""
+    """Returns the energy of VI-adap's own solution for a sixth of its tolerance."""
     for found, finer in (("tolmin=0.002", "tolmin=0.0003"), ("err=tol", "err=tol,nbvx=100000")):
         if found not in text:
             raise SystemExit(f"VI-adap: {found} is not there")
@@ -155,7 +156,7 @@ def obstacle_reference(text, options):
 
 
 def row(script, options):
-    """The row of the table."""
+    """Returns the row of the table."""
     text, code = text_of(script, options), script.measured
     last = '\ncout << "last " << %s.nv << endl;\n'
     calls = list(adaptmesh_calls.CALL.finditer(adaptmesh_calls.without_comments(text)))

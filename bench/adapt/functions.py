@@ -41,7 +41,7 @@ class Jet:
     __rmul__ = __mul__
 
     def chain(self, f, first, second):
-        """f of this, by its value and two derivatives there."""
+        """Returns f of this value, from f's value and first two derivatives there."""
         return Jet(f, first * self.x, first * self.y,
                    first * self.xx + second * self.x * self.x,
                    first * self.xy + second * self.x * self.y,
@@ -70,7 +70,7 @@ def power(u, p):
 
 
 def atan2(y, x):
-    """The angle of (x, y), by the derivatives of its two-argument form."""
+    """Returns the angle of (x, y), by the derivatives of atan2."""
     r2 = x.v**2 + y.v**2
     a, b = -y.v / r2, x.v / r2
     aa, ab = 2 * x.v * y.v / r2**2, (y.v**2 - x.v**2) / r2**2
@@ -139,6 +139,6 @@ def values(name, points):
 
 
 def hessians(name, points):
-    """n by 2 by 2."""
+    """Returns the points as an array n by 2 by 2."""
     j = evaluate(name, points)
     return np.stack([np.stack([j.xx, j.xy], -1), np.stack([j.xy, j.yy], -1)], -2)

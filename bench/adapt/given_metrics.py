@@ -19,13 +19,13 @@ import meshes  # noqa: E402
 
 
 def along_axes(across_x, across_y):
-    """Tensors of lengths along the axes."""
+    """Returns tensors with these lengths along the axes."""
     zero = np.zeros_like(across_x)
     return np.stack([np.stack([across_x**-2, zero], -1), np.stack([zero, across_y**-2], -1)], -2)
 
 
 def around(x, y, radial, tangential):
-    """Tensors of lengths along and across rays from the origin of x and y, which is outside."""
+    """Returns tensors with these lengths along and across rays from the origin, which is outside of the domain."""
     r = np.hypot(x, y)
     ray = np.stack([x / r, y / r], -1)
     turned = np.stack([-ray[:, 1], ray[:, 0]], -1)
@@ -34,7 +34,7 @@ def around(x, y, radial, tangential):
 
 
 def around_origin(x, y, radial, tangential):
-    """The same, the origin being among the points: there the direction is that of x."""
+    """Returns the same where the origin is a point of the domain. There the direction is that of x."""
     return around(np.where(np.hypot(x, y) > 0, x, 1), y, radial, tangential)
 
 
@@ -87,7 +87,7 @@ def unit_grid(n):
 
 
 def write_with_corners(path, mesh):
-    """With the corners of the unit square, and its sides as edges."""
+    """Returns the mesh with the corners of the unit square, and its sides as edges."""
     full = meshes.Mesh(2 * mesh.points - 1, mesh.triangles)
     edges, sides = meshes.border(full)
     corners = [int(np.argmin(np.hypot(*(mesh.points - c).T))) for c in ((0, 0), (1, 0), (1, 1), (0, 1))]
@@ -102,7 +102,7 @@ def write_with_corners(path, mesh):
 
 
 def lengths_of(mesh, edges, tensors):
-    """The logarithmic mean of what its two ends measure, of each edge."""
+    """Returns the length of each edge, the logarithmic mean of the lengths in the metrics of its two ends."""
     d = mesh.points[edges[:, 1]] - mesh.points[edges[:, 0]]
     a, b = (np.sqrt(np.einsum("ni,nij,nj->n", d, tensors[edges[:, k]], d)) for k in (0, 1))
     ratio = np.log(b / a)
@@ -111,7 +111,8 @@ def lengths_of(mesh, edges, tensors):
 
 
 def loop(name, options, folder):
-    """Status of the last round, vertices, lengths in the metric of the formula, or as it was graded."""
+    """Returns status of the last round, number of vertices, and lengths in the metric of the formula, or in the
+    graded one."""
     formula, _, _, *grading = METRICS[name]
     mesh, status = unit_grid(options.start), None
     for _ in range(options.rounds):
@@ -125,7 +126,7 @@ def loop(name, options, folder):
     t = mesh.triangles
     edges = np.unique(np.sort(np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]]), axis=1), axis=0)
     tensors = formula(*mesh.points.T)
-    if grading:  # what it was graded to, on the mesh before
+    if grading:  # the graded metric, on the mesh before
         tensors = meshes.read_sol(folder / "new.sol")
     return status, len(mesh.points), lengths_of(mesh, edges, tensors)
 

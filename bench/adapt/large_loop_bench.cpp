@@ -40,7 +40,7 @@ class fingerprint {
   std::uint64_t sum_ = 0xcbf29ce484222325U;
 };
 
-// Returns the kilobytes that /proc/self/status has in a line.
+// Returns the kilobytes in a line of /proc/self/status.
 double status_of(const std::string& name) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);)
@@ -54,10 +54,10 @@ double processor_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// Does the work, whose result is a fingerprint, and prints what it took.
+// Runs the work, which returns a fingerprint, and prints time and memory.
 template <class Work>
 void measure(const std::string& what, std::size_t vertices, int threads, const Work& work) {
-  std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins anew
+  std::ofstream("/proc/self/clear_refs") << "5";  // resets the peak
   const double before = status_of("VmRSS"), spent = processor_seconds();
   const auto start = std::chrono::steady_clock::now();
   const std::string print = work();
@@ -72,7 +72,7 @@ void measure(const std::string& what, std::size_t vertices, int threads, const W
             << std::endl;
 }
 
-// Returns a grid of n by n cells on [-1,1]^2, its inner vertices shaken by up to a quarter of a
+// Returns a grid of n by n cells on [-1,1]^2. Its inner vertices are moved by up to a quarter of a
 // cell.
 mesh shaken_grid(vertex_index n, std::uint64_t seed) {
   mesh m;

@@ -13,7 +13,7 @@ class Mesh:
 
 
 def grid(n):
-    """n by n squares on [-1,1]^2, each cut in two, diagonals in turn."""
+    """Returns n by n squares on [-1,1]^2, each cut in two, with diagonals in alternating directions."""
     s = np.linspace(-1, 1, n + 1)
     points = np.array([(x, y) for y in s for x in s])
     triangles = []
@@ -26,7 +26,7 @@ def grid(n):
 
 
 def read(path):
-    """Vertices and triangles of a .mesh file in text."""
+    """Returns vertices and triangles of a .mesh file."""
     words = path.read_text(encoding="utf-8").split()
     points = triangles = None
     i = 0
@@ -45,7 +45,7 @@ def read(path):
 
 
 def border(mesh):
-    """The edges on the boundary of the square, by its side from 1 to 4, as pairs of vertices."""
+    """Returns the edges on the square's boundary, as pairs of vertices, by the number of the side from 1 to 4."""
     t = mesh.triangles
     edges = np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]])
     keys = np.sort(edges, axis=1)
@@ -57,7 +57,7 @@ def border(mesh):
 
 
 def write(path, mesh):
-    """With what BAMG needs of a background: boundary edges and corners."""
+    """Writes the mesh with boundary edges and corners, which BAMG needs of a background mesh."""
     edges, sides = border(mesh)
     corners = [int(np.argmin(np.hypot(*(mesh.points - c).T)))
                for c in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
@@ -86,7 +86,7 @@ def write_sol(path, tensors):
 
 
 def read_sol(path):
-    """The tensors of a metric in text."""
+    """Returns the tensors of a metric as text."""
     words = path.read_text(encoding="utf-8").split()
     at = words.index("SolAtVertices") + 1
     a, b, c = np.array(words[at + 3:at + 3 + 3 * int(words[at])], dtype=float).reshape(-1, 3).T
@@ -101,10 +101,9 @@ def node_areas(mesh):
 
 
 def l2_metric(mesh, hessians, vertices, longest=1.0, widest=1000.0):
-    """The metric that is optimal for the L2 error (Loseille, Alauzet 2011), with a complexity of
-    so many vertices, 2 / sqrt 3 for each unit of it. Eigenvalues at least 1e-8 of the greatest
-    there is, aspects at most `widest`, edges at most `longest`; the factor is found by bisection
-    after these bounds."""
+    """Returns the metric of least L2 error (Loseille, Alauzet 2011), with a complexity of 2 / sqrt 3 for each of the
+    vertices wanted. Eigenvalues are at least 1e-8 of the greatest, aspects at most `widest`, edges at most `longest`.
+    Bisection finds the factor with which these bounds give the complexity."""
     values, vectors = np.linalg.eigh(hessians)
     values = np.abs(values)
     values = np.maximum(values, 1e-8 * values.max())
@@ -126,7 +125,7 @@ def l2_metric(mesh, hessians, vertices, longest=1.0, widest=1000.0):
 
 
 def recovered_hessians(mesh, values):
-    """Of the piecewise linear function: gradients averaged at the vertices by area, twice."""
+    """Returns the Hessian of the piecewise linear function: gradients averaged at the vertices by area, twice."""
     def gradients(u):
         a, b, c = (mesh.points[mesh.triangles[:, i]] for i in range(3))
         ua, ub, uc = (u[mesh.triangles[:, i]] for i in range(3))
@@ -146,7 +145,7 @@ def recovered_hessians(mesh, values):
 
 
 def l2_error(mesh, function, order=6):
-    """Of linear interpolation, by a product rule of order^2 points in each triangle."""
+    """Returns the error of linear interpolation, by a product rule of order^2 points in each triangle."""
     nodes, weights = np.polynomial.legendre.leggauss(order)
     nodes, weights = (nodes + 1) / 2, weights / 2
     a, b, c = (mesh.points[mesh.triangles[:, i]] for i in range(3))
@@ -162,7 +161,8 @@ def l2_error(mesh, function, order=6):
 
 
 def angles_in(mesh, tensors):
-    """The least angle of each triangle, as its three vertices measure it, in degrees."""
+    """Returns the least angle of each triangle, in degrees, over its corners and the metrics of all three
+    vertices."""
     least = np.full(len(mesh.triangles), 180.0)
     p = [mesh.points[mesh.triangles[:, i]] for i in range(3)]
     for k in range(3):

@@ -59,7 +59,7 @@ def line_of(name, row):
 
 
 def summary_line(size, rows):
-    """One row of the table at the top."""
+    """Returns one row of the table at the top."""
     ours = [r["Asterism"] for r in rows]
     passes = [p for each in ours for p in each]
     v = [p.get("v", np.nan) for p in passes]
@@ -71,7 +71,7 @@ def summary_line(size, rows):
 
 
 def slope(low, high, who, times):
-    """Of the error in the number of vertices, from one row to that of so many times the vertices."""
+    """Returns the slope of log error in log vertices from one row to the row of `times` as many vertices."""
     return np.log(median(high[who], "error") / median(low[who], "error")) / np.log(times) - 1
 
 

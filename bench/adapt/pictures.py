@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the pictures of errors against vertices have in common."""
+"""Draws errors against vertices: the parts that several pictures share."""
 
 
 def dress(axis, title):
@@ -9,7 +9,7 @@ def dress(axis, title):
 
 
 def save(figure, legend_of, beside, path):
-    """Writes the picture, the same bytes at every time."""
+    """Writes the picture. The same data give the same bytes."""
     legend_of.legend(fontsize=8)
     figure.supxlabel("vertices", fontsize=10)
     figure.supylabel(beside, fontsize=10)

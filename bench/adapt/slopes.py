@@ -19,7 +19,7 @@ import solution_loop  # noqa: E402
 
 
 def measured(kind, name, wanted, options):
-    """Vertices and error times vertices of the last rounds."""
+    """Returns vertices, and error times vertices, of the last rounds."""
     folder = pathlib.Path(options.work) / name / str(wanted) / kind.name
     kept = folder / "measured.json"
     if kept.exists():
@@ -38,7 +38,7 @@ def measured(kind, name, wanted, options):
 
 
 def slope_of(points, least):
-    """Slope of log error in log vertices, by least squares over the counts from `least` on."""
+    """Returns the slope of log error in log vertices, by least squares over the counts from `least` on."""
     used = [p for p in points if p and p["vertices"] > 0.9 * least]
     if len(used) < 2:
         return float("nan")

@@ -37,9 +37,9 @@ def write_values(folder, mesh, name):
 
 
 class Bamg:
-    """Its own Hessian and metric. It has no count to ask for, so the error wanted is searched for in each round
-    until there are as many vertices as wanted, to 2 %; the last try counts, and its time. With --free-counts
-    it is corrected from round to round instead, as the count falls as its inverse."""
+    """A round of BAMG with its own Hessian and metric. BAMG takes an error and no count, so the error is searched for
+    in each round until the count is within 2 %; the last try and its time count. With --free-counts the error is
+    corrected from round to round instead, as the count falls as its inverse."""
     name = "BAMG"
 
     def __init__(self, options, wanted):
@@ -55,7 +55,7 @@ class Bamg:
         return done.returncode, seconds, len(meshes.read(made).points) if made.exists() else 0
 
     def step(self, folder):
-        bounds = {}  # by whether there were too many: error and count
+        bounds = {}  # error and count of the last try with too many and with too few
         for tried in range(14):
             status, seconds, count = self.once(folder)
             if self.options.free_counts or count == 0 or abs(count / self.wanted - 1) <= 0.02:
@@ -115,7 +115,7 @@ def loop(contender, name, folder, options):
 
 
 def last(rows, options):
-    """Error times vertices, vertices and error, geometric means over the last three rounds (BAMG's loops
+    """Returns error times vertices, vertices and error, as geometric means over the last three rounds (BAMG's loops
     often alternate between two errors), and the median of the seconds."""
     tail = rows[-3:] if len(rows) == options.rounds else []
     if not tail:

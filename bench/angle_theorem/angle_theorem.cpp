@@ -27,10 +27,11 @@ constexpr std::int64_t most_boxes = 3'000'000;
 
 struct entry {
   double degrees = 0;
-  std::int64_t boxes = 0;  // of all attempts
+  std::int64_t boxes = 0;  // over all attempts
 };
 
-// The greatest multiple of `step` that is proved, downwards from what holds without variation.
+// Returns the greatest multiple of `step` that is proved. Tries downwards from the bound without
+// variation.
 entry best_angle(double variation, double ratio, double step) {
   entry result;
   const double limit = std::asin(0.5 / ratio) * 180 / std::numbers::pi;

@@ -23,14 +23,15 @@ interval inner(const plane_interval& a, const plane_interval& b) { return a.x * 
 interval square_norm(const plane_interval& a) { return squared(a.x) + squared(a.y); }
 interval cross(const plane_interval& a, const plane_interval& b) { return a.x * b.y - a.y * b.x; }
 
-// b or c: the vector from x, that from a, and the most by which its metric may differ from a's.
+// A site b or c: its vector from x, its vector from a, and the greatest distortion between its
+// metric and a's.
 struct other_site {
   plane_interval from_vertex, from_observer;
   double distortion = 1;
 };
 
-// The greatest distortion between a and a site at a distance within `distance`: 1/(1 - sigma d),
-// the distance as a measures it being no less than the smaller of the two.
+// Returns the greatest distortion between a and a site within `distance`: 1/(1 - sigma d). The
+// distance in a's metric is at least the smaller of the two distances.
 double greatest_distortion(const interval& distance, const hypotheses& given) {
   const interval rest = interval(1) - interval(given.variation) * interval(distance.sup());
   if (!(rest.inf() > 0)) return given.distortion_cap;
@@ -47,13 +48,13 @@ other_site make_site(const configuration_box& box, int first, const hypotheses& 
   return s;
 }
 
-// Bounds |w|^2 in the site's metric, of which |u| = 1 and the distortion are known.
+// Bounds |w|^2 in the metric of a site with |u| = 1 and known distortion.
 struct length_bound {
-  interval w2, u2, area2;    // |w|^2, |u|^2, (w x u)^2, all as a measures them
-  interval sum, difference;  // (t^2 + t^-2)/2 and (t^2 - t^-2)/2 of the distortion t
+  interval w2, u2, area2;    // |w|^2, |u|^2, (w x u)^2 in a's metric
+  interval sum, difference;  // (t^2 + t^-2)/2 and (t^2 - t^-2)/2 for the distortion t
 
-  // An upper bound for every m >= 0: m + the greatest trace(M (w w^T - m u u^T)) over all M between
-  // t^-2 and t^2, by the eigenvalues of that matrix.
+  // Returns an upper bound, for any m >= 0: m + the greatest trace(M (w w^T - m u u^T)) over all M
+  // between t^-2 and t^2, from the eigenvalues of that matrix.
   interval at(double m) const {
     const interval trace = w2 - interval(m) * u2;
     return interval(m) + sum * trace +
@@ -61,8 +62,8 @@ struct length_bound {
   }
 };
 
-// The m at which the bound is about least, for the middle of the box; any m is right. The bound is
-// convex in m.
+// Returns an m near the least bound, for the middle of the box. Any m gives a valid bound, and the
+// bound is convex in m.
 double best_multiplier(const length_bound& bound) {
   const auto middle = [](const interval& i) { return (i.inf() + i.sup()) / 2; };
   const double w2 = middle(bound.w2), u2 = middle(bound.u2), area2 = middle(bound.area2);
@@ -79,14 +80,14 @@ double best_multiplier(const length_bound& bound) {
   return low;
 }
 
-// True if w is certainly shorter than the spacing as the site measures it.
+// True if w is certainly shorter than the spacing in the site's metric.
 bool certainly_shorter(const plane_interval& w, const other_site& site, const hypotheses& given) {
   const interval spacing2 = squared(interval(given.spacing));
   const interval t2 = squared(interval(site.distortion));
   length_bound bound;
   bound.w2 = square_norm(w);
   if ((t2 * bound.w2).sup() < spacing2.inf()) return true;
-  // With t^-2 in place of t^2 it would be too long for any multiplier.
+  // If w is too long even with t^-2 in place of t^2, no multiplier shows that it is short.
   if ((bound.w2 / t2).inf() >= spacing2.sup()) return false;
   bound.u2 = square_norm(site.from_vertex);
   bound.area2 = squared(cross(w, site.from_vertex));
@@ -95,8 +96,8 @@ bool certainly_shorter(const plane_interval& w, const other_site& site, const hy
   return bound.at(best_multiplier(bound)).sup() < spacing2.inf();
 }
 
-// True if no point of the box can be a site at distance 1 from x by its own measure, and far enough
-// from a by one of both measures.
+// True if no point of the box is a site at distance 1 from x in its own metric and far enough from
+// a in one of the two metrics.
 bool impossible(const other_site& s, const hypotheses& given) {
   const interval t2 = squared(interval(s.distortion));
   const interval radius2 = square_norm(s.from_vertex);
@@ -117,7 +118,7 @@ bool certainly_wide(const plane_interval& p, const plane_interval& q, const hypo
 double cotangent_from_below(double degrees) {
   mpfr_t x, pi;
   mpfr_inits2(256, x, pi, static_cast<mpfr_ptr>(nullptr));
-  // cot falls: the argument from above, the result from below.
+  // The cotangent falls: a bound of the argument from above gives one of the result from below.
   mpfr_const_pi(pi, MPFR_RNDU);
   mpfr_mul_d(x, pi, degrees, MPFR_RNDU);
   mpfr_div_ui(x, x, 180, MPFR_RNDU);
@@ -143,7 +144,7 @@ hypotheses make_hypotheses(double variation, double ratio, double degrees) {
 box_verdict judge(const configuration_box& box, const hypotheses& given) {
   const other_site b = make_site(box, 0, given), c = make_site(box, 2, given);
   const plane_interval &to_b = b.from_observer, &to_c = c.from_observer;
-  // Mirror images and the exchange of b and c leave what is to be shown as it is.
+  // Mirror images, and the exchange of b and c, do not change the statement.
   if (cross(to_b, to_c).sup() < 0 || (to_b.y + to_c.y).sup() < 0) return box_verdict::excluded;
   if (impossible(b, given) || impossible(c, given)) return box_verdict::excluded;
   const plane_interval b_to_c = c.from_vertex - b.from_vertex;

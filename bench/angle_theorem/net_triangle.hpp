@@ -18,7 +18,7 @@ namespace asterism::internal::angle_theorem {
 struct hypotheses {
   double variation = 0;       // sigma R from above
   double spacing = 0;         // lambda / R from below
-  double cotangent = 0;       // of the angle to be proved, from below
+  double cotangent = 0;       // cotangent of the angle to be proved, rounded down
   double distortion_cap = 0;  // (1 - sigma R)^-2 from above
 };
 
@@ -32,13 +32,14 @@ struct configuration_box {
 };
 
 enum class box_verdict {
-  excluded,     // no configuration in the box meets the hypotheses, or none but mirror images of
-                // others
-  angles_hold,  // the three angles are at least the bound as a measures them, in all of the box
+  // No configuration in the box meets the hypotheses, except mirror images of others.
+  excluded,
+  // In the whole box the three angles reach the bound in a's metric.
+  angles_hold,
   undecided,
 };
 
-// Returns what is certain of all configurations in the box. Requires a floating_point_scope with
+// Returns what holds for all configurations in the box. Requires a floating_point_scope with
 // rounding upward.
 box_verdict judge(const configuration_box& box, const hypotheses& given);
 

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The constants that an experiment chose, what else was tried, and the jobs that tell the difference."""
+"""Lists the constants that experiments chose, other values to try, and the jobs that show a difference."""
 import math
 
 
 class Constant:
-    """`text` is where it stands in `file`, with @ for the value; `kept` is the value there."""
+    """A constant. `text` is its place in `file`, with @ for the value; `kept` is the value there."""
 
     def __init__(self, name, file, text, kept, tried, group):
         self.name, self.file, self.text, self.kept, self.tried, self.group = name, file, text, kept, tried, group
 
 
 def poly(points, rings):
-    """Text of a .poly file: rings of numbers of points."""
+    """Returns the text of a .poly file; `rings` are the numbers of points of each ring."""
     segments = [(ring[i], ring[(i + 1) % len(ring)]) for ring in rings for i in range(len(ring))]
     lines = [f"{len(points)} 2 0 0"] + [f"{i} {x!r} {y!r}" for i, (x, y) in enumerate(points)]
     lines += [f"{len(segments)} 0"] + [f"{i} {a} {b}" for i, (a, b) in enumerate(segments)]

@@ -19,7 +19,7 @@ LIMIT = 120  # seconds of one job
 
 
 def copy(source, to):
-    """Brings the copy up to date without touching what did not change, which would be built anew."""
+    """Updates the copy. Leaves unchanged files untouched, so that they are not compiled again."""
     listed = subprocess.run(["git", "-C", source, "ls-files", "-z"], capture_output=True, check=True).stdout
     for name in listed.decode().split("\0"):
         path = pathlib.Path(source, name)
@@ -44,7 +44,7 @@ def build(copied, folder):
 
 
 def measure(command, job, folder):
-    """Runs a job on one thread. Returns what its certificate says, in short."""
+    """Runs a job on one thread. Returns a summary of its certificate."""
     out = folder / "mesh.mesh"
     for old in folder.glob("mesh.*"):
         old.unlink()
@@ -68,7 +68,7 @@ def measure(command, job, folder):
 
 
 def results_of(constant, source, copied, folder):
-    """[[a value, a cell a job ...] ...], the value kept first."""
+    """Returns [[a value, a cell for each job ...] ...], the value kept first."""
     path, original = copied / constant.file, (source / constant.file).read_text()
     placed = constant.text.replace("@", constant.kept)
     if original.count(placed) != 1:

@@ -25,7 +25,7 @@ void set(double* site, double x, double y, double m11, double m12, double m22) {
   site[0] = x, site[1] = y, site[2] = m11, site[3] = m12, site[4] = m22;
 }
 
-// A metric that turns about the middle of the unit square, 13 to 1 at its border.
+// A metric that rotates about the middle of the unit square, of aspect 13 at its border.
 void smooth_site(double* site, double x, double y) {
   const double u = x - 0.5, v = y - 0.5;
   set(site, x, y, 1 + 12 * v * v, -12 * u * v, 1 + 12 * u * u);
@@ -44,7 +44,8 @@ std::vector<double> smooth(std::size_t rows) {
   return numbers;
 }
 
-// Small whole numbers, so that ties and touching are frequent; no two sites of a row at one place.
+// Draws small integers, so that ties and touching are frequent. No two sites of a row have one
+// position.
 std::vector<double> ties(std::size_t rows) {
   asterism::internal::splitmix64 random(2);
   std::vector<double> numbers;
@@ -68,7 +69,8 @@ double processor_nanoseconds() {
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
-// Answers all rows and returns the sum of the answers; the time of the best of five goes to `best`.
+// Answers all rows and returns the sum of the answers. `best` receives the shortest time of five
+// rounds.
 template <class Answer>
 long best_of_five(const Answer& answer, double& best) {
   long sum = 0;
@@ -90,7 +92,7 @@ constexpr asked questions[] = {
     {"dominates", ASTERISM_DOMINATES},     {"inWedge", ASTERISM_IN_WEDGE},
     {"encroaches", ASTERISM_ENCROACHES},   {"edgeTest", ASTERISM_EDGE_TEST}};
 
-// The C function for many rows, of which all arguments are in one table.
+// A C function of many rows whose arguments are all columns of one table.
 asterism_status ask_rows(asterism_predicate question, std::size_t n, const double* t,
                          signed char* to) {
   const asterism_rows a{t, 20}, b{t + 5, 20}, c{t + 10, 20}, d{t + 15, 20};

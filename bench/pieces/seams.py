@@ -26,7 +26,7 @@ def lengths(metric, way):
 
 
 def least_angles(points, metric, triangles):
-    """Of each triangle, in degrees, over its corners in the metrics of all three."""
+    """Returns the least angle of each triangle in degrees, over its corners and the metrics of all three vertices."""
     least = np.full(len(triangles), 180.0)
     for seen_by in range(3):
         m11, m12, m22 = metric[triangles[:, seen_by]].T

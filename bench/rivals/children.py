@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Runs a program and measures it: what the system counted for that child, nothing of this script."""
+"""Runs a program and measures it by the system's counts of that child alone."""
 import json
 import pathlib
 import subprocess
 
 
 class Run:
-    """seconds: from start to end; processor: user and system seconds; megabytes: peak resident."""
+    """seconds: from start to end; processor: user and system seconds; megabytes: greatest resident size."""
 
     def __init__(self, found, output):
         self.status, self.timed_out, self.output = found["status"], found["late"], output

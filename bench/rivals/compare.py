@@ -27,7 +27,7 @@ def seconds(x):
 
 
 class Measured:
-    """Calls of one contender on one case."""
+    """Measures calls of one contender on one case."""
 
     def __init__(self, contender):
         self.contender, self.runs, self.failure, self.triangles = contender, [], "", 0
@@ -52,7 +52,7 @@ class Measured:
                                    case.metric, repr(case.size)))
 
     def rows(self):
-        """A row of what the mesh cost, and one of how good it is."""
+        """Returns a row of times and sizes, and one of measures of quality."""
         start = [str(self.contender.case.triangles), self.contender.name]
         if self.failure:
             told = [self.failure.replace("\n", " ")]
@@ -70,7 +70,7 @@ class Measured:
 
 
 def repetitions(measured):
-    """More where a call is short; all contenders of a case take turns."""
+    """Repeats short calls more often. All contenders of a case take turns."""
     longest = max((m.runs[0].seconds for m in measured if m.runs), default=0)
     return 5 if longest < 2 else 3 if longest < 20 else 1
 
@@ -89,7 +89,7 @@ def compare(case, contenders):
 
 
 def chosen(text, options):
-    """OPTIONS, or OPTIONS@N: up to N triangles only."""
+    """Parses OPTIONS, or OPTIONS@N, which stands for up to N triangles only."""
     found = []
     for entry in options:
         words, _, most = entry.partition("@")
@@ -103,7 +103,7 @@ def first_line(*command):
 
 
 def growth(done):
-    """Cost of ten times more triangles, and the points of the plot."""
+    """Returns the ratio of times for ten times more triangles, and the points of the plot."""
     rows, curves = [], {}
     for m in done:
         if m.runs and not m.failure:
@@ -118,7 +118,8 @@ def growth(done):
 
 
 def phases(build, metric, size, wall):
-    """Where the time goes and what a second thread brings, in one process. `wall`: of the command, if known."""
+    """Returns the table of phases, and the gain of a second thread, in one process. `wall` is the command's time, if
+    known."""
     done = subprocess.run([build / "bench" / "phases_bench", metric, repr(size), "3"], capture_output=True,
                           text=True, check=False)
     if done.returncode != 0:
@@ -141,7 +142,7 @@ def phases(build, metric, size, wall):
 
 
 def compared(rows):
-    """A section a metric: {metric: [rows of cost, rows of quality]}."""
+    """Returns a section for each metric: {metric: [rows of times, rows of quality]}."""
     parts = []
     for metric, (cost, quality) in rows.items():
         parts += [f"## {metric}\n", table(COST, cost), table(QUALITY, quality)]

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The mesh generators compared. Each brings itself into the state in which its last whole call is
-measured, and says how that call is made."""
+"""The mesh generators compared. Each prepares the files of the call that is measured, and returns the words of that
+call."""
 import os
 import pathlib
 import subprocess
 
 from children import run
 
-# [-1,1]^2 as BAMG's geometry, and a first length at its corners.
+# [-1,1]^2 as BAMG's geometry, with a first length at its corners.
 SQUARE = """MeshVersionFormatted 0
 Dimension
 2
@@ -43,7 +43,7 @@ def near(count, triangles):
 
 
 class Case:
-    """A metric, and how many triangles its unit edges should give."""
+    """A metric, and how many triangles unit edges should give."""
 
     def __init__(self, programs, metric, triangles, folder, limit):
         self.statistics, self.measure = str(programs / "mesh_statistics"), programs / "measure"
@@ -66,7 +66,7 @@ class Case:
 
 
 class Contender:
-    """`factor` multiplies the lengths wanted, so that the count comes within 20 percent."""
+    """Prepares the call. `factor` multiplies the lengths wanted, so that the count is within 20 percent."""
 
     mesh = "made.mesh"
 
@@ -76,7 +76,7 @@ class Contender:
         self.folder.mkdir(exist_ok=True)
 
     def call(self):
-        """Begins without the files of the call before. Their blocks may still be on the way to the disk, and who
+        """Removes the files of the call before. Their blocks may still be on the way to the disk, and a program that
         replaces such a file waits for them."""
         for left in self.folder.glob(pathlib.Path(self.mesh).stem + ".*"):
             left.unlink()
@@ -93,7 +93,7 @@ class Contender:
         raise Failed("no triangles")
 
     def prepare(self):
-        """The factor is changed at most four times; whoever is still off is told by the table."""
+        """Changes the factor at most four times. The table shows a contender whose count is still off."""
         for _ in range(5):
             count = self.settle()
             if near(count, self.case.triangles):
@@ -102,9 +102,9 @@ class Contender:
 
 
 class Bamg(Contender):
-    """Background mesh and metric on it are made, and made again from the mesh that comes out, until
-    the count changes by less than 2 percent: the way BAMG is used with a metric given by a formula.
-    What is measured is the last call alone: read background mesh and metric, mesh, write."""
+    """Makes the background mesh and the metric on it, and makes them again from the resulting mesh until the count
+    changes by less than 2 percent, as BAMG is used with a metric given by a formula. Only the last call is measured:
+    it reads background mesh and metric, meshes and writes."""
 
     ways = 12
 
@@ -130,7 +130,7 @@ class Bamg(Contender):
             raise Failed(done.output[-200:])
 
     def settle(self):
-        """Leaves the last background, so that the call can be repeated."""
+        """Keeps the last background, so that the call can be repeated."""
         if not (self.folder / "background.mesh").exists():
             self.first()
         before = 0
@@ -148,7 +148,7 @@ class Bamg(Contender):
 
 
 class Asterism(Contender):
-    """The whole command: domain in, mesh, metric and certificate out, audit included."""
+    """The whole command: reads the domain, and writes mesh, metric and certificate, audit included."""
 
     def __init__(self, case, program, options):
         super().__init__(case, "Asterism " + " ".join(options))

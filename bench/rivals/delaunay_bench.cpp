@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Times CGAL's Delaunay triangulation of the vertices of a Medit mesh, in the order of the file.
-// delaunay_bench FILE: prints processor seconds of the triangulation alone, and its triangles.
+// delaunay_bench FILE: triangulates the vertices of a Medit mesh by CGAL, in the order of the file.
+// Prints processor seconds of the triangulation alone, and its number of triangles.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

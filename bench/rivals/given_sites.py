@@ -16,7 +16,7 @@ HEAD = ["sites given", "metric", "bound", "sites of the mesh", "processor", "wal
 
 
 def noisy_ring(path, count):
-    """Writes a circle of so many vertices, its radius off by as much as neighbours are apart."""
+    """Writes a ring of `count` vertices. Their distance from the centre varies by as much as neighbours are apart."""
     state = 1
     with open(path, "w", encoding="ascii") as out:
         out.write(f"{count} 2 0 0\n")
@@ -50,7 +50,7 @@ class Bench:
         return float(done.stdout.split()[0])
 
     def row(self, name, metric, bound, options):
-        """Calls take turns with the triangulation of the vertices that came out."""
+        """Times the mesher and CGAL's triangulation of the resulting vertices, in turns."""
         ours, theirs = [], []
         for _ in range(self.asked.calls):
             ours.append(self.call([*options, "--metric", metric, "--angle-bound", str(bound)]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The plot: time a triangle against the number of triangles, a line for each program. SVG."""
+"""Draws time per triangle against the number of triangles, a line for each program, as SVG."""
 import math
 
 SIZE, LEFT, TOP, GAP = (300, 220), 66, 34, 78
@@ -17,7 +17,7 @@ def share(value, low, high):
 
 
 class Panel:
-    """One metric's diagram; both axes logarithmic."""
+    """Draws one metric's diagram, with two logarithmic axes."""
 
     def __init__(self, left, top, title):
         self.left, self.top = left, top
@@ -46,7 +46,7 @@ class Panel:
 
 
 def svg(curves):
-    """curves: metric -> program -> list of (triangles, seconds)."""
+    """Draws all diagrams; curves: metric -> program -> list of (triangles, seconds)."""
     programs = list(dict.fromkeys(name for lines in curves.values() for name in lines))
     parts, columns = [], 2
     for i, (metric, lines) in enumerate(curves.items()):

@@ -21,7 +21,7 @@ namespace {
 [[noreturn]] void become(unsigned limit, char** words) {
   const int log = open("output.txt", O_WRONLY | O_CREAT | O_TRUNC, 0644);
   if (log < 0 || dup2(log, 1) < 0 || dup2(log, 2) < 0) _exit(127);
-  alarm(limit);  // outlives exec, and ends who does not ask for it
+  alarm(limit);  // the timer survives exec and ends the program
   execvp(words[0], words);
   std::perror(words[0]);
   _exit(127);

@@ -43,7 +43,7 @@ T value_of(result<T> made) {
   return std::move(made).value();
 }
 
-// Vertices and triangles alone: all that both programs' files have in the same form.
+// Reads vertices and triangles only: both programs' files have these in the same form.
 mesh read_mesh(const std::string& path) {
   std::ifstream file(path);
   if (!file) fail("cannot read " + path);
@@ -81,7 +81,7 @@ double length(const metric_tensor& m, const point& a, const point& b) {
   return std::sqrt(m.m11 * x * x + 2 * m.m12 * x * y + m.m22 * y * y);
 }
 
-// The length of the edge when lengths wanted grow geometrically along it. Source: Alauzet,
+// Returns the length of the edge if lengths wanted grow geometrically along it. Source: Alauzet,
 // "Size gradation control of anisotropic meshes", 2010, section 2.
 double length(const site& a, const site& b) {
   const double from_a = length(a.metric, a.position, b.position);
@@ -110,8 +110,8 @@ nlohmann::json edges_of(const mesh& m) {
           {"longest", lengths.back()}};
 }
 
-// Marks the corners of the square that no mesh can give the angle bound: the angle
-// between the sides, as the corner measures it, is below it.
+// Marks the corners of the square whose own angle, in the corner's metric, is below the bound, so
+// that no mesh reaches it there.
 std::vector<bool> forcing_corners(const mesh& m, const domain& square) {
   std::vector<bool> forcing(m.sites.size());
   const std::size_t n = square.vertices.size();
@@ -166,7 +166,8 @@ void write_metric(const std::string& path, const metric_field& field) {
     std::printf("%.17g %.17g %.17g\n", s.metric.m11, s.metric.m12, s.metric.m22);
 }
 
-// A triangle with unit edges has area sqrt(3)/4; midpoint rule on an even grid.
+// Divides the area in the metric, by the midpoint rule on an even grid, by that of a triangle with
+// unit edges, sqrt(3)/4.
 void print_size(const metric_field& field, double triangles) {
   constexpr int n = 2000;
   double sum = 0;

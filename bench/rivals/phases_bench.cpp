@@ -98,7 +98,8 @@ std::size_t stars_at_once(const adopted_mesh& adopted) {
   return stars.size();
 }
 
-// All phases on so many threads, timed. Whether all went well. Doubles take long; once is enough.
+// Times all phases on `threads` threads. Returns whether all succeeded. Plain doubles take long and
+// run once.
 bool round(const job& j, std::size_t threads, bool in_doubles, stopwatch& watch, json& about) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   const std::string suffix = threads == 1 ? ", one thread" : ", all threads";

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Greatest distances between a surface and its mesh by sampling, in doubles, from the certificate beside the mesh:
-what a proved bound is held against. Shares no code with the command."""
+"""Samples the greatest distances between a surface and its mesh, in doubles, from the certificate beside the mesh,
+for comparison with the proved bound. Shares no code with the command."""
 import json
 
 import numpy as np
 
-COARSE, FINE = 10, 140  # a triangle has (n + 1) (n + 2) / 2 samples: 66, and 10,011
-NEAR = 0.95             # of the greatest coarse distance: triangles from there on are sampled finely
+COARSE, FINE = 10, 140  # divisions n of a triangle's sides; it has (n + 1) (n + 2) / 2 samples: 66, and 10,011
+NEAR = 0.95  # triangles from this part of the greatest coarse distance on are sampled finely
 
 
 def basis(knots, degree, x):
-    """Values and derivatives of the B-splines, (n, count) each, by the recursion of de Boor and Cox."""
+    """Returns values and derivatives of the B-splines, (n, count) each, by the recursion of de Boor and Cox."""
     knots = np.asarray(knots, float)
     count = len(knots) - degree - 1
     span = np.clip(np.searchsorted(knots, x, side="right") - 1, degree, count - 1)
@@ -46,7 +46,7 @@ class Patch:
                       for name, d in zip(("knots_u", "knots_v"), self.degree)]
 
     def jet(self, uv):
-        """Points and both derivatives, (n, 3) each."""
+        """Returns points and both derivatives, (n, 3) each."""
         (bu, du), (bv, dv) = (basis(k, d, uv[:, n]) for n, (k, d) in enumerate(zip(self.knots, self.degree)))
         at, by_u, by_v = (np.einsum("ni,nj,ijc->nc", a, b, self.net, optimize=True)
                           for a, b in ((bu, bv), (du, bv), (bu, dv)))
@@ -54,7 +54,7 @@ class Patch:
         return p, (by_u[:, :3] - by_u[:, 3:] * p) / at[:, 3:], (by_v[:, :3] - by_v[:, 3:] * p) / at[:, 3:]
 
     def distance(self, q, uv):
-        """Of points from the patch, by Newton's method of Gauss from parameters near."""
+        """Returns distances of points from the patch, by the Gauss-Newton method from parameters nearby."""
         low = np.array([k[0] for k in self.knots], float)
         high = np.array([k[-1] for k in self.knots], float)
         found = np.full(len(q), np.inf)
@@ -65,7 +65,7 @@ class Patch:
             a, b = np.sum((q - p) * u, axis=1), np.sum((q - p) * v, axis=1)
             det = np.maximum(e * g - f * f, 1e-300)
             step = np.stack([(g * a - f * b) / det, (e * b - f * a) / det], axis=1)
-            # Against a side the other parameter alone is free.
+            # At a side only the other parameter is free.
             held = ((uv <= low) & (step < 0)) | ((uv >= high) & (step > 0))
             alone = np.stack([a / np.maximum(e, 1e-300), b / np.maximum(g, 1e-300)], axis=1)
             step = np.where(held, 0, np.where(held[:, ::-1], alone, step))
@@ -74,7 +74,7 @@ class Patch:
 
 
 def distance_from_triangles(p, a, b, c):
-    """Of points from triangles, one each."""
+    """Returns distances of points from triangles, one each."""
     def dot(x, y):
         return np.sum(x * y, axis=-1)
 
@@ -96,7 +96,7 @@ def shares(n):
 
 
 class Sampling:
-    """A shell by its certificate and the vertices of its .mesh file."""
+    """A shell, from its certificate and the vertices of its .mesh file."""
 
     def __init__(self, certificate, mesh):
         claim = json.loads(open(certificate).read())
@@ -116,8 +116,8 @@ class Sampling:
         self.uv, self.space, self.patch = np.concatenate(self.uv), np.concatenate(self.space), np.array(self.patch)
 
     def own(self, which, n):
-        """Distances of the samples of these triangles, (t, samples): from the surface's points to their triangle,
-        and from the triangle's to the surface. And the first points."""
+        """Returns distances of these triangles' samples, (t, samples): of the surface's points from their triangle,
+        and of the triangle's points from the surface. Also returns the former points."""
         weights = shares(n)
         uv = np.einsum("sk,tkd->tsd", weights, self.uv[which])
         flat = np.einsum("sk,tkd->tsd", weights, self.space[which])
@@ -134,7 +134,8 @@ class Sampling:
         return to_mesh, to_surface, on
 
     def from_all(self, points, most):
-        """The greatest distance of these points from the whole mesh; `most` are those from a triangle of it."""
+        """Returns the greatest distance of these points from the whole mesh; `most` are their distances from one
+        triangle of it."""
         best = 0
         for k in np.argsort(-most):
             if most[k] <= best:
@@ -143,7 +144,7 @@ class Sampling:
         return best
 
     def greatest(self):
-        """From the surface, and from the mesh."""
+        """Returns the greatest distances of the mesh from the surface, and of the surface from the mesh."""
         every = np.arange(len(self.uv))
         coarse = [np.concatenate(x) for x in zip(*(self.own(some, COARSE)[:2] for some in np.array_split(
             every, max(1, len(every) // 500))))]

@@ -58,7 +58,8 @@ DRAW = {
 
 
 def plugins(folder):
-    """DRAW looks for its plugins by names without versions, which Debian has in no package that runs."""
+    """Makes the plugins' names without version numbers, by which DRAW searches them and which Debian's packages
+    lack."""
     place = folder / "plugins"
     place.mkdir(exist_ok=True)
     for library in pathlib.Path("/usr/lib/x86_64-linux-gnu").glob("libTK*.so.7"):
@@ -69,7 +70,7 @@ def plugins(folder):
 
 
 def rival(program, name, chord, folder):
-    """OpenCASCADE's mesh for this deflection, and how far it is from the surface."""
+    """Returns OpenCASCADE's mesh for this deflection, and its distance from the surface."""
     (folder / "draw.tcl").write_text(
         f"pload MODELING\npload XSDRAW\n{DRAW[name]}incmesh f {chord!r} -a 60\nputs [trinfo f]\nwritestl f o.stl\nexit\n")
     done, _ = timed(["env", "LD_LIBRARY_PATH=" + plugins(folder), "occt-draw", "-b", "-f", "draw.tcl"], folder)
