@@ -10,7 +10,7 @@ shift
 # The nearest point of the chord line, (c, 0): the line starts at the centre of the nose's circle,
 # so that directions away from it are normal to the nose, and goes on downstream as the wake.
 c='max(x,0.0159)'
-away="((x-$c)^2+y^2)" # squared distance from it
+away="((x-$c)^2+y^2)"  # squared distance from that point
 # Half the thickness of the airfoil there (nothing in the wake), and the distance from the surface.
 s="min($c,1)"
 thickness="0.6*(0.2969*sqrt($s)-0.1260*$s-0.3516*$s^2+0.2843*$s^3-0.1036*$s^4)"

@@ -32,14 +32,14 @@ def point_words(*names):
 
 
 def naive_star(command, of):
-    """Neighbours of c or d in the Delaunay triangulation of the four in its own metric: the edge cd is in it if
-    d is inside the circle of a, c, b, which turn left, so that ab is not."""
+    """Returns the neighbours of c or d in the Delaunay triangulation of the four sites in its own metric. The edge cd
+    is in it if d is inside the circle of a, c, b, which are counter-clockwise, so that ab is not."""
     inside, = ask(command, f"in_circle {' '.join(map(str, SITES[of][1]))} {point_words('a', 'c', 'b', 'd')}")
     return {"a", "b"} | ({"c", "d"} - {of} if inside > 0 else set())
 
 
 def tested_star(command, of):
-    """Neighbours by the insertion test: the site across belongs between the two beside `of`, or not."""
+    """Returns the neighbours by the insertion test: whether the opposite site belongs between the two beside `of`."""
     at = RING.index(of)
     before, across, after = (RING[(at + i) % 4] for i in (1, 2, 3))
     takes, = ask(command, f"edge_test {words(of, across, before, after)}")
@@ -51,7 +51,7 @@ def has_edge(stars, v, w):
 
 
 def warped(point, metric):
-    """F p with F^T F = M."""
+    """Returns F p, where F^T F = M."""
     m11, m12, m22 = metric
     root = math.sqrt(m11)
     return root * point[0] + m12 / root * point[1], math.sqrt(m22 - m12 * m12 / m11) * point[1]
@@ -75,7 +75,7 @@ def panel(x, title, places, edges, colours, ellipses=()):
 
 
 def circle(name):
-    """Half of what the site takes for its unit circle."""
+    """Returns the site's unit ellipse at half its size."""
     (x, y), (m11, m12, m22) = SITES[name]
     root, low = math.sqrt(m11), math.sqrt(m22 - m12 * m12 / m11)
     for i in range(60):

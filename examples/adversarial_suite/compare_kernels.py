@@ -23,7 +23,7 @@ def main():
     text = pathlib.Path(path).read_text(encoding="utf-8")
     records = [line for line in text.splitlines() if line.strip() and line.strip()[0] != "#"]
     asked = zip(records, answers(command, kernel, records), answers(command, reference, records))
-    # "?" is the interval kernel's "undecided", which is no difference.
+    # "?" is the interval kernel's "undecided" and counts as no difference.
     different = [(r, a, b) for r, a, b in asked if a != b and "?" not in (a, b)]
     for record, answer, right in different:
         print(f"{kernel} {answer}, {reference} {right}: {record}")

@@ -22,23 +22,24 @@ using baselines::metric_tensor;
 using baselines::none;
 using baselines::point;
 
-// Distances are in units of the sum of two radii: 1 where bubbles touch.
-constexpr double reach = 1.5;  // no force beyond
-constexpr double wide_reach =
-    2.2;                         // of the lists of neighbours, which are renewed with each packing
-constexpr double damping = 2.4;  // 0.7 of critical: six neighbours are a spring of about 3
-constexpr double time_step = 0.3;  // a twelfth of that spring's period
+// Distances are in units of the sum of two radii: bubbles touch at distance 1.
+constexpr double reach = 1.5;  // no force beyond this distance
+// Reach of the lists of neighbours, which are made anew for each packing.
+constexpr double wide_reach = 2.2;
+// 0.7 of critical damping: six neighbours act as a spring of about 3.
+constexpr double damping = 2.4;
+constexpr double time_step = 0.3;  // a twelfth of the period of that spring
 constexpr int steps_a_packing = 20;
 constexpr int most_packings = 40;
-constexpr double still = 0.01;  // the fastest bubble's speed when the packing has settled
-// Six neighbours that touch overlap by 6 in all. One neighbour more or less is tolerated.
+constexpr double still = 0.01;  // the speed of the fastest bubble when the packing has settled
+// Six neighbours that touch have overlaps of 6 in all. One neighbour more or less is tolerated.
 constexpr double crowded = 8, sparse = 4.5;
 
-// The cubic that is 0 at 1 and at 1.5, level at 0 and 9/8 high there: it pushes below 1, pulls
-// above.
+// Returns the cubic that is 0 at 1 and at 1.5, and 9/8 with slope 0 at 0: it pushes below 1 and
+// pulls above.
 double force(double w) { return w < reach ? ((1.25 * w - 2.375) * w) * w + 1.125 : 0; }
 
-// A bubble that is not on the border, or a place of its in the course of a time step.
+// A bubble that is not on the border, or a trial place of it within a time step.
 struct motion {
   double x = 0, y = 0, vx = 0, vy = 0;
   motion moved(const motion& rate, double by) const {
@@ -89,7 +90,8 @@ class packing {
     tensor_.push_back(mesh_.field->at({x, y}));
   }
 
-  // Quarters the domain's box until a cell measures no more than a bubble's share of a packing.
+  // Quarters the domain's box until a cell's size in the metric is at most a bubble's share of a
+  // packing.
   void place_first() {
     const auto& points = mesh_.net.points();
     double left = points[0].x, right = left, low = points[0].y, high = low;
@@ -104,7 +106,7 @@ class packing {
     const point centre{x + width / 2, y + height / 2};
     const metric_tensor m = mesh_.field->at(centre);
     const double area = std::sqrt(m.m11 * m.m22 - m.m12 * m.m12) * width * height;
-    if (depth < 12 && (depth < 4 || area > 2)) {  // 2: in the mean between 2 and a quarter of it
+    if (depth < 12 && (depth < 4 || area > 2)) {  // 2: the mean of 2 and a quarter of it
       for (int i = 0; i < 4; ++i)
         place_in(x + (i % 2) * width / 2, y + (i / 2) * height / 2, width / 2, height / 2,
                  depth + 1);
@@ -113,7 +115,7 @@ class packing {
     if (area > 0.5 && !mesh_.net.cell_of(centre).empty()) add(centre.x, centre.y);
   }
 
-  // Pairs within the wide reach, by a sweep along x.
+  // Finds pairs within the wide reach, by a sweep along x.
   void find_neighbours() {
     near_.assign(bubbles_.size(), {});
     std::vector<index> order(bubbles_.size());
@@ -122,8 +124,8 @@ class packing {
               [&](index a, index b) { return bubbles_[a].x < bubbles_[b].x; });
     for (std::size_t i = 0; i < order.size(); ++i) {
       const metric_tensor& m = tensor_[order[i]];
-      // Farther along x the bubble alone measures more than twice the wide reach, and the mean of
-      // two lengths is at least half of one.
+      // Beyond this x the length in the bubble's own metric is more than twice the wide reach, and
+      // the mean of two lengths is at least half of one.
       const double window = 2 * wide_reach * std::sqrt(m.m22 / (m.m11 * m.m22 - m.m12 * m.m12));
       for (std::size_t j = i + 1; j < order.size(); ++j) {
         if (bubbles_[order[j]].x - bubbles_[order[i]].x > window) break;
@@ -134,8 +136,8 @@ class packing {
     }
   }
 
-  // Removes bubbles that are overlapped too much, and puts one into the widest gap around each that
-  // is overlapped too little. Returns how many.
+  // Removes bubbles with too much overlap, and puts one into the widest gap around each with too
+  // little. Returns the number of changes.
   std::size_t change_population() {
     std::vector<bool> gone(bubbles_.size(), false);
     std::vector<point> fresh;
@@ -152,10 +154,10 @@ class packing {
     return removed + fresh.size();
   }
 
-  // The point at distance 1 from a bubble, as it measures, in the middle of its widest gap.
+  // Returns the point at distance 1 from a bubble in its metric, in the middle of its widest gap.
   point beside(index i) const {
     const metric_tensor& m = tensor_[i];
-    // M = L L^T, and L^T maps displacements to the bubble's own plane.
+    // M = L L^T, and L^T maps displacements to the frame in which the bubble is round.
     const double l11 = std::sqrt(m.m11), l21 = m.m12 / l11, l22 = std::sqrt(m.m22 - l21 * l21);
     std::vector<double> angles;
     for (const index j : near_[i]) {
@@ -184,7 +186,7 @@ class packing {
            std::all_of(fresh.begin(), fresh.end(), [&](const point& q) { return far(q.x, q.y); });
   }
 
-  // Velocity and acceleration of a bubble at its place, the others where they are.
+  // Returns velocity and acceleration of a bubble at its place, with the others where they are.
   motion rate(index i, const motion& b) const {
     motion made{b.vx, b.vy, -damping * b.vx, -damping * b.vy};
     for (const index j : near_[i]) {
@@ -199,7 +201,7 @@ class packing {
     return made;
   }
 
-  // One step of Runge and Kutta's method of order four, all bubbles at once. Returns the greatest
+  // Moves all bubbles by one step of the Runge-Kutta method of order four. Returns the greatest
   // speed.
   double step() {
     std::vector<motion> next = bubbles_;
@@ -221,7 +223,7 @@ class packing {
     return greatest;
   }
 
-  // Keeps the bubbles that a question is answered yes for; returns how many went.
+  // Keeps the bubbles for which `is_kept` is true. Returns how many were removed.
   std::size_t keep(const std::function<bool(index)>& wanted) {
     std::size_t kept = held_;
     for (index i = held_; i < bubbles_.size(); ++i) {
@@ -257,7 +259,7 @@ class packing {
   }
 
   metric_mesh& mesh_;
-  index held_;  // bubbles on the border and the domain's vertices: they do not move
+  index held_;  // bubbles on the border and the domain's vertices, which do not move
   std::vector<motion> bubbles_;
   std::vector<metric_tensor> tensor_;
   std::vector<std::vector<index>> near_;

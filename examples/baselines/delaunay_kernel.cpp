@@ -21,16 +21,18 @@ using baselines::metric_tensor;
 using baselines::none;
 using baselines::point;
 
-// Edges longer than this are divided, and no point comes nearer than its inverse to another: a unit
-// edge's range.
+// Longer edges are divided, and no point is nearer to another than the inverse: the range of a unit
+// edge.
 const double longest = std::sqrt(2.0);
-constexpr int most_rounds = 60;  // lengths halve in a round where the metric changes slowly: ten do
+// Lengths halve in a round where the metric changes slowly, so that ten suffice.
+constexpr int most_rounds = 60;
 
-// How far p is from the centre of a triangle's circle, in radii, in one metric: below 1 inside.
+// Returns the distance of p from the centre of a triangle's circle, in radii, in one metric: below
+// 1 inside.
 double nearness(const metric_tensor& m, const point& a, const point& b, const point& c,
                 const point& p) {
   const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-  // The centre o, from a: b M o = b M b / 2 and c M o = c M c / 2.
+  // The centre o, relative to a, has b M o = b M b / 2 and c M o = c M c / 2.
   const double b1 = m.m11 * bx + m.m12 * by, b2 = m.m12 * bx + m.m22 * by;
   const double c1 = m.m11 * cx + m.m12 * cy, c2 = m.m12 * cx + m.m22 * cy;
   const double bb = (b1 * bx + b2 * by) / 2, cc = (c1 * cx + c2 * cy) / 2;
@@ -41,8 +43,8 @@ double nearness(const metric_tensor& m, const point& a, const point& b, const po
 
 class kernel {
  public:
-  // `number` is 1: only the new point's metric counts; 2: that of the corner opposite to where the
-  // search came from, too; 3: those of all three corners.
+  // `number` of metrics: 1: the new point's; 2: also that of the corner opposite to the edge over
+  // which the search came; 3: those of all three corners.
   kernel(metric_mesh& mesh, int number) : mesh_(mesh), number_(number) {}
 
   // Divides long edges until there are none, or no more can be.
@@ -56,8 +58,8 @@ class kernel {
   }
 
  private:
-  // Points that cut the long edges inside in unit pieces, in an order without a pattern: sorted by
-  // the digits of their place in base two, reversed.
+  // Returns the points that cut the long inner edges into unit parts, in an order without a
+  // pattern: sorted by the reversed binary digits of their places.
   std::vector<point> candidates() const {
     std::vector<point> found;
     for (index t = 0; t < mesh_.net.triangles().size(); ++t) {
@@ -77,7 +79,7 @@ class kernel {
     return mixed;
   }
 
-  // The middle may measure an edge longer than both ends do.
+  // An edge may be longer in the metric of its middle than in those of its ends.
   bool may_hide_detail(const point& p, const point& q) const {
     const metric_tensor m = mesh_.field->at({(p.x + q.x) / 2, (p.y + q.y) / 2});
     return baselines::length(m, q.x - p.x, q.y - p.y) > longest;
@@ -94,8 +96,8 @@ class kernel {
     return in(at_p) + in(mesh_.tensor[c[0]]) + in(mesh_.tensor[c[1]]) + in(mesh_.tensor[c[2]]) < 4;
   }
 
-  // The triangles that p destroys, found from the one it is in outward. Then those with an edge to
-  // the rest that p does not see are left out, until there are none.
+  // Returns the triangles that p replaces, found outward from the one that contains it. Removes
+  // triangles with an outer edge that p does not see, until there are none.
   std::vector<index> cavity_of(const point& p, const metric_tensor& at_p) const {
     std::vector<index> cavity = mesh_.net.cell_of(p);
     const auto own = static_cast<std::ptrdiff_t>(cavity.size());

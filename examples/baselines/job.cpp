@@ -16,11 +16,12 @@ using asterism::error;
 using asterism::result;
 using asterism::vertex_index;
 
-// The border's points, its segments cut in pieces, and for each the segment behind it.
+// Holds the border's points, with its segments cut into parts, and for each point the segment that
+// begins there.
 struct border {
   std::vector<point> points;
   std::vector<std::size_t> segment;
-  std::vector<index> given;  // the number of the domain's vertex there, or none
+  std::vector<index> given;  // number of the domain's vertex there, or none
 };
 
 result<job> read_job(int count, const char* const* words, const std::set<std::string>& own) {
@@ -71,7 +72,7 @@ result<border> cut_border(const job& wanted) {
   return made;
 }
 
-// The border is triangulated, then the domain's other vertices are inserted where they lie.
+// Triangulates the border, then inserts the domain's other vertices.
 result<metric_mesh> start(const job& wanted, border& frame) {
   auto net = triangulation::of_polygon(frame.points);
   if (!net) return error{"the border crosses itself, cut in pieces"};
@@ -90,7 +91,7 @@ result<metric_mesh> start(const job& wanted, border& frame) {
   return mesh;
 }
 
-// The domain's vertices come first, in their order, then those that are left.
+// Lists the domain's vertices first, in their order, then the others.
 asterism::mesh result_of(const job& wanted, const border& frame, const metric_mesh& made) {
   const index own = wanted.domain.vertices.size(), border_size = frame.points.size();
   asterism::mesh out;
@@ -169,7 +170,7 @@ metric_tensor mean(const std::vector<metric_tensor>& tensors) {
 
 std::vector<point> equal_pieces(const metric& field, const point& a, const point& b, int parts) {
   const double dx = b.x - a.x, dy = b.y - a.y;
-  std::vector<double> until = {0};  // the length from a, after each part
+  std::vector<double> until = {0};  // the length from a to the end of each part
   for (int i = 0; i < parts; ++i) {
     const double t = (i + 0.5) / parts;
     until.push_back(until.back() + length(field.at({a.x + t * dx, a.y + t * dy}), dx, dy) / parts);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads the domain and the metric that the command line names, and writes the mesh: what the three
-// programs have in common but for the method.
+// Reads the domain and the metric that the command line names, and writes the mesh: the part that
+// the three methods share.
 #pragma once
 
 #include <asterism/mesh/mesher.hpp>
@@ -17,7 +17,7 @@
 
 namespace baselines {
 
-// A metric field that is asked without a look at each answer: the first failure is kept, to be
+// A metric field whose answers need not be checked one by one: it keeps the first failure, which is
 // reported at the end.
 class metric {
  public:
@@ -35,24 +35,25 @@ class metric {
 asterism::result<std::unique_ptr<asterism::metric_field>> make_field(
     const std::string& specification, const asterism::bounding_box& box, double size);
 
-// The length of a displacement.
+// Returns the length of a displacement.
 double length(const metric_tensor& m, double dx, double dy);
-// The mean of tensors, entry by entry, with the same weights.
+// Returns the mean of tensors, entry by entry, with equal weights.
 metric_tensor mean(const std::vector<metric_tensor>& tensors);
-// Cuts a segment in pieces equally long in the metric, as near to 1 as their number allows. Returns
-// the points strictly inside. The length is integrated over so many parts.
+// Cuts a segment into parts of equal length in the metric, as near to 1 as a whole number of parts
+// allows. Returns the points strictly inside. `parts` is the number of intervals of the
+// integration.
 std::vector<point> equal_pieces(const metric& field, const point& a, const point& b, int parts);
 
-// A triangulation whose vertices have tensors.
+// Holds a triangulation with a tensor at each vertex.
 struct metric_mesh {
   triangulation net;
   std::vector<metric_tensor> tensor;
   const metric* field;
-  index fixed = 0;  // vertices below are on the border or the domain's own
+  index fixed = 0;  // vertices with lower numbers are on the border or the domain's own
 
-  // The length of an edge: the mean of what its two ends measure.
+  // Returns the length of an edge: the mean over the metrics of its two ends.
   double length(index v, index w) const;
-  // Asks for the tensors of vertices that came since.
+  // Evaluates the tensors of new vertices.
   void measure_new();
   void measure_again(index v) { tensor[v] = field->at(net.points()[v]); }
 };
@@ -62,10 +63,10 @@ struct job {
   asterism::domain domain;
   std::unique_ptr<metric> field;
   std::string output;
-  std::map<std::string, std::string> options;  // of the method
+  std::map<std::string, std::string> options;  // options of the method
 };
 
-// Changes the mesh, and says in a few words how that ended.
+// Changes the mesh, and returns in a few words how that ended.
 using method = std::function<asterism::result<std::string>(
     metric_mesh&, const std::map<std::string, std::string>&)>;
 

@@ -20,16 +20,18 @@ using baselines::metric_mesh;
 using baselines::none;
 using baselines::point;
 
-constexpr double step = 0.2;    // of the sum of forces: a fifth of an edge from a neighbour alone
-constexpr double still = 0.02;  // moved less than this, in its metric, a vertex rests
-// Edges longer than this are divided; a vertex nearer than that to a neighbour is taken away. The
-// first leaves two edges in the range of unit edges; the second is low enough that what an
-// insertion brings is not taken away before it has moved.
+// Part of the sum of forces by which a vertex moves: a fifth of an edge for a single neighbour.
+constexpr double step = 0.2;
+constexpr double still = 0.02;  // a vertex that moved less than this in its metric rests
+// Longer edges are divided, and a vertex nearer than the second length to a neighbour is removed.
+// The first leaves two edges in the range of unit edges. The second is so small that an inserted
+// vertex is not removed before it has moved.
 const double longest = std::sqrt(2.0);
 constexpr double shortest = 0.55;
-constexpr std::size_t visits_a_vertex = 100;  // in the mean, then the loop ends as it stands
+// Moves of each vertex in the mean, after which the loop ends.
+constexpr std::size_t visits_a_vertex = 100;
 
-// Pushes at less than the length wanted, pulls beyond it, and less and less far away.
+// Returns the force: it pushes below the wanted length and pulls beyond it, less far away.
 double force(double distance) {
   const double fourth = std::pow(distance, 4);
   return (1 - fourth) * std::exp(-fourth);
@@ -74,7 +76,8 @@ class pliant_mesh {
     divide_longest(v);
   }
 
-  // Returns how far, in its metric. A step that would turn a triangle over is halved, five times.
+  // Moves a vertex. Returns the distance in its metric. Halves a step that would turn a triangle
+  // over, up to five times.
   double move(index v) {
     const point p = mesh_.net.points()[v];
     double dx = 0, dy = 0;
@@ -106,7 +109,7 @@ class pliant_mesh {
     return true;
   }
 
-  // Inserts the middle of the longest edge at v that is not on the border, if it is too long.
+  // Inserts the middle of the longest edge at v inside the domain, if it is too long.
   void divide_longest(index v) {
     index longest_to = none;
     double length = longest;
@@ -128,21 +131,21 @@ class pliant_mesh {
   }
 
   bool is_border_edge(index v, index w) const {
-    const std::vector<index> ring = mesh_.net.neighbours(v);  // begins and ends on the border
+    const std::vector<index> ring = mesh_.net.neighbours(v);  // from border to border
     return w == ring.front() || w == ring.back();
   }
 
   void flip(std::vector<index> from) { mesh_.net.flip_from(std::move(from), rule_, 100); }
 
   metric_mesh& mesh_;
-  // The mean metric of the four vertices, as Bossen and Heckbert have it.
+  // Returns the mean metric of the four vertices, as Bossen and Heckbert do.
   const baselines::metric_of_edge rule_ = [this](index v, index w, index x, index y) {
     return baselines::mean({mesh_.tensor[v], mesh_.tensor[w], mesh_.tensor[x], mesh_.tensor[y]});
   };
   std::vector<index> active_;
   std::size_t removed_ = 0;
   std::vector<bool> is_active_;
-  std::minstd_rand random_{1};  // the standard fixes its numbers
+  std::minstd_rand random_{1};  // an engine whose numbers the standard defines
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ sys.path.insert(0, str(TOP / "bench/adapt"))
 import functions  # noqa: E402
 import meshes  # noqa: E402
 
-RUNS = 8  # for a size that gives the vertices wanted; the nearest is taken
+RUNS = 8  # tries for a size that gives the vertices wanted; the nearest is used
 FRONT = "tanhp"
 
 
@@ -47,7 +47,7 @@ CASES = [Case("swirl", "swirl:12", bowl), Case("sink", "sink:12", fan), Case("fr
 
 
 def run(command, folder):
-    """Status, user seconds and output."""
+    """Returns status, user seconds and output."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run([str(c) for c in command], cwd=folder, capture_output=True, text=True, check=False,
                           timeout=1200)
@@ -68,7 +68,8 @@ class Programs:
         return seconds, said
 
     def baseline(self, method, case, vertices, *more):
-        """The mesh nearest to so many vertices, by its size; user seconds and what was said of that run."""
+        """Searches the size whose mesh is nearest to `vertices`. Returns that mesh, and the user seconds and output
+        of its run."""
         size, best = 0.3 if case.name != "front" else 1.0, None
         for _ in range(RUNS):
             command = [self.tools / f"baseline_{method}", "square", "--metric", case.specification, "--size",
@@ -85,7 +86,7 @@ class Programs:
         return best[1:]
 
     def bamg(self, case, vertices):
-        """On its own result, six times; the time is that of the last."""
+        """Runs BAMG six times, each on its own result. Returns the time of the last run."""
         meshes.write(self.folder / "back.mesh", meshes.grid(40))
         scale = 1.0
         for _ in range(6):
@@ -106,14 +107,14 @@ class Programs:
         return seconds
 
     def judge(self, solution=None):
-        """The certifier's answer, as JSON."""
+        """Returns the certifier's answer as JSON."""
         command = [self.asterism, "certify", "made.mesh", *([solution] if solution else []), "--json",
                    "--all-findings"]
         return json.loads(self.checked(command)[1])
 
 
 def refused_edges(said):
-    """Edges that the star of one of their ends would not take between their neighbours there."""
+    """Counts edges that the star of one of their ends does not accept between its neighbours there."""
     return len({frozenset(found) for w in said["witnesses"]
                 for found in re.findall(r"star of vertex (\d+) .* its neighbour vertex (\d+)", w)})
 
@@ -136,7 +137,7 @@ def table(rows):
 
 
 def front_metric(programs, vertices):
-    """The metric on the mesh of the loop's third round, as an adaptation loop has it."""
+    """Returns the metric on the mesh of a loop's third round."""
     mesh = meshes.grid(60)
     for _ in range(4):
         tensors = meshes.l2_metric(mesh, functions.hessians(FRONT, mesh.points), vertices)

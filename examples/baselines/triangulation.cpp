@@ -35,8 +35,8 @@ std::optional<triangulation> triangulation::of_polygon(const std::vector<point>&
   return made;
 }
 
-// An ear turns left and has no other vertex of the ring in it or on its edges. A simple polygon
-// always has one; the walk begins behind the last ear, so that no vertex gets them all.
+// An ear is a convex corner whose triangle contains no other vertex of the ring. A simple polygon
+// always has one. The walk begins behind the last ear, so that ears are not all cut at one vertex.
 std::optional<std::vector<corners>> triangulation::cut_ears(std::vector<index> ring) const {
   std::vector<corners> made;
   std::size_t at = 0, tried = 0;
@@ -60,7 +60,7 @@ std::optional<std::vector<corners>> triangulation::cut_ears(std::vector<index> r
   return made;
 }
 
-// Both cover the same polygon. Edges on its border keep what is across them.
+// Old and new triangles cover the same polygon. Edges on its border keep their outer triangles.
 void triangulation::replace(const std::vector<index>& old, const std::vector<corners>& made) {
   std::map<std::pair<index, index>, std::pair<index, std::size_t>> waiting;  // edges without a twin
   std::map<std::pair<index, index>, index> outside;
@@ -109,7 +109,8 @@ index triangulation::locate(const point& p) const {
   const auto beyond = [&](index t) -> std::size_t {  // an edge with p on its other side, or 3
     const corners& c = triangles_[t].corner;
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t k = (i + t) % 3;  // no preferred edge: a walk that prefers one may circle
+      // Begins at no fixed edge: a walk with a preferred edge may circle.
+      const std::size_t k = (i + t) % 3;
       if (turns_left(points_[c[(k + 2) % 3]], points_[c[(k + 1) % 3]], p)) return k;
     }
     return 3;
@@ -170,7 +171,8 @@ index triangulation::insert(const point& p, const std::vector<index>& cavity) {
       if (!turns_left(points_[a], points_[b], p)) return none;
       made.push_back({a, b, v});
     }
-  if (made.size() != cavity.size() + 2) return none;  // a vertex inside: it would be lost
+  // The cavity contains a vertex, which would be lost.
+  if (made.size() != cavity.size() + 2) return none;
   points_.push_back(p);
   triangle_at_.push_back(none);
   replace(cavity, made);
@@ -219,7 +221,7 @@ bool triangulation::move(index v, const point& to) {
   return true;
 }
 
-// The quadrilateral must be convex, and y inside the circle of v, w, x.
+// Flips if the quadrilateral is convex and y is inside the circle of v, w, x.
 bool triangulation::flip(index t, std::size_t k, const metric_of_edge& metric) {
   const triangle& here = triangles_[t];
   const index other = here.across[k];

@@ -21,7 +21,7 @@ def orient2d(n):
 
 
 def in_metric(m, p):
-    """The determinant of the rows x, y, squared length, 1 of four points."""
+    """Returns the determinant of the rows x, y, squared length, 1 of four points."""
     x, y = p[..., 0], p[..., 1]
     lifted = m[:, 0, None] * x * x + 2 * m[:, 1, None] * x * y + m[:, 2, None] * y * y
     return signs(numpy.linalg.det(numpy.stack([x, y, lifted, numpy.ones_like(x)], axis=2)))

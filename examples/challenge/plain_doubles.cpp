@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Textbook formulas in doubles, as most programs have them: what the challenge is about.
+// Textbook formulas in doubles, as most programs use them.
 #include "record_reader.hpp"
 
 namespace {
@@ -16,7 +16,8 @@ double squared_length(const double* m, double x, double y) {
   return m[0] * x * x + 2 * m[1] * x * y + m[2] * y * y;
 }
 
-// The determinant of three points lifted to the paraboloid of the metric, seen from the fourth.
+// Returns the determinant of three points, relative to the fourth, lifted to the paraboloid of the
+// metric.
 int in_circle(const double* m, const double* p) {
   const double ax = p[0] - p[6], ay = p[1] - p[7], bx = p[2] - p[6], by = p[3] - p[7];
   const double cx = p[4] - p[6], cy = p[5] - p[7];

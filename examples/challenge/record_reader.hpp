@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads records of the batch protocol and writes what a function answers: all that an adapter needs
-// besides its predicates.
+// Reads records of the batch protocol and writes the answers of a function: all of an adapter
+// except its predicates.
 #pragma once
 
 #include <cstdlib>
@@ -37,7 +37,7 @@ int answer_records(Answer answer) {
   return 0;
 }
 
-// The sign of a number; of what is no number, zero.
+// Returns the sign of a number, and zero for NaN.
 inline int sign_of(double value) { return (value > 0) - (value < 0); }
 
 }  // namespace challenge_adapter

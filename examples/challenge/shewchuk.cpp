@@ -29,6 +29,6 @@ bool answer(const std::string& name, std::vector<double> n, int& given) {
 }  // namespace
 
 int main() {
-  robustPredicates::exactinit(0, 1, 1, 1);  // no static filter, so no bound on coordinates
+  robustPredicates::exactinit(0, 1, 1, 1);  // without a static filter, coordinates need no bound
   return challenge_adapter::answer_records(answer);
 }

@@ -23,12 +23,12 @@ struct triangle {
 
 class mesher {
  public:
-  // The first three sites are a triangle, counter-clockwise, that holds all the others.
+  // The first three sites are a triangle, counter-clockwise, that contains all others.
   explicit mesher(std::vector<asterism::site> sites) : sites_(std::move(sites)) {
     triangles_.push_back({{0, 1, 2}});
   }
 
-  // False when the flips did not come to an end.
+  // False when the flips reached their bound.
   bool run() {
     for (vertex_index p = 3; p < sites_.size(); ++p)
       if (!insert(p)) return false;
@@ -36,13 +36,14 @@ class mesher {
   }
 
   bool is_sound() const {
-    bool sound = triangles_.size() == 2 * sites_.size() - 5;  // Euler, with a triangle as hull
+    // By Euler's formula, with a triangle as hull.
+    bool sound = triangles_.size() == 2 * sites_.size() - 5;
     for (const triangle& t : triangles_)
       sound = sound && side(t.corner[0], t.corner[1], t.corner[2]) == asterism::sign::positive;
     return sound;
   }
 
-  // Edges that fail the test although flipping them would be possible.
+  // Counts edges that fail the test although they could be flipped.
   int failing_edges() const {
     int failing = 0;
     for (vertex_index t = 0; t < triangles_.size(); ++t)
@@ -72,7 +73,8 @@ class mesher {
     triangles_[of].across[corner_across(triangles_[of], old_neighbour)] = new_neighbour;
   }
 
-  // The triangle with p inside or on its border, by asking all: the point here is not speed.
+  // Returns the triangle with p inside or on its border. Tests all triangles, since speed does not
+  // matter here.
   vertex_index locate(vertex_index p) const {
     for (vertex_index t = 0; t < triangles_.size(); ++t) {
       const auto& c = triangles_[t].corner;
@@ -84,7 +86,8 @@ class mesher {
     return none;
   }
 
-  // Splits the triangle in three; on an edge that makes a flat one, which is flipped first.
+  // Splits the triangle in three. A point on an edge makes one of them flat, and that edge is
+  // flipped first.
   bool insert(vertex_index p) {
     const vertex_index t = locate(p);
     if (t == none) return false;
@@ -99,7 +102,7 @@ class mesher {
     return restore({t, second, third});
   }
 
-  // Corner k of t and the opposite corner over the edge across from it.
+  // Tests the edge opposite to corner k of t, with the corner beyond it.
   bool should_flip(vertex_index t, vertex_index k) const {
     const triangle& here = triangles_[t];
     const vertex_index other = here.across[k];
@@ -157,7 +160,7 @@ class mesher {
 
 namespace {
 
-// A grid, four to each circle, in a triangle far around it.
+// A grid, with four points on each cell's circle, in a triangle far around it.
 std::vector<asterism::site> grid(int size, double variation) {
   std::vector<asterism::site> sites = {
       {{-64, -64}, {1, 0, 1}}, {{128, -64}, {1, 0, 1}}, {{0, 128}, {1, 0, 1}}};

@@ -10,7 +10,8 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import * as exact from 'asterism-predicates';
 
-// Delaunator takes orient2d from robust-predicates, and has an in-circle test in doubles of its own.
+// Delaunator imports orient2d from robust-predicates, and has an in-circle test in doubles of its
+// own.
 const VARIANTS = {
   'doubles': ['{orient2dfast as orient2d, incirclefast as incircle} from "robust-predicates"', false],
   'robust-predicates, as published': ['{orient2d, incircle} from "robust-predicates"', false],
@@ -28,7 +29,7 @@ function random() {
 const whole = (least, most) => least + Math.floor(random() * (most - least + 1));
 const repeated = (count, make) => Array.from({ length: count }, (_, k) => make(k));
 
-// Lists of points x, y side by side. Points closer than 2^-52 are one to delaunator: here none are.
+// Lists of points, x and y in turn. delaunator identifies points closer than 2^-52; here none are.
 const INPUTS = {
   'grid of neighbouring doubles, and two points far along its diagonal': () => {
     const unit = 2 ** -49, x = 8 + whole(0, 1000) / 1024; // unit: of the last place of 8 to 16
@@ -56,7 +57,7 @@ const INPUTS = {
 };
 const SETS = 100;
 
-// Returns the Delaunator whose predicates come from elsewhere: its source, with other imports.
+// Returns Delaunator with other predicates: its source with other imports.
 async function delaunatorWith([imports, inCircleToo], name) {
   const source = readFileSync(new URL('./node_modules/delaunator/index.js', import.meta.url), 'utf8');
   const other = source.replace(/^import .*robust-predicates.*$/m, `import ${imports};`);

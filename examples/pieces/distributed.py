@@ -18,7 +18,7 @@ def _section(lines, keyword, columns):
 
 
 def read_piece(path):
-    """Coordinates, triangles (from 0), their regions, and edges of the boundary with their markers."""
+    """Returns coordinates, triangles (from 0), their regions, and edges of the boundary with their markers."""
     lines = [line for line in pathlib.Path(path).read_text(encoding="utf-8").split("\n")
              if not line.startswith("#")]
     points = _section(lines, "Vertices", 3)[:, :2].astype(float)
@@ -28,7 +28,7 @@ def read_piece(path):
 
 
 def seam_vertices(index):
-    """By coordinates: the pieces, from 0, that have the vertex; those on seams alone."""
+    """Returns, for the vertices on seams by their coordinates, the numbers from 0 of the pieces that have them."""
     given = index["domain"]["vertices"] + index["cut"]["vertices"]
     points = {seam["edge"]: seam["points"] for seam in index["seams"]}
     shared = {}
@@ -40,8 +40,8 @@ def seam_vertices(index):
 
 
 class DistributedMesh:
-    """What a rank has: `points` it owns, whose global numbers begin with `first`; `cells` by global
-    numbers; `regions` of these; `edges` of the boundary by global numbers, with `markers`."""
+    """The part of a rank: `points` it owns, whose global numbers begin with `first`; `cells` by global numbers;
+    `regions` of these; `edges` of the boundary by global numbers, with `markers`."""
 
     def __init__(self, comm, folder):
         folder = pathlib.Path(folder)
@@ -55,8 +55,8 @@ class DistributedMesh:
         read = [read_piece(folder / pieces[p]["mesh"]) for p in mine]
         ranks_of = {q: sorted({share[p] for p in at}) for q, at in shared.items()}
 
-        owned, number = [], {}  # of owned vertices on seams, by coordinates
-        local = []              # by piece: number of each vertex, -1 where another rank has it
+        owned, number = [], {}  # global numbers of owned vertices on seams, by coordinates
+        local = []  # for each piece the number of each vertex, -1 where another rank owns it
         for points, *_ in read:
             numbers = numpy.full(len(points), -1, dtype=numpy.int64)
             for v, q in enumerate(map(tuple, points)):
@@ -71,7 +71,7 @@ class DistributedMesh:
         self.points = numpy.array(owned, dtype=float).reshape(-1, 2)
         self.first = sum(comm.allgather(len(owned))[:comm.rank])
 
-        # Owners tell the numbers of seam vertices to the ranks that share them.
+        # Owners send the numbers of seam vertices to the ranks that share them.
         tell = [{} for _ in range(comm.size)]
         for q, n in number.items():
             for rank in ranks_of[q]:

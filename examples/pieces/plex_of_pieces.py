@@ -16,8 +16,8 @@ from petsc4py import PETSc
 
 
 def vertices_here(comm, pieces):
-    """Global numbers of the vertices of this rank's cells and their coordinates, its own first; and, of each that
-    another rank owns, that rank and the number of the point there."""
+    """Returns global numbers and coordinates of the vertices of this rank's cells, its own first. Of each vertex that
+    another rank owns, returns that rank and the number of its point there."""
     first = numpy.array(comm.allgather(pieces.first))
     cells = numpy.array(comm.allgather(len(pieces.cells)))
     owned = pieces.first + numpy.arange(len(pieces.points))
@@ -79,12 +79,13 @@ def plex_of(comm, pieces):
 
 
 def points_of_others(comm, plex):
-    """A forest that was never set has no graph: with one rank nobody else owns anything."""
+    """Returns the forest's graph. A forest that was never set has none: with one rank, no other rank owns
+    anything."""
     return plex.getPointSF().getGraph()[1] if comm.size > 1 else numpy.empty(0, dtype=PETSc.IntType)
 
 
 def owned_points(plex, depth, leaves):
-    """How many points of the stratum belong to this rank."""
+    """Returns how many points of the stratum belong to this rank."""
     begin, end = plex.getDepthStratum(depth)
     return end - begin - int(numpy.count_nonzero((leaves >= begin) & (leaves < end)))
 

@@ -24,7 +24,7 @@ def vector(comm, pieces):
 
 
 def corners_of_cells(comm, pieces):
-    """Positions of the corners: those of other ranks are scattered from them."""
+    """Returns the positions of the corners: vertices of other ranks are numbered after the rank's own."""
     wanted = PETSc.IS().createGeneral(pieces.cells.ravel().astype(PETSc.IntType), comm=comm)
     columns = []
     for axis in range(2):
@@ -38,7 +38,7 @@ def corners_of_cells(comm, pieces):
 
 def assemble(comm, pieces, corners):
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    across = numpy.stack([c - b, a - c, b - a], axis=1)  # the sides across from each corner
+    across = numpy.stack([c - b, a - c, b - a], axis=1)  # the side opposite to each corner
     twice = (across[:, 2, 0] * -across[:, 1, 1] + across[:, 2, 1] * across[:, 1, 0])
     stiffness = numpy.einsum("tik,tjk->tij", across, across) / (2 * twice)[:, None, None]
     middles = (corners[:, [0, 1, 2]] + corners[:, [1, 2, 0]]) / 2

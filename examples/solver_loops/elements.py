@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Linear elements on triangles, in numpy and scipy: what the loops beside this file share."""
+"""Linear elements on triangles, in numpy and scipy, for the loops beside this file."""
 import numpy as np
 import scipy.sparse as sparse
 
 
 def grid(columns, rows, width, height, holds=lambda x, y: True):
-    """Points and triangles of a grid over [0, width] x [0, height], of the cells whose middle `holds` takes,
-    with diagonals in turn."""
+    """Returns points and triangles of a grid over [0, width] x [0, height]. Keeps cells for whose middle `holds` is
+    true. Diagonals alternate."""
     x, y = np.linspace(0, width, columns + 1), np.linspace(0, height, rows + 1)
     triangles = []
     for j in range(rows):
@@ -22,7 +22,7 @@ def grid(columns, rows, width, height, holds=lambda x, y: True):
 
 
 def shapes(points, triangles):
-    """Areas (n,) and the gradients of the three hats (n, 3, 2)."""
+    """Returns areas (n,) and the gradients of the three hat functions (n, 3, 2)."""
     corners = points[triangles]
     across = np.roll(corners, -2, axis=1) - np.roll(corners, -1, axis=1)
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -31,7 +31,7 @@ def shapes(points, triangles):
 
 
 def assembled(triangles, blocks, count):
-    """The sparse matrix of a 3 by 3 block a triangle."""
+    """Returns the sparse matrix of a 3 by 3 block for each triangle."""
     rows, columns = np.repeat(triangles, 3, axis=1), np.tile(triangles, (1, 3))
     return sparse.csr_matrix((blocks.ravel(), (rows.ravel(), columns.ravel())), (count, count))
 
@@ -43,14 +43,15 @@ def stiffness(points, triangles):
 
 
 def nodal_areas(points, triangles):
-    """A third of the area of the triangles around each point: the lumped mass, by which the sum of values is the
-    integral of the linear function through them, exactly."""
+    """Returns the lumped mass: a third of the area of the triangles around each point. The sum of values times it is
+    the exact integral of the linear function through them."""
     areas, _ = shapes(points, triangles)
     return np.bincount(triangles.ravel(), np.repeat(areas / 3, 3), len(points))
 
 
 def second_derivatives(points, triangles, values):
-    """Weak second derivatives (n, 3) = xx xy yy at the points; those at the boundary are means of the inside's."""
+    """Returns weak second derivatives (n, 3) = xx xy yy at the points. At the boundary they are means over inner
+    neighbours."""
     areas, gradients = shapes(points, triangles)
     slopes = np.einsum("tid,ti->td", gradients, values[triangles])
     parts = -np.einsum("t,tid,te->tide", areas, gradients, slopes)
@@ -74,7 +75,7 @@ def second_derivatives(points, triangles, values):
 
 
 def picture(path, points, triangles, values, title, window=None):
-    """Draws the values and the mesh beside each other, or one above the other where the domain is wide."""
+    """Draws the values and the mesh beside each other, or above each other where the domain is wide."""
     import matplotlib
     matplotlib.use("Agg")
     from matplotlib import pyplot

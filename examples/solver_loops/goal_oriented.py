@@ -30,15 +30,15 @@ PEAK, WIDTH = (0.6, 0.5), 0.05
 
 
 def exact(x):
-    """Zero along the two sides that meet in the corner, as the angle runs from the one to the other; it is
-    counted from the line half way between them, so that it jumps outside of the domain."""
+    """The angle at the corner, from 0 on one of the two sides that meet there to the other. It jumps half way between
+    them outside of the domain."""
     angle = 3 / 4 * np.pi + np.arctan2(-x[0] - x[1], x[1] - x[0])
     peak = np.exp(-((x[0] - PEAK[0]) ** 2 + (x[1] - PEAK[1]) ** 2) / WIDTH ** 2)
     return (x[0] ** 2 + x[1] ** 2) ** (1 / 3) * np.sin(2 / 3 * angle) + peak
 
 
 def source(mesh):
-    """Minus the Laplacian of the peak; the rest is harmonic."""
+    """Minus the Laplacian of the peak. The other part of u is harmonic."""
     x = ufl.SpatialCoordinate(mesh)
     square = ((x[0] - PEAK[0]) ** 2 + (x[1] - PEAK[1]) ** 2) / WIDTH ** 2
     return 4 / WIDTH ** 2 * (1 - square) * ufl.exp(-square)
@@ -50,14 +50,14 @@ def at_start():
 
 
 def weight_of(mesh):
-    """The goal's weight: smooth, nothing beyond the radius, with an integral of one."""
+    """The goal's weight: smooth, zero beyond the radius, with integral one."""
     x = ufl.SpatialCoordinate(mesh)
     square = ((x[0] - CENTRE[0]) ** 2 + (x[1] - CENTRE[1]) ** 2) / RADIUS ** 2
     return ufl.conditional(square < 1, 3 / (np.pi * RADIUS ** 2) * (1 - square) ** 2, 0)
 
 
 def solved(mesh, degree, adjoint):
-    """The solution of the problem, or of its adjoint with the goal as right-hand side."""
+    """Returns the solution of the problem, or of the adjoint problem, whose right-hand side is the goal."""
     space = fem.FunctionSpace(mesh, ("CG", degree))
     u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
     given = fem.Function(space)
@@ -77,7 +77,7 @@ def integral(form):
 
 
 def error_of_goal(u):
-    """Of the difference, so that it does not matter how well the weight itself is integrated."""
+    """Returns the goal of the difference, so that the error of integrating the weight cancels."""
     mesh = u.function_space.mesh
     true = fem.Function(fem.FunctionSpace(mesh, ("CG", 3)))
     true.interpolate(exact)
@@ -85,7 +85,7 @@ def error_of_goal(u):
 
 
 def estimated(u):
-    """The residual of u_h at what the adjoint solution has beyond linear functions."""
+    """Returns the residual of u_h on the part of the adjoint solution that linear functions lack."""
     mesh = u.function_space.mesh
     rich = solved(mesh, 2, adjoint=True)
     linear = fem.Function(u.function_space)
@@ -95,7 +95,7 @@ def estimated(u):
 
 
 def at_nodes(u):
-    """The values of a linear function in the order of the mesh's points."""
+    """Returns the values of a linear function in the order of the mesh's points."""
     mesh = u.function_space.mesh
     cells, dofs = mesh.geometry.dofmap.array.reshape(-1, 3), u.function_space.dofmap.list.array.reshape(-1, 3)
     made = np.empty(len(mesh.geometry.x))
@@ -104,7 +104,7 @@ def at_nodes(u):
 
 
 def weighted_hessian(u):
-    """The second derivatives of which the metric for the goal is made, by name."""
+    """Returns the second derivatives of which the metric for the goal is made, by name."""
     mesh = u.function_space.mesh
     points, cells = mesh.geometry.x[:, :2], asterism.dolfinx.from_dolfinx(mesh).triangles
     mine, adjoint = (elements.second_derivatives(points, cells, at_nodes(f))
@@ -114,7 +114,7 @@ def weighted_hessian(u):
 
 
 def moduli(tensors):
-    """With the absolute values of the eigenvalues."""
+    """Returns the matrix with the absolute values of the eigenvalues."""
     full = tensors[:, [0, 1, 1, 2]].reshape(-1, 2, 2)
     values, vectors = np.linalg.eigh(full)
     made = np.einsum("nik,nk,njk->nij", vectors, np.abs(values), vectors)

@@ -22,14 +22,14 @@ SPREAD_U, SPREAD_V, FEED, KILL = 2e-5, 1e-5, 0.037, 0.06
 
 
 def at_start(points):
-    """A square of the second substance in the middle, turned a little, in the first."""
+    """Returns the initial state: a slightly rotated square of the second substance in the middle of the first."""
     x, y = (points - 0.5).T
     inside = 0.5 * (1 - np.tanh(60 * (np.maximum(np.abs(x + 0.2 * y), np.abs(y - 0.2 * x)) - 0.1)))
     return 1 - 0.5 * inside, 0.25 * inside
 
 
 def stretch(points, triangles, u, v, steps):
-    """Goes on for so many units of time."""
+    """Advances by `steps` units of time."""
     mass = elements.nodal_areas(points, triangles)
     stiff = elements.stiffness(points, triangles)
     solve_u, solve_v = (splu((sparse.diags(mass) + d * stiff).tocsc()).solve for d in (SPREAD_U, SPREAD_V))
@@ -44,9 +44,9 @@ def integrals(mesh, fields):
 
 
 def run(adaptations, vertices, steps):
-    """The last mesh and fields, and the greatest change of an integral by a transfer."""
+    """Returns the last mesh and fields, and the greatest change of an integral by a transfer."""
     mesh = asterism.Mesh(*elements.grid(48, 48, 1, 1))
-    for _ in range(3):  # the mesh of the start
+    for _ in range(3):  # the first mesh
         mesh = asterism.adapt(mesh, dict(zip("uv", at_start(mesh.points))), vertices=vertices).mesh
     fields, drift = dict(zip("uv", at_start(mesh.points))), 0.0
     for number in range(adaptations):

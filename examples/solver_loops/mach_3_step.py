@@ -22,7 +22,7 @@ NAMES = ("density", "along", "up", "energy")
 
 
 def inflow(count):
-    """Density 1.4 and pressure 1: the speed of sound is one."""
+    """Returns the inflow: density 1.4 and pressure 1, with which the speed of sound is one."""
     density, pressure = 1.4, 1.0
     energy = pressure / (HEAT_RATIO - 1) + density * MACH ** 2 / 2
     return np.tile([density, density * MACH, 0.0, energy], (count, 1))
@@ -38,7 +38,7 @@ def mach_of(state):
 
 
 def flux(state, normal):
-    """Through normals (n, 2) of any length."""
+    """Returns the fluxes through normals (n, 2) of any length."""
     pressure = pressure_of(state)
     through = (state[:, 1] * normal[:, 0] + state[:, 2] * normal[:, 1]) / state[:, 0]
     made = state * through[:, None]
@@ -62,7 +62,8 @@ def flux_between(left, right, normal):
 
 
 class Cells:
-    """The median dual cells of a mesh: edges with the normals of their faces, and sides with theirs."""
+    """The median dual cells of a mesh: edges with the normals of their faces, and sides of the boundary with
+    theirs."""
 
     def __init__(self, points, triangles):
         self.areas = elements.nodal_areas(points, triangles)
@@ -70,7 +71,7 @@ class Cells:
         ends, normals, owners = [], [], []
         for i, j in ((0, 1), (1, 2), (2, 0)):
             a, b = triangles[:, i], triangles[:, j]
-            piece = middle - (points[a] + points[b]) / 2  # from the edge's middle to the triangle's
+            piece = middle - (points[a] + points[b]) / 2  # from the edge's middle to the centroid of the triangle
             turned = np.stack([piece[:, 1], -piece[:, 0]], axis=1)
             ends.append(np.stack([a, b], axis=1))
             normals.append(turned)
@@ -87,13 +88,13 @@ class Cells:
         sides = np.array([(a, b) if (a, b) in directed else (b, a) for a, b in sides.tolist()])
         along = points[sides[:, 1]] - points[sides[:, 0]]
         middle = (points[sides[:, 0]] + points[sides[:, 1]]) / 2
-        outward = np.stack([along[:, 1], -along[:, 0]], axis=1) / 2  # a half for each end
+        outward = np.stack([along[:, 1], -along[:, 0]], axis=1) / 2  # half of the side for each end
         kind = np.where(middle[:, 0] < 1e-9, 0, np.where(middle[:, 0] > WIDTH - 1e-9, 1, 2))
         self.side_ends, self.side_normals = sides.T.reshape(-1), np.tile(outward, (2, 1))
         self.side_kinds = np.tile(kind, 2)
 
     def change(self, state):
-        """What flows out of each cell, and the greatest speeds times lengths around it."""
+        """Returns the flow out of each cell, and the sum over its faces of greatest speed times length."""
         a, b = self.edges.T
         between, speeds = flux_between(state[a], state[b], self.normals)
         at, normal = self.side_ends, self.side_normals
@@ -113,7 +114,8 @@ class Cells:
 
 
 def settle(cells, state, iterations):
-    """Steps as long as each cell allows. Returns the state, and the change of the last step over that of the first."""
+    """Takes steps as long as each cell allows. Returns the state, and the last step's change divided by the
+    first's."""
     changes = []
     for _ in range(iterations):
         out, around = cells.change(state)
@@ -152,7 +154,7 @@ def main():
     parser.add_argument("--picture")
     options = parser.parse_args()
     mesh, state, drift = run(options.adaptations, options.vertices, options.iterations)
-    # At rest behind the shock: on the floor, up to the step.
+    # Points at rest behind the shock: on the floor, up to the step.
     floor = (mesh.points[:, 1] < STEP_HEIGHT) & (mesh.points[:, 0] > STEP_AT - 0.05)
     print(f"vertices {len(mesh.points)} drift {drift:.2e} rest {pressure_of(state)[floor].max():.3f} "
           f"least {pressure_of(state).min():.3f}")

@@ -39,7 +39,7 @@ class Layers:
         return self.profile(x) * self.profile(y)
 
     def derivatives(self, x, y):
-        """xx, xy and yy of u; exp(-1/e) is nothing beside one."""
+        """Returns xx, xy and yy of u. exp(-1/e) is neglected beside one."""
         rise = [np.exp((t - 1) / self.e) / self.e for t in (x, y)]
         return np.stack([-rise[0] / self.e * self.profile(y), (1 - rise[0]) * (1 - rise[1]),
                          -rise[1] / self.e * self.profile(x)], axis=1)
@@ -67,7 +67,7 @@ class Layers:
         return values
 
     def error(self, points, triangles, values):
-        """By the seven points in each of sixteen parts of a triangle."""
+        """Integrates by the seven points in each of sixteen parts of a triangle."""
         areas, _ = elements.shapes(points, triangles)
         total = 0.0
         for part in parts_of_a_triangle(4):
@@ -79,7 +79,7 @@ class Layers:
 
 
 def parts_of_a_triangle(n):
-    """The corners of n^2 equal parts, in barycentric coordinates."""
+    """Returns the corners of n^2 equal parts, in barycentric coordinates."""
     def at(i, j):
         return (1 - (i + j) / n, i / n, j / n)
     for i in range(n):

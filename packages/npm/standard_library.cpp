@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Texts of doubles by the C library's functions: musl's are exact, and know no locale.
+// Converts doubles to and from text by the C library's functions: musl's are exact and have no
+// locale.
 #include "standard_library.hpp"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ std::from_chars_result std::from_chars(const char* first, const char* last, doub
   if (hexadecimal) text.insert(text.front() == '-' ? 1 : 0, "0x");
   errno = 0;
   const double read = strtod(text.c_str(), nullptr);
-  // ERANGE of a subnormal number is no failure.
+  // ERANGE is no failure for a subnormal number.
   if (errno == ERANGE && (read == 0 || isinf(read))) return {end, errc::result_out_of_range};
   value = read;
   return {end, errc()};

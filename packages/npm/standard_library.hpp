@@ -24,7 +24,8 @@ constexpr To bit_cast(const From& x) noexcept {
 #define ASTERISM_STANDARD_DOUBLES  // for core/double_reader.hpp
 namespace std {
 #if _LIBCPP_VERSION < 14000
-// Writes the fewest digits that are read as `value` again, fixed where that is no longer.
+// Writes the fewest digits that are read as `value` again, in fixed notation where it is not
+// longer.
 to_chars_result to_chars(char* first, char* last, double value);
 // Writes as printf's %e, %f or %g does.
 to_chars_result to_chars(char* first, char* last, double value, chars_format format, int precision);

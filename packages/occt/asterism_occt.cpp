@@ -40,13 +40,13 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr int most_degree = 12;  // that asterism treats
+constexpr int most_degree = 12;  // dimension that Asterism reads
 
 struct refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Writes a number of any size with the digits that tell it.
+// Writes a number with the digits that determine it.
 std::string text_of(double x) { return json(x).dump(); }
 
 bool ends_with(std::string name, const std::string& ending) {
@@ -76,12 +76,12 @@ TopoDS_Shape read_shape(const std::string& file) {
   return shape;
 }
 
-// Holds a face with all that its output needs.
+// Holds a face with everything needed for its output.
 struct face_reader {
   TopoDS_Face face;  // forward: its loops have the face on their left in (u, v)
   std::string name;
   bool swapped = false;  // u and v change places, for a face seen from the other side
-  const TopTools_IndexedDataMapOfShapeListOfShape& edges;  // with the faces that they bound
+  const TopTools_IndexedDataMapOfShapeListOfShape& edges;  // edges with the faces that they bound
   std::vector<std::string>& notes;
 
   json patch();
@@ -94,16 +94,16 @@ struct face_reader {
   void make_poles_points(std::vector<std::vector<gp_Pnt>>& rows);
 };
 
-// Returns the knots less the multiple of the period that brings the first of them next to `start`.
+// Returns the knots shifted by the multiple of the period with which the first is next to `start`.
 TColStd_Array1OfReal beginning_at(TColStd_Array1OfReal knots, double start, double period) {
   const double off = period * std::round((knots.First() - start) / period);
   for (double& k : knots) k -= off;
   return knots;
 }
 
-// Cuts a periodic surface where the face begins. Its knots are then those about the face's curves:
-// OpenCASCADE takes the cut to the first period, and where a face begins at 0 but for rounding, or
-// left of it, that is another one than the curves are in.
+// Cuts a periodic surface where the face begins, so that its knots are those around the face's
+// curves. OpenCASCADE cuts in the first period. A face that begins at 0 up to rounding, or left of
+// 0, is in another period than its curves.
 void cut_period(Geom_BSplineSurface& s, const TopoDS_Face& face) {
   double a = 0, b = 0, c = 0, d = 0, u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   const bool in_u = s.IsUPeriodic(), in_v = s.IsVPeriodic();
@@ -136,10 +136,10 @@ opencascade::handle<Geom_BSplineSurface> face_reader::surface() const {
   return s;
 }
 
-// Makes one point of a side whose points are one but for rounding: what is proved at a pole is
-// proved of a point. A note says by how much the surface was moved.
+// Makes the points of a side equal if they differ by rounding only: what is proved at a pole is
+// proved of one point. A note says how far the surface was moved.
 void face_reader::make_poles_points(std::vector<std::vector<gp_Pnt>>& rows) {
-  // In units of length: OpenCASCADE itself takes points nearer than that to be one.
+  // In units of length: OpenCASCADE itself identifies points that are nearer.
   const double tolerance = std::min(BRep_Tool::Tolerance(face), Precision::Confusion());
   const auto settle = [&](const std::vector<gp_Pnt*>& side) {
     double far = 0;
@@ -208,7 +208,7 @@ json face_reader::curve(const TopoDS_Edge& edge) const {
   if (c->Degree() > most_degree)
     throw refusal(where + " has a curve of degree " + std::to_string(c->Degree()) + ", and " +
                   std::to_string(most_degree) + " is the greatest that asterism treats");
-  // Turns curves whose edges are reversed, or all others of a face that is seen from behind.
+  // Reverses the curves of reversed edges; of a face that is seen from behind, all others.
   const bool backward = (edge.Orientation() == TopAbs_REVERSED) != swapped;
   if (backward) c->Reverse();
   json control = json::array(), weights = json::array();
@@ -248,8 +248,8 @@ bool face_reader::is_alone() const {
   return true;
 }
 
-// Returns by how much of a parameter's range the curves are off the sides of the patch: each off
-// the one that is nearest to it.
+// Returns the distance of the curves from the nearest sides of the patch, as a part of a
+// parameter's range.
 double face_reader::off_sides(const json& loops, const Geom_BSplineSurface& s) const {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   s.Bounds(u0, u1, v0, v1);
@@ -280,8 +280,8 @@ double face_reader::off_sides(const json& loops, const Geom_BSplineSurface& s) c
 // no loops, and their sides are joined as those of other patches, by their control points. A note
 // says so.
 json face_reader::patch() {
-  // In parts of a parameter's range: chosen far above what OpenCASCADE's conversions round, and far
-  // below any length that is meant. The note tells the share, so that it decides nothing unsaid.
+  // As a part of a parameter's range: chosen far above the roundings of OpenCASCADE's conversions,
+  // and far below any length of a drawing. A note says how much was used.
   constexpr double rounding = 1e-12;
   const auto s = surface();
   json members = surface_members(*s), loops = json::array();

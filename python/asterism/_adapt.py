@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Adaptation: the metric that a solution asks for, the next mesh, and the solution brought to it."""
+"""Adaptation: the metric that a solution wants, the next mesh, and the transfer of the solution to it."""
 from __future__ import annotations
 
 import os
@@ -29,7 +29,7 @@ def _mesh_made(mesh: Any, name: str = "mesh") -> Any:
 
 
 def _made_of(what: Any) -> str:
-    """How a Mesh is made of what was given in place of one."""
+    """Returns the Mesh itself, or one made of an object of another package."""
     if isinstance(what, (str, os.PathLike)):
         return "; asterism.read() makes one of a file"
     if isinstance(what, (Domain, list, tuple, np.ndarray)):
@@ -104,7 +104,7 @@ def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "project") -> Any:
 
 
 def _as_given(fields: Any, moved: Any, report: Dict[str, Any]) -> Any:
-    """Arrays after a transfer by name, those of scalars (n,) as they were given."""
+    """Returns the arrays of a transfer by name. Scalars have the shape (n,) if they had it before."""
     return [(name, reported(after[:, 0] if np.ndim(before) == 1 else after, report))
             for (name, before), after in zip(fields, moved)]
 
@@ -133,7 +133,7 @@ class Adapted:
         return iter((self.mesh, self.values))
 
     def show(self, height: int = 640) -> Page:
-        """The page about the mesh with the one before, and the fields on both; see Mesh.show()."""
+        """Returns the page about the mesh with the one before, and the fields on both; see Mesh.show()."""
         carried = {} if self.carried is None else dict(named_fields(self.carried, "carried"))
         return self.mesh.show({**self.mesh.values, **carried}, before=self._before, height=height)
 
@@ -205,7 +205,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
 
 
 def _hessians(hessian: Union[str, Fields], count: int) -> Any:
-    """How second derivatives are recovered, and those that are given by name."""
+    """Returns the name of a method of recovery, or given second derivatives by name."""
     if isinstance(hessian, str):
         return hessian, []
     given = [(name, tensor_rows(name, of, count)) for name, of in named_fields(hessian, "hessian")]
@@ -219,7 +219,7 @@ def _hessians(hessian: Union[str, Fields], count: int) -> Any:
 
 def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike], implied: bool,
             has_hessians: bool) -> Any:
-    """The fields that the metric is made of or that come along, or the metric that is given."""
+    """Returns the fields of which the metric is made, those that are only carried, and a given metric."""
     if has_hessians:
         if metric is not None or implied:
             raise InputError("hessian: the metric is made of it, and another one is wanted besides")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calls whose arguments have no such names, or are too few or too many: told by what there is."""
+"""Calls with unknown names of arguments, or too few or too many: errors that name the possible arguments."""
 from __future__ import annotations
 
 import difflib
@@ -17,7 +17,7 @@ Class = TypeVar("Class")
 
 _PACKAGE = os.path.dirname(os.path.abspath(__file__)) + os.sep
 
-# Names in other packages, and the names here of which the first that the function has is meant.
+# Names of arguments in other packages, and the names here. The first that the function has is suggested.
 _OTHER_NAMES: Dict[str, Tuple[str, ...]] = {
     "h": ("size", "hmax"), "lc": ("size",), "hsiz": ("size",), "mesh_size": ("size",), "edge_length": ("size",),
     "max_size": ("hmax", "size"), "min_size": ("hmin",), "max_volume": ("size",), "max_area": ("size",),
@@ -37,11 +37,11 @@ _OTHER_NAMES: Dict[str, Tuple[str, ...]] = {
 
 
 class CallError(InputError, TypeError):
-    """An InputError, and a TypeError as Python itself raises it of such calls."""
+    """An InputError that is also a TypeError, which Python itself raises for such calls."""
 
 
 def meant(word: str, names: Iterable[str]) -> str:
-    """'; did you mean size?', or nothing where no name is near."""
+    """Returns '; did you mean size?', or "" where no name is near."""
     near = difflib.get_close_matches(word, list(names), 1, 0.7)
     return f"; did you mean {near[0]}?" if near else ""
 
@@ -54,7 +54,7 @@ def _hint(word: str, known: List[str]) -> str:
 
 
 def _why(name: str, signature: inspect.Signature, arguments: Tuple[Any, ...], more: Dict[str, Any]) -> str:
-    """What is wrong with a call, or nothing."""
+    """Returns what is wrong with a call, or None."""
     known = [of for of in signature.parameters if of not in ("self", "cls")]
     kinds = [of.kind for of in signature.parameters.values()]
     if inspect.Parameter.VAR_KEYWORD not in kinds:
@@ -80,7 +80,7 @@ def _why(name: str, signature: inspect.Signature, arguments: Tuple[Any, ...], mo
 
 
 def told(function: Function) -> Function:
-    """The function, whose calls with wrong names or numbers of arguments raise CallError."""
+    """Returns the function wrapped: calls with wrong names or numbers of arguments raise CallError."""
     signature = inspect.signature(function)
     name = function.__qualname__.replace(".__init__", "")
 
@@ -89,7 +89,8 @@ def told(function: Function) -> Function:
         try:
             return function(*arguments, **more)
         except TypeError as odd:
-            # One of the call itself was raised in this frame, and not in the function's.
+            # An error of the call itself was raised in this frame. One of the function's body was raised deeper, and
+            # is passed on.
             at = odd.__traceback__
             why = _why(name, signature, arguments, more) if at is not None and at.tb_next is None else ""
             if not why:
@@ -100,7 +101,8 @@ def told(function: Function) -> Function:
 
 
 def told_methods(of: Type[Class]) -> Type[Class]:
-    """The class, whose public methods are told(); of one that a class of ours inherits, its own."""
+    """Returns the class with its public methods wrapped by told(). Of a subclass of another class here, wraps its own
+    methods only."""
     for name, value in list(vars(of).items()):
         if name.startswith("_") and name != "__init__":
             continue
@@ -112,7 +114,7 @@ def told_methods(of: Type[Class]) -> Type[Class]:
 
 
 def warn(message: str, category: Type[Warning] = UserWarning) -> None:
-    """Warns at the line outside of this package that led here: each such line is told once."""
+    """Warns at the line outside of this package that called it, once for each such line."""
     level = 2
     frame = sys._getframe(1)
     while frame.f_back is not None and os.path.abspath(frame.f_code.co_filename).startswith(_PACKAGE):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the auditor says, as Python reads it."""
+"""The auditor's answer in Python's types."""
 from __future__ import annotations
 
 import json
@@ -9,14 +9,14 @@ from ._calls import meant
 
 
 class Finding(NamedTuple):
-    """Something that the auditor holds against a mesh: its kind, and a sentence with the place."""
+    """A fault that the auditor found in a mesh: its kind, and a sentence that names the place."""
 
     kind: str
     witness: str
 
 
 class Certificate:
-    """What the auditor says of a mesh: attributes are the entries of `data`, and of the objects in it."""
+    """The auditor's answer about a mesh. Attributes are the entries of `data`, and of the objects in it."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -42,6 +42,6 @@ class Certificate:
 
 
 def judged(answer: Dict[str, Any]) -> Dict[str, Any]:
-    """The module's answer, its findings by name."""
+    """Returns the module's answer with its findings as objects."""
     answer["findings"] = [Finding(*finding) for finding in answer["findings"]]
     return answer

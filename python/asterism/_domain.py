@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Domains from arrays, files, and objects that other packages know."""
+"""Domains from arrays, from files, and from objects of other packages."""
 from __future__ import annotations
 
 import json
@@ -81,13 +81,13 @@ class Domain:
 
     @property
     def box(self) -> Tuple[float, float, float, float]:
-        """Least x and y, greatest x and y."""
+        """The bounding box: least x and y, greatest x and y."""
         return self._made.box
 
     @property
     def __geo_interface__(self) -> Dict[str, Any]:
-        """What it covers, as a Polygon or MultiPolygon of GeoJSON, which shapely.geometry.shape() takes: no
-        segments inside, no regions; of curves the chords."""
+        """The domain as a Polygon or MultiPolygon of GeoJSON, which shapely.geometry.shape() takes. It has no
+        segments inside and no regions, and the chords of curves."""
         polygons = [[_positions(ring) for ring in rings] for rings in _asterism._polygons(self._made)]
         if len(polygons) == 1:
             return {"type": "Polygon", "coordinates": tuple(polygons[0])}
@@ -95,7 +95,7 @@ class Domain:
 
     @property
     def repairs(self) -> List[Repair]:
-        """Where the domain was changed, if it was to be repaired."""
+        """The places at which a repair changed the domain."""
         return [Repair(*place) for place in self._made.repairs]
 
     def __repr__(self) -> str:
@@ -108,7 +108,7 @@ class Domain:
 
     @classmethod
     def square(cls) -> Domain:
-        """[-1, 1]^2, as the command knows it."""
+        """The built-in square [-1, 1]^2."""
         return cls._of(_Domain.load("square"))
 
     @classmethod
@@ -135,7 +135,7 @@ class Domain:
 
     @classmethod
     def _covering(cls, mesh: Mesh) -> Domain:
-        """What a mesh covers, which may stay as it is where it meets what is asked already."""
+        """Returns the domain of a mesh. The mesh may be kept if it already meets what is asked."""
         domain = cls.from_mesh(mesh)
         domain._is_meshed = True
         return domain
@@ -189,8 +189,8 @@ def _refuse_for_mesh(name: str, repair: "bool | float", convex_hull: bool) -> No
 
 
 def as_domain(what: Any, repair: "bool | float" = False, convex_hull: bool = False) -> Domain:
-    """A domain of whatever may stand for one: a Domain or a Mesh, the name of a file or of one that the
-    command knows, polygons, or the points of a ring."""
+    """Returns a domain made of a Domain or a Mesh, the name of a file or of a built-in domain, polygons, or the
+    points of a ring."""
     if isinstance(what, Domain):
         if repair is False and not convex_hull:
             return what
@@ -218,7 +218,7 @@ def _positions(ring: npt.NDArray[np.float64]) -> Tuple[Tuple[float, float], ...]
 
 
 def _ring(points: npt.ArrayLike) -> Tuple[Any, npt.NDArray[np.int64]]:
-    """Points without the last one where it repeats the first, and the segments from each to the next."""
+    """Returns the points, without the last one where it repeats the first, and the segments from each to the next."""
     corners: Any = points if isinstance(points, np.ndarray) else _array(points)
     if corners.ndim != 2 or corners.shape[1] != 2:
         raise InputError(f"points: the shape (n, 2) is wanted, not {corners.shape}{_instead(corners.shape)}")
@@ -241,14 +241,14 @@ def _array(points: Any) -> Any:
 
 
 def _instead(shape: Tuple[int, ...]) -> str:
-    """What has the shape (n, 2) in place of a table that has not."""
+    """Returns the array in a table that has the shape (n, 2), where the table itself has not."""
     if len(shape) == 2 and shape[0] == 2 and shape[1] > 2:
         return "; points.T has it"
     return "; points[:, :2] leaves the third coordinate out" if len(shape) == 2 and shape[1] == 3 else ""
 
 
 def _near(name: str) -> str:
-    """A domain that the command knows, or a file beside, that a name without a file is near to."""
+    """Returns a built-in domain, or a file in the same folder, whose name is near to an unknown name."""
     folder, last = os.path.split(name)
     try:
         there = [*(() if folder else _BUILT_IN), *os.listdir(folder or ".")]
@@ -258,7 +258,7 @@ def _near(name: str) -> str:
 
 
 def _bare(shape: Any) -> Any:
-    """What says where it is, without properties, in which anything may be."""
+    """Returns the geometry without properties, which may have any type."""
     shape = getattr(shape, "__geo_interface__", shape)
     if not isinstance(shape, dict):
         return shape
@@ -273,7 +273,7 @@ def _bare(shape: Any) -> Any:
 
 
 def _plain(value: Any) -> Any:
-    """Numbers and arrays of numpy, as json takes them."""
+    """Returns numbers and arrays of numpy in types that json writes."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
     raise TypeError(f"{type(value).__name__} is no number")

@@ -14,20 +14,20 @@ from ._forms import path_of
 
 Point = Tuple[float, float]
 
-# Ends of entities as near as this part of the extent are one vertex: ends of arcs are computed from
-# angles of sixteen digits.
+# Ends of entities within this part of the extent are one vertex: ends of arcs are computed from angles of sixteen
+# digits.
 ROUNDING = 1e-9
 
 
 class _Drawing:
-    """Vertices, segments and curves, put together entity by entity."""
+    """Collects vertices, segments and curves, entity by entity."""
 
     def __init__(self, name: str) -> None:
         self.name = name
-        self.ends: List[Point] = []  # as drawn, two for each segment
+        self.ends: List[Point] = []  # ends as drawn, two for each segment
         self.markers: List[int] = []
-        self.curves: List[str] = []  # "arc N x y ccw": N the number of its segment
-        self.circles: List[Tuple[Point, Point, int]] = []  # vertex, centre, marker
+        self.curves: List[str] = []  # "arc N x y ccw", where N is the number of its segment
+        self.circles: List[Tuple[Point, Point, int]] = []  # circles: vertex, centre, marker
         self.layers: Dict[str, int] = {}
         self.heights: List[Tuple[str, float]] = []
         self.passed_over: Dict[str, int] = {}
@@ -71,11 +71,11 @@ class _Drawing:
         self.curves.append(f"bezier {len(self.markers)} {x1!r} {y1!r} {x2!r} {y2!r}")
 
     def bulged(self, a: Point, b: Point, bulge: float, layer: str) -> None:
-        """The arc between two points whose quarter angle has this tangent."""
+        """Adds the arc between two points whose quarter angle has this tangent."""
         if bulge == 0 or a == b:
             self.line(a, b, layer)
             return
-        # From the middle of the chord to the centre, as a part of the chord turned left.
+        # The centre is at this multiple of the chord, rotated to the left, from the chord's middle.
         part = (1 - bulge * bulge) / (4 * bulge)
         centre = ((a[0] + b[0]) / 2 - part * (b[1] - a[1]), (a[1] + b[1]) / 2 + part * (b[0] - a[0]))
         self.arc(a, b, centre, bulge > 0, layer)
@@ -97,7 +97,7 @@ class _Drawing:
         self.line(self.flat(e.dxf.start, "LINE"), self.flat(e.dxf.end, "LINE"), layer)
 
     def _upright(self, e: Any, kind: str) -> bool:
-        """Whether the entity's own plane is that of the drawing; its mirror image is not read."""
+        """True if the entity's own plane is the drawing's. A mirrored plane is not read."""
         if tuple(map(float, e.dxf.extrusion)) == (0.0, 0.0, 1.0):
             return True
         self.passed_over[kind + " in another plane"] = self.passed_over.get(kind + " in another plane", 0) + 1
@@ -142,7 +142,7 @@ class _Drawing:
     def _cubics(self, curves: Iterable[Any], layer: str, what: str) -> None:
         for curve in curves:
             control = [self.flat(p, what) for p in curve.control_points]
-            if len(control) == 3:  # a quadratic, as a cubic
+            if len(control) == 3:  # a quadratic curve as a cubic one
                 (ax, ay), (bx, by), (cx, cy) = control
                 control = [control[0], ((ax + 2 * bx) / 3, (ay + 2 * by) / 3),
                            ((cx + 2 * bx) / 3, (cy + 2 * by) / 3), control[2]]
@@ -167,8 +167,8 @@ class _Drawing:
 
 
 def _joined(points: List[Point], distance: float) -> Tuple[List[Point], List[int], float]:
-    """Points of which no two are as near as the distance, the number of each given one among them, and how far
-    one moved at most."""
+    """Returns points of which no two are within the distance, for each given point the number of its point, and the
+    greatest move."""
     cells: Dict[Tuple[int, int], List[int]] = {}
     kept: List[Point] = []
     numbers: List[int] = []

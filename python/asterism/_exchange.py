@@ -29,7 +29,7 @@ def to_meshio(mesh: Mesh) -> Any:
     references = [np.array(mesh.regions), np.array(mesh.edge_markers)]
     entities = np.full((len(mesh.points), 2), (2, 1), dtype=np.int32)
     entities[np.unique(mesh.edges), 0] = 1
-    if (entities[:, 0] == 1).all():  # an entity without points would be in no file
+    if (entities[:, 0] == 1).all():  # meshio writes no entity without points
         entities[-1, 0] = 2
     return meshio.Mesh(
         _in_space(mesh.points), [("triangle", np.array(mesh.triangles)), ("line", np.array(mesh.edges))],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The forms in which metrics and fields are given, brought into the module's own."""
+"""Converts the forms in which metrics and fields are given to the module's own."""
 from __future__ import annotations
 
 import math
@@ -16,19 +16,19 @@ Fields = Union[npt.ArrayLike, Mapping[str, npt.ArrayLike]]
 NamedFields = List[Tuple[str, Any]]
 Doubles = npt.NDArray[np.float64]
 
-# Bytes of a path, of which Linux takes no more.
+# Most bytes of a path on Linux.
 _LONGEST_NAME = 4095
 
-# Meshes that are read through meshio.
+# Endings of meshes that meshio reads.
 MESHIO_FILES = (".xdmf", ".xmf")
 
-# Roundings of a product of matrices leave two off-diagonal entries no farther apart, in parts of the
-# geometric mean of the others.
+# After a product of matrices, roundings may leave two off-diagonal entries this far apart, as a part of the geometric
+# mean of the diagonal ones.
 _LARGEST_ASYMMETRY = 1e-12
 
 
 def doubles(name: str, values: Any) -> Doubles:
-    """An array of doubles; complex numbers, masked entries and texts are refused."""
+    """Returns an array of doubles. Complex numbers, masked entries and texts raise InputError."""
     return np.asarray(_asterism._doubles(name, values), order="C")
 
 
@@ -72,19 +72,19 @@ def _of_matrices(name: str, matrices: Doubles) -> Doubles:
 
 
 def named_fields(values: Fields, name: str = "u") -> NamedFields:
-    """Fields by name; one without a name is called `name`."""
+    """Returns fields by name. A field without a name is called `name`."""
     if isinstance(values, Mapping):
         return [(str(key), of) for key, of in values.items()]
     return [(name, values)]
 
 
 def like(given: Fields, moved: NamedFields) -> Any:
-    """Arrays in the form of what was given: one, or a dict."""
+    """Returns arrays in the form of the argument: one array, or a dict."""
     return dict(moved) if isinstance(given, Mapping) else moved[0][1]
 
 
 def fields_and_tensors(values: Fields) -> Tuple[NamedFields, Optional[Doubles]]:
-    """Scalars and vectors by name, or a metric that is given."""
+    """Returns scalars and vectors by name, or a metric if one is given."""
     if isinstance(values, (str, os.PathLike)):
         raise InputError(f"values: arrays are wanted, not {str(values)!r}; asterism.read() of the mesh's file gives a "
                          "Mesh, whose `values` are the fields in it")
@@ -104,7 +104,7 @@ def fields_and_tensors(values: Fields) -> Tuple[NamedFields, Optional[Doubles]]:
 
 
 def norm_of(norm: Any) -> Any:
-    """As the command spells it, too: 'inf'."""
+    """Returns the exponent of a norm. Takes the command's spelling 'inf', too."""
     return math.inf if norm == "inf" else norm
 
 
@@ -117,7 +117,7 @@ def gradation_of(gradation: Any, of_fields: bool) -> Any:
 
 
 def definite(name: str, rows: Doubles) -> Doubles:
-    """Tensors (n, 3) or (3,), all of them positive definite, by exact signs."""
+    """Returns tensors (n, 3) or (3,), all of them positive definite by exact signs."""
     if rows.size and np.isfinite(rows).all():
         wrong = np.flatnonzero(np.atleast_1d(_asterism._is_positive_definite(rows)) == 0)
         if len(wrong):
@@ -128,10 +128,10 @@ def definite(name: str, rows: Doubles) -> Doubles:
 
 
 class CalledMetric:
-    """A callable from points to sizes, tensors or matrices, as one to tensors (n, 3)."""
+    """Returns a callable to tensors (n, 3), made of one to sizes, tensors or matrices."""
 
     def __init__(self, function: Callable[[Any], Any], somewhere: Doubles) -> None:
-        """Asks at one point of the domain, (1, 2), what kind of answer it gives."""
+        """Asks at one point of the domain, (1, 2), whether the callable returns sizes, tensors or matrices."""
         self.function = function
         answer = doubles("the metric's answer", function(somewhere.copy()))
         kinds: Dict[Tuple[int, ...], str] = {
@@ -158,17 +158,17 @@ class CalledMetric:
 
 
 def constant_text(tensor: Doubles) -> str:
-    """The formula of a constant metric, as the command takes it."""
+    """Returns the formula of a constant metric in the command's form."""
     return "expr:" + ";".join(repr(float(entry)) for entry in tensor.reshape(3))
 
 
 def is_mesh_file(name: str) -> bool:
-    """True if a file of this name is a mesh, as the library tells them, or one that meshio reads for us."""
+    """True if a file of this name is a mesh, by the library's rules or as one of meshio's."""
     return _asterism._is_mesh_file(name) or name.lower().endswith(MESHIO_FILES)
 
 
 def path_of(path: "str | bytes | os.PathLike[str]") -> str:
-    """The name of a file, as text."""
+    """Returns the name of a file as text."""
     try:
         name = os.fsdecode(path)
     except TypeError:
@@ -180,7 +180,7 @@ def path_of(path: "str | bytes | os.PathLike[str]") -> str:
 
 
 def write_text(name: str, text: str) -> None:
-    """Writes a file; InputError where none can be written."""
+    """Writes a file. Raises InputError if it cannot be written."""
     try:
         with open(name, "w", encoding="utf-8") as file:
             file.write(text)
@@ -189,19 +189,19 @@ def write_text(name: str, text: str) -> None:
 
 
 def whole(name: str, value: Any, least: int, what: str = "a whole number") -> int:
-    """A whole number, Python's or numpy's."""
+    """True of a whole number of Python's or numpy's."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not least <= value < 2**31:
         raise InputError(f"{name}: {what} of at least {least} is wanted, not {value!r}")
     return int(value)
 
 
 def is_table(what: Any) -> bool:
-    """True of what an array is made of, whatever is in it; sets have no order."""
+    """True if an array can be made of the argument, whatever its entries are. Sets have no order and are excluded."""
     return isinstance(what, (list, tuple)) or hasattr(what, "__array__") or hasattr(what, "__array_interface__")
 
 
 def marker_pairs(periodic: Sequence[Tuple[int, int]]) -> List[Tuple[int, int]]:
-    """Pairs of markers of sides that are to have the same points."""
+    """Returns pairs of markers of sides that must have the same points."""
     pairs = []
     if not isinstance(periodic, (list, tuple)):
         raise InputError(f"periodic: pairs of markers are wanted, as [(4, 2)], and not {periodic!r}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes audited."""
+"""Audits of meshes."""
 from __future__ import annotations
 
 import os
@@ -17,8 +17,8 @@ from ._mesh import Mesh, read
 @told
 def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] = None,
            angle_bound: Optional[float] = None) -> Dict[str, Any]:
-    """Audits a mesh again, against the text of a certificate or its own: `verified`,
-    `contradictions`, `findings` (each with `kind` and `witness`) and what was measured."""
+    """Audits a mesh again, and compares it with the text of a certificate or with its own. Returns `verified`,
+    `contradictions`, `findings` (each with `kind` and `witness`) and the measured numbers."""
     of = subject if isinstance(subject, Mesh) else read(subject)
     return judged(_asterism._verify(of._made, {"certificate": certificate, "angle_bound": angle_bound}))
 
@@ -27,10 +27,10 @@ def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] 
 def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] = None,
             metric: Optional[npt.ArrayLike] = None, angle_bound: float = 20, voronoi: bool = False,
             prove_voronoi: bool = False) -> Dict[str, Any]:
-    """Is a triangulation from elsewhere the mesh of its points' stars, with no angle below the bound?
-    metric: in any form that tensors have, one for all or one a point; None: the plane's, or a Mesh's own.
-    `certified`, `not_in_all_stars`, `low_triangles`, `findings` (each with `kind` and `witness`) and
-    what was measured."""
+    """Audits a triangulation from elsewhere: whether it consists of its points' stars, and no angle is below the
+    bound. metric: in any form that tensors have, one for all or one at each point; None: the identity, or a Mesh's
+    own. Returns `certified`, `not_in_all_stars`, `low_triangles`, `findings` (each with `kind` and `witness`) and the
+    measured numbers."""
     if isinstance(points, Mesh):
         if triangles is not None or metric is not None:
             raise InputError("triangles, metric: a Mesh has its own; certify(mesh.points, mesh.triangles, metric) "

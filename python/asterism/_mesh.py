@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes: what they hold, what is measured of them, and how they are shown and passed on."""
+"""Meshes: their arrays, measures, pictures and files."""
 from __future__ import annotations
 
 import os
@@ -86,7 +86,7 @@ class Mesh:
 
     @property
     def disagreeing(self) -> Wholes:
-        """(d, 3), triangles that not all of their corners' stars have; none of a complete mesh."""
+        """(d, 3), triangles that are not in the stars of all three corners; none in a complete mesh."""
         return self._made.disagreeing
 
     @property
@@ -106,7 +106,7 @@ class Mesh:
 
     @property
     def given(self) -> int:
-        """How many points, the first ones, are the domain's."""
+        """How many points, the first ones, are vertices of the domain."""
         return self._made.given
 
     @property
@@ -116,8 +116,8 @@ class Mesh:
 
     @property
     def certified(self) -> bool:
-        """True if it did, and the auditor found nothing against the mesh. False of a mesh from elsewhere,
-        whatever its certificate says: verify() audits it."""
+        """True if the mesher reached its goal, and the auditor found nothing against the mesh. False for a mesh from
+        elsewhere, even beside a certificate: verify() audits it."""
         return self._made.certified
 
     @property
@@ -127,29 +127,30 @@ class Mesh:
 
     @property
     def values(self) -> Dict[str, Doubles]:
-        """Fields at the points by name: those it was given, or that adapt() brought to it."""
+        """Fields at the points by name: those given with the mesh, or those that adapt() transferred to it."""
         return dict(self._values)
 
     @property
     def certificate(self) -> Optional[Certificate]:
-        """None of a mesh that came from elsewhere without one."""
+        """The certificate. None for a mesh from elsewhere without one."""
         text = self._made.certificate_text
         return None if text is None else Certificate(text)
 
     @property
     def domain(self) -> Domain:
-        """What it is a mesh of: the domain of the run or of its certificate; else what it covers."""
+        """The domain of the run or of the certificate; else the domain that the mesh covers."""
         original = self._made.original()
         return Domain.from_mesh(self) if original is None else Domain._of(original)
 
     @property
     def angles(self) -> Doubles:
-        """(t, 3), degrees: the angle at each corner, the least of what the three corners measure."""
+        """(t, 3), degrees: the angle at each corner, the least over the metrics of the three corners."""
         return _asterism._angles(self._made)
 
     @property
     def lengths(self) -> Doubles:
-        """(t, 3): the metric length of the side across from each corner, the mean of what its ends measure."""
+        """(t, 3): the metric length of the side opposite to each corner, the mean over the metrics of its two
+        ends."""
         return _asterism._lengths(self._made)
 
     @property
@@ -159,11 +160,11 @@ class Mesh:
 
     @property
     def neighbors(self) -> Wholes:
-        """(t, 3): the triangle across the side that is across from each corner; -1 at the boundary."""
+        """(t, 3): the triangle across the side opposite to each corner; -1 at the boundary."""
         return _asterism._neighbors(self._made)
 
     def locate(self, points: npt.ArrayLike) -> Wholes:
-        """(n,): a triangle that each point (n, 2) is in, its sides included, by exact signs; -1 outside."""
+        """(n,): a triangle that contains each point (n, 2), on its sides too, by exact signs; -1 outside."""
         return _asterism._locate(self._made, doubles("points", points))
 
     def interpolate(self, values: npt.ArrayLike, points: npt.ArrayLike, *,
@@ -193,7 +194,7 @@ class Mesh:
         return made
 
     def statistics(self) -> Dict[str, float]:
-        """Edge lengths, shapes and more, by name, each as the metric measures it."""
+        """Edge lengths, shapes and more in the metric, by name."""
         return self._made.statistics()
 
     def verify(self, certificate: Optional[str] = None, angle_bound: Optional[float] = None) -> Dict[str, Any]:
@@ -225,7 +226,7 @@ class Mesh:
 
     @property
     def __geo_interface__(self) -> Dict[str, Any]:
-        """What the mesh covers, as polygons: shapely.geometry.shape(mesh), and whatever else knows GeoJSON."""
+        """The domain that the mesh covers, as polygons of GeoJSON: for shapely.geometry.shape(mesh) and others."""
         return Domain.from_mesh(self).__geo_interface__
 
     def to_meshio(self) -> Any:
@@ -239,7 +240,7 @@ class Mesh:
 
     @classmethod
     def from_meshio(cls, other: Any) -> Mesh:
-        """Of a meshio.Mesh: its triangles and lines, in their references, and its point data as values."""
+        """Makes a Mesh of a meshio.Mesh: triangles and lines with their references, and point data as values."""
         from ._exchange import from_meshio
 
         return from_meshio(other)
@@ -269,7 +270,7 @@ class Mesh:
         return self._made.svg()
 
     def svg(self, width: int = 600, ellipses: bool = False) -> str:
-        """The picture as text; with `ellipses` the unit circles of the metric."""
+        """Returns the picture as text; with `ellipses` it shows the unit circles of the metric."""
         return self._made.svg(width=whole("width", width, 16), ellipses=bool(ellipses))
 
     def __repr__(self) -> str:
@@ -280,7 +281,7 @@ class Mesh:
 
 
 def _weights(corners: Doubles, at: Doubles) -> Doubles:
-    """Barycentric coordinates (n, 3) of points in triangles (n, 3, 2), none below 0, their sum 1."""
+    """Returns barycentric coordinates (n, 3) of points in triangles (n, 3, 2), none below 0, with sum 1."""
     areas = np.empty((len(at), 3))
     for k in range(3):
         a, b = corners[:, (k + 1) % 3], corners[:, (k + 2) % 3]

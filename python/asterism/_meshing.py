@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Domains meshed."""
+"""Meshes of domains."""
 from __future__ import annotations
 
 import os
@@ -112,7 +112,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
 
 def _metric_and_size(metric: Any, on: Optional[Mesh], domain: Domain, size: Optional[float],
                      is_unscaled: bool) -> Tuple[Any, Optional[float]]:
-    """The metric in one of the module's three forms, and the size wanted in it."""
+    """Returns the metric in one of the module's three forms, and the size wanted in it."""
     default = 1.0 if size is None and is_unscaled else size
     if on is not None or isinstance(metric, Mesh) or _is_pair(metric):
         background, given = (on, metric) if on is not None else (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page about a mesh, in a notebook: what stands on it, and how it is shown."""
+"""The page about a mesh in a notebook: its contents, and how it is shown."""
 from __future__ import annotations
 
 import html
@@ -17,7 +17,7 @@ from ._forms import Fields, NamedFields, doubles, named_fields, path_of, tensor_
 if TYPE_CHECKING:
     from ._mesh import Mesh
 
-# A mesh with the fields that it holds, a mesh and other fields on it, or a domain.
+# What stands on a page: a mesh with its own fields, a mesh with other fields, or a domain.
 Earlier = Union["Mesh", Tuple["Mesh", Fields], Domain]
 Before = Union[Earlier, Sequence[Earlier], Mapping[str, Earlier]]
 
@@ -46,7 +46,7 @@ class Page:
 
 def page_of(mesh: Mesh, values: Optional[Fields], before: Optional[Before], wanted: Optional[npt.ArrayLike],
             title: str, label: Optional[str], height: int) -> Page:
-    """The page that Mesh.show() returns, whose arguments these are."""
+    """Returns the page of Mesh.show(), whose arguments these are."""
     height = whole("height", height, 1, "a whole number of pixels")
     frames, own = _frames(before)
     words: Dict[str, Any] = {
@@ -61,7 +61,7 @@ def _fields(values: Fields) -> NamedFields:
 
 
 def _frames(before: Optional[Before]) -> Tuple[List[Any], str]:
-    """Labels, meshes and fields in the form that the module takes, and the label of the mesh itself."""
+    """Returns labels, meshes and fields in the module's form, and the label of the mesh itself."""
     if before is None:
         return [], ""
     if isinstance(before, Mapping):
@@ -76,7 +76,7 @@ def _is_shown(what: Any) -> bool:
 
 
 def _is_pair(what: Any) -> bool:
-    """True of a mesh and fields; two meshes are two rounds."""
+    """True of a mesh with fields. Two meshes are two rounds."""
     return (isinstance(what, tuple) and len(what) == 2 and isinstance(getattr(what[0], "_made", None), _asterism._Mesh)
             and not _is_shown(what[1]) and not _is_pair(what[1]))
 

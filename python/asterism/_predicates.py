@@ -16,7 +16,7 @@ from . import _asterism
 from ._asterism import InputError
 from ._calls import told
 
-# Questions of a batch: a tenth of a second where half of them need exact numbers.
+# Questions in a batch, which takes a tenth of a second if half of them need exact numbers.
 _BATCH = 16384
 
 
@@ -30,7 +30,8 @@ def _table(name: str, given: Any) -> Any:
 
 
 def _broadcast(tables: List[Any]) -> Tuple[List[Any], Tuple[int, ...]]:
-    """Tables of rows, those of one row left alone, and the shape of the answers."""
+    """Returns tables with a row for each question, and the shape of the answers. A table of one row stays as it
+    is."""
     try:
         shape = np.broadcast_shapes(*[table.shape[:-1] for table in tables])
     except ValueError:
@@ -109,8 +110,8 @@ def is_positive_definite(metric: npt.ArrayLike, *, counts: bool = False) -> Any:
 @told
 def in_circle(a: npt.ArrayLike, b: npt.ArrayLike, c: npt.ArrayLike, p: npt.ArrayLike,
               metric: npt.ArrayLike = (1, 0, 1), *, counts: bool = False) -> Any:
-    """1 where p is inside the circle of the metric through a, b, c (these counter-clockwise; else
-    the other way round), -1 outside, 0 on it. Points (n, 2), tensors (n, 3)."""
+    """1 where p is inside the circle of the metric through a, b, c, -1 outside, 0 on it; signs are reversed where a,
+    b, c are clockwise. Points (n, 2), tensors (n, 3)."""
     return _ask(_asterism._in_circle, counts, metric=metric, a=a, b=b, c=c, p=p)
 
 
@@ -155,12 +156,12 @@ def encroaches(a: npt.ArrayLike, b: npt.ArrayLike, w: npt.ArrayLike, *, counts: 
 @told
 def insertion_test(v: npt.ArrayLike, w: npt.ArrayLike, x: npt.ArrayLike, y: npt.ArrayLike, *,
                    counts: bool = False) -> Any:
-    """1 where w may stand in the star of v between x and y; touching is 0."""
+    """1 where w belongs between x and y in the star of v; touching is 0."""
     return _ask(_asterism._insertion_test, counts, v=v, w=w, x=x, y=y)
 
 
 @told
 def edge_test(v: npt.ArrayLike, w: npt.ArrayLike, x: npt.ArrayLike, y: npt.ArrayLike, *,
               counts: bool = False) -> Any:
-    """insertion_test with ties broken alike from every side: what a mesh generator asks."""
+    """insertion_test with ties broken alike in every star: the question of a mesh generator."""
     return _ask(_asterism._edge_test, counts, v=v, w=w, x=x, y=y)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arrays that know how they were made."""
+"""Arrays with a report of how they were made."""
 from __future__ import annotations
 
 from typing import Any, Dict, Optional, Tuple
@@ -41,7 +41,7 @@ class ReportedArray(np.ndarray):  # type: ignore[type-arg]
 
 
 def reported(array: Any, report: Dict[str, Any]) -> ReportedArray:
-    """The array with its report."""
+    """Returns the array with its report."""
     made: ReportedArray = array.view(ReportedArray)
     made.report = report
     return made

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sizes at places, as mesh() takes them and as the certificate words them."""
+"""Sizes at places: the forms that mesh() takes, and their words in certificates."""
 from __future__ import annotations
 
 from typing import Any, Iterable, Mapping, Optional, Sequence, Union
@@ -23,7 +23,7 @@ def _numbers(name: str, values: Any, least: int = 1) -> str:
 
 
 def _places(name: str, given: Places, width: int) -> Any:
-    """Each place, and what is wanted there."""
+    """Yields each place, and the size wanted there."""
     try:
         rows = [list(one) for one in given]
     except TypeError:
@@ -32,7 +32,7 @@ def _places(name: str, given: Places, width: int) -> Any:
 
 
 def _items(name: str, given: Optional[Sizes]) -> Any:
-    """Each number of a region or marker, and what is wanted there."""
+    """Yields each number of a region or marker, and the size wanted there."""
     if not given:
         return []
     if not isinstance(given, Mapping) or not all(isinstance(number, (int, np.integer)) for number in given):
@@ -42,7 +42,7 @@ def _items(name: str, given: Optional[Sizes]) -> Any:
 
 def words_of(at: Places, boxes: Places, regions: Optional[Sizes], near: Optional[Sizes], layers: Optional[Sizes],
              bounds: Mapping[str, Optional[float]]) -> str:
-    """The sizes in one text, "none" for none."""
+    """Returns the sizes in one text; "none" if there are none."""
     words = [f"at {place}:{wanted}" for place, wanted in _places("size_at", at, 3)]
     words += [f"box {place}:{wanted}" for place, wanted in _places("size_box", boxes, 4)]
     for kind, name, sizes in (("in", "size_in", regions), ("near", "size_near", near), ("layers", "layers", layers)):

@@ -29,7 +29,7 @@ class Surface:
     """
 
     def __init__(self, text: str) -> None:
-        """Of a JSON text as docs/manual/surfaces.md has it."""
+        """Makes a surface of a JSON text as docs/manual/surfaces.md describes it."""
         if not isinstance(text, str):
             raise InputError(f"text: a text of JSON is wanted, not {type(text).__name__}; Surface.bezier() and "
                              "Surface.bspline() take control points")
@@ -59,14 +59,14 @@ class Surface:
 
     @classmethod
     def named(cls, name: str) -> "Surface":
-        """A built-in one: torus, wing, teapot, saddle, octant."""
+        """Returns a built-in surface: torus, wing, teapot, saddle, octant."""
         if not isinstance(name, str):
             raise InputError(f"name: a text is wanted, not {name!r}")
         return cls(_asterism._surface_named(name))
 
     @classmethod
     def read(cls, path: "str | os.PathLike[str]") -> "Surface":
-        """Of a .json file of patches."""
+        """Reads a .json file of patches."""
         return cls(_asterism._surface_read(path_of(path)))
 
     @property
@@ -89,7 +89,7 @@ class Surface:
 
 @told_methods
 class SurfaceMesh:
-    """Triangles in space, and what was proved of them. Arrays cannot be written."""
+    """Triangles in space, and what was proved of them. The arrays are read-only."""
 
     def __init__(self, made: Dict[str, Any]) -> None:
         for name in ("points", "triangles", "patches", "uv"):
@@ -104,7 +104,7 @@ class SurfaceMesh:
         """(t, 3, 2) the parameters of the corners of each triangle in its patch"""
         self.certified: bool = made["certified"]
         self.reason: str = made["reason"]
-        """Why it is not certified; else empty."""
+        """The reason for which it is not certified; empty if it is."""
         self.certificate = Certificate(made["certificate"])
 
     def save(self, path: "str | os.PathLike[str]") -> List[str]:

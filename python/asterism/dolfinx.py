@@ -20,11 +20,12 @@ from ._asterism import InputError
 from ._mesh import Mesh
 from ._reported import ReportedArray
 
-Values = Any  # a Function, an array at the geometry's nodes, or a dict or list of them
+Values = Any  # a Function, an array with a row for each node of the geometry, or a dict or list of these
 
 
 class ToDolfinx(NamedTuple):
-    """A dolfinx mesh with its tags, and the point of the asterism.Mesh that each node of its geometry is."""
+    """A dolfinx mesh with its tags, and for each node of its geometry the number of its point in the
+    asterism.Mesh."""
 
     mesh: Any
     cell_tags: Any
@@ -130,11 +131,11 @@ def transfer(values: Values, to: Any, how: str = "project", *, mesh: Any = None)
     return given.on(nodes, old, moved)
 
 
-# What is given: Functions and arrays, alone, in a list or a dict.
+# Fields: Functions and arrays, alone, in a list or in a dict.
 
 
 class _Given:
-    """Functions and arrays by name, and the form in which they were given."""
+    """Returns Functions and arrays by name, and the form in which they were given."""
 
     def __init__(self, mesh: Any, given: Values, name: str) -> None:
         self.form = given
@@ -155,16 +156,17 @@ class _Given:
         return list(self.all)
 
     def at_nodes(self) -> Dict[str, Any]:
-        """Arrays at the nodes of the geometry."""
+        """Returns arrays with a row for each node of the geometry."""
         return {name: _at_nodes(of) if _is_function(of) else of for name, of in self.all.items()}
 
     def alone_or_named(self) -> Any:
-        """An array that was given alone may be a metric."""
+        """True if the argument is one array, which may be a metric."""
         arrays = self.at_nodes()
         return arrays if isinstance(self.form, (Mapping, list, tuple)) or len(arrays) != 1 else next(iter(arrays.values()))
 
     def on(self, new: ToDolfinx, old: Mesh, moved: Dict[str, Any]) -> Any:
-        """The fields after `moved`, arrays at the new mesh's points, in the form in which they were given."""
+        """Returns the fields after a transfer, arrays with a row for each point of the new mesh, in the form in which
+        they were given."""
         if not moved:
             return None
         made: Dict[str, Any] = {}
@@ -232,12 +234,12 @@ def _block(of: Any) -> int:
 
 
 def _rows(table: Any, width: int) -> npt.NDArray[np.int64]:
-    """A table of dolfinx, which is an adjacency list in some versions and an array in others."""
+    """Returns the rows of a table of dolfinx, an adjacency list in some versions and an array in others."""
     return np.asarray(getattr(table, "array", table), dtype=np.int64).reshape(-1, width)
 
 
 def _dofs(of: Any) -> npt.NDArray[np.int64]:
-    """The degrees of freedom of each cell: at its corners in their order, then across from them."""
+    """Returns the degrees of freedom of each cell: at its corners in their order, then on the opposite sides."""
     space = of.function_space
     count = space.mesh.topology.index_map(2).size_local
     flat = np.asarray(getattr(space.dofmap.list, "array", space.dofmap.list), dtype=np.int64).reshape(-1)
@@ -245,7 +247,7 @@ def _dofs(of: Any) -> npt.NDArray[np.int64]:
 
 
 def _at_nodes(of: Any) -> npt.NDArray[np.float64]:
-    """Values at the nodes of the geometry, (n,) or (n, c)."""
+    """Returns values at the nodes of the geometry, (n,) or (n, c)."""
     mesh, block = of.function_space.mesh, _block(of)
     values = np.zeros((len(mesh.geometry.x), block))
     values[_cells(mesh)] = np.asarray(of.x.array).reshape(-1, block)[_dofs(of)[:, :3]]
@@ -268,7 +270,8 @@ def _new_function(of: Any, mesh: Any) -> Any:
 
 
 def _function(of: Any, new: ToDolfinx, at_points: npt.NDArray[np.float64]) -> Any:
-    """A Function of degree 1 as `of` was, with the values at the points of the asterism.Mesh."""
+    """Returns a Function of degree 1, in a space like that of `of`, with the values at the points of the
+    asterism.Mesh."""
     made, block = _new_function(of, new.mesh), _block(of)
     values = np.asarray(at_points).reshape(-1, block)[new.points]
     made.x.array.reshape(-1, block)[_dofs(made)[:, :3]] = values[_cells(new.mesh)]
@@ -276,8 +279,8 @@ def _function(of: Any, new: ToDolfinx, at_points: npt.NDArray[np.float64]) -> An
 
 
 def _interpolated(of: Any, old: Mesh, mesh: Any) -> Any:
-    """A Function of degree 2 on the new mesh: the values of the old one at its points. Those outside the
-    old mesh, beside a curved boundary, have what the nearest point of it has."""
+    """Returns a Function of degree 2 on the new mesh: the values of the old one at its points. A point outside of the
+    old mesh, beside a curved boundary, gets the value of the nearest point."""
     made, block = _new_function(of, mesh), _block(of)
     at = np.asarray(made.function_space.tabulate_dof_coordinates())[:, :2]
     found = old.locate(at)
@@ -305,7 +308,7 @@ def _barycentric(corners: Any, at: Any) -> Any:
 
 
 def _outer_sides(cells: Any, neighbors: Any, triangles: Any) -> Any:
-    """Cells and two of their corners, on the boundary."""
+    """Returns cells with an edge on the boundary, and that edge's two corners."""
     t, i = np.nonzero(neighbors < 0)
     a, b = triangles[t, (i + 1) % 3], triangles[t, (i + 2) % 3]
     first = (cells[t] == a[:, None]).argmax(axis=1)
@@ -334,7 +337,7 @@ def _check_alone(comm: Any) -> None:
 
 
 def _cells(mesh: Any) -> npt.NDArray[np.int64]:
-    """The nodes of each cell."""
+    """Returns the nodes of each cell."""
     if not hasattr(mesh, "topology") or not hasattr(mesh, "geometry"):
         raise InputError(f"mesh: a dolfinx mesh is wanted, not {type(mesh).__name__}")
     _check_alone(mesh.comm)
@@ -361,7 +364,7 @@ def _check_dim(tags: Any, dim: int, name: str) -> None:
 
 
 def _facets(mesh: Any) -> npt.NDArray[np.int64]:
-    """The nodes of each facet."""
+    """Returns the nodes of each facet."""
     topology = mesh.topology
     topology.create_connectivity(1, 0)
     topology.create_connectivity(2, 0)
@@ -376,7 +379,7 @@ def _keys(pairs: Any, count: int) -> Any:
 
 
 def _edges_and_markers(mesh: Any, cells: Any, regions: Any, facet_tags: Any) -> Tuple[Any, Any]:
-    """Edges of the boundary, between regions and with a tag, and their markers."""
+    """Returns the edges on the boundary, between regions and with a tag, and their markers."""
     count = len(mesh.geometry.x)
     sides = cells[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2)
     keys = _keys(sides, count)
@@ -417,7 +420,7 @@ def _without_zero(new: ToDolfinx) -> Any:
 
 
 def _domain() -> Any:
-    """The coordinate element of plane triangles, as the version of dolfinx wants it."""
+    """Returns the coordinate element of plane triangles for the installed version of dolfinx."""
     try:
         import basix.ufl
 

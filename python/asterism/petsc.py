@@ -25,10 +25,10 @@ from ._asterism import InputError
 from ._forms import doubles, tensor_rows
 from ._mesh import Mesh
 
-# Labels that a DMPlex makes for itself.
+# Names of labels that a DMPlex makes for itself.
 _OWN_LABELS = ("celltype", "depth")
 
-Pair = Tuple[str, int]  # a label's name and a value of it
+Pair = Tuple[str, int]  # name and value of a label
 
 
 class AdaptedPlex(NamedTuple):
@@ -44,7 +44,8 @@ class AdaptedPlex(NamedTuple):
 
 
 class _Part(NamedTuple):
-    """What a process has: its vertices, its own cells by them, labelled cells, edges and vertices, and rows."""
+    """The part of a process: its vertices, its own cells by them, labelled cells, edges and vertices, and rows of
+    fields."""
 
     points: npt.NDArray[np.float64]
     cells: npt.NDArray[np.int64]
@@ -53,7 +54,7 @@ class _Part(NamedTuple):
 
 
 class _Whole(NamedTuple):
-    """The mesh in its one order: vertices by x, then y; cells by their vertices."""
+    """The mesh in its own order: vertices by x, then y; cells by their vertices."""
 
     points: npt.NDArray[np.float64]
     cells: npt.NDArray[np.int64]
@@ -95,7 +96,7 @@ def gathered(dm: Any) -> Optional[Mesh]:
     return made
 
 
-# Errors: whoever fails tells the others before anybody waits for somebody.
+# Errors: a process that fails sends its error to the others before any of them waits for it.
 
 
 def _raise_first(told: List[Optional[BaseException]]) -> None:
@@ -107,34 +108,34 @@ def _raise_first(told: List[Optional[BaseException]]) -> None:
 
 
 def _kept(error: BaseException) -> BaseException:
-    """An error that can be sent: one that cannot is told by its text."""
+    """Returns an error that can be sent. One that cannot be pickled is replaced by its text."""
     import pickle
 
     try:
         pickle.loads(pickle.dumps(error))
         return error
-    except Exception:  # an exception of any package may refuse to be pickled
+    except Exception:  # exceptions of some packages cannot be pickled
         return RuntimeError(f"{type(error).__name__}: {error}")
 
 
 def _together(comm: Any, work: Callable[[], Any]) -> Any:
-    """The outcome of work on this process; the first error of any on all of them."""
+    """Returns the result of work on this process. Raises the first error of any process on all of them."""
     done, error = None, None
     try:
         done = work()
-    except BaseException as raised:  # an interrupt is told, too
+    except BaseException as raised:  # an interrupt is sent, too
         error = _kept(raised)
     _raise_first(comm.allgather(error))
     return done
 
 
 def _on_first(comm: Any, work: Callable[[], Any]) -> Any:
-    """The outcome of work on the first process, None elsewhere; its error on all of them."""
+    """Returns the result of work on the first process, None on others. Raises its error on all of them."""
     done, error = None, None
     if comm.rank == 0:
         try:
             done = work()
-        except BaseException as raised:  # an interrupt is told, too
+        except BaseException as raised:  # an interrupt is sent, too
             error = _kept(raised)
     error = comm.bcast(error)
     if error is not None:
@@ -144,7 +145,7 @@ def _on_first(comm: Any, work: Callable[[], Any]) -> Any:
 
 @contextlib.contextmanager
 def _ending_all(comm: Any) -> Iterator[None]:
-    """Ends all processes where one fails among calls in which the others wait for it."""
+    """Ends all processes if one fails between collective calls, in which the others wait for it."""
     try:
         yield
     except BaseException:
@@ -155,16 +156,16 @@ def _ending_all(comm: Any) -> Iterator[None]:
         comm.Abort(1)
 
 
-# A process's part.
+# The part of a process.
 
 
 def _cones(dm: Any, cells: Tuple[int, int], edges: Tuple[int, int]) -> Tuple[Any, Any]:
-    """The edges of each cell and the vertices of each edge, as numbers of points."""
+    """Returns the edges of each cell and the vertices of each edge, as numbers of points."""
     from petsc4py import PETSc
 
     count = [cells[1] - cells[0], edges[1] - edges[0]]
     flat = None
-    try:  # all of them by one call of the library that petsc4py is linked with
+    try:  # one call of the library that petsc4py is linked with
         first = ctypes.c_void_p()
         library = ctypes.CDLL(PETSc.__file__)
         if library.DMPlexGetCones(ctypes.c_void_p(dm.handle), ctypes.byref(first)) == 0 and first.value:
@@ -195,7 +196,7 @@ def _part_of(dm: Any, given: Dict[str, Any]) -> _Part:
     cell_edges, edge_vertices = _cones(dm, cells, edges)
     ends = edge_vertices[cell_edges - edges[0]].reshape(-1, 6) - vertices[0]
     corners = np.sort(ends, axis=1)[:, ::2] if len(ends) else np.zeros((0, 3), dtype=np.int64)
-    at = np.array(dm.getCoordinatesLocal().array_r).reshape(-1, 2) + 0.0  # no zero is below another
+    at = np.array(dm.getCoordinatesLocal().array_r).reshape(-1, 2) + 0.0  # -0.0 and 0.0 are one place
     section = dm.getCoordinateSection()
     place = np.array([section.getOffset(v) for v in range(*vertices)], dtype=np.int64) // 2
     own = np.ones(len(corners), dtype=bool)
@@ -212,7 +213,7 @@ def _part_of(dm: Any, given: Dict[str, Any]) -> _Part:
 
 
 def _stratum(dm: Any, name: str, own: Any, edge_vertices: Any) -> List[Any]:
-    """For each value of a label the own cells, the edges by their vertices, and the vertices that have it."""
+    """Returns for each value of a label its own cells, edges by their vertices, and vertices."""
     cells, edges, vertices = _strata(dm)
     number = np.cumsum(own) - 1
     found = []
@@ -226,7 +227,7 @@ def _stratum(dm: Any, name: str, own: Any, edge_vertices: Any) -> List[Any]:
 
 
 def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
-    """The arrays by their names, prefixed by what they are for; rows for the local vertices."""
+    """Returns the arrays by their names, prefixed by their use, with rows for the local vertices."""
     rows: Dict[str, Any] = {}
     for use, fields in given.items():
         if fields is None:
@@ -247,7 +248,7 @@ def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
     return rows
 
 
-# The whole, on the first process.
+# Gathering the mesh.
 
 
 def _whole_of(parts: List[_Part]) -> _Whole:
@@ -270,7 +271,7 @@ def _whole_of(parts: List[_Part]) -> _Whole:
 
 
 def _one_way_round(points: Any, cells: Any) -> Any:
-    """Counter-clockwise, the least vertex first."""
+    """Returns the triangles counter-clockwise, each from its least vertex on."""
     from ._predicates import orientation
 
     cells = np.sort(cells, axis=1)
@@ -307,21 +308,21 @@ def _whole_rows(parts: List[_Part], order: Any, is_new: Any, number: Any) -> Dic
     return rows
 
 
-# The whole as an asterism.Mesh, its labels as regions, markers and required vertices.
+# The gathered mesh as an asterism.Mesh, with labels as regions, markers and required vertices.
 
 
 class _Labelling(NamedTuple):
-    """What the numbers of regions and markers, and the required vertices, stand for."""
+    """The labels for which the numbers of regions and markers, and the required vertices, stand."""
 
     regions: List[Tuple[Pair, ...]]
     markers: List[Tuple[Pair, ...]]
-    vertices: Dict[Pair, npt.NDArray[np.float64]]  # places
-    to_edges: List[Pair]  # pairs that edges of labelled cells have
-    to_vertices: List[Pair]  # pairs that vertices of labelled edges and cells have
+    vertices: Dict[Pair, npt.NDArray[np.float64]]  # coordinates
+    to_edges: List[Pair]  # pairs of name and value on edges of labelled cells
+    to_vertices: List[Pair]  # pairs of name and value on vertices of labelled edges and cells
 
 
 def _combined(labels: Dict[Pair, Any], count: int) -> Tuple[Any, List[Tuple[Pair, ...]]]:
-    """The number of what each item has of labels, from 1 where it has none."""
+    """Returns for each item the number of its set of labels, from 1 where it has none."""
     numbers = np.zeros(count, dtype=np.int64)
     sets: List[Tuple[Pair, ...]] = [()]
     for pair, items in labels.items():
@@ -353,7 +354,7 @@ def _mesh_of(whole: _Whole) -> Tuple[Mesh, _Labelling]:
     listed = (times == 1) | (markers != 0) | (regions[first // 3] != regions[last // 3])
     required, to_vertices = _vertices_apart(whole, count)
     kept = np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *required.values()]))
-    # Region 0 is what a part without a number may have; ours begin at 1.
+    # A part without a number may have region 0; the numbers here begin at 1.
     made = Mesh(whole.points, whole.cells, regions=regions + 1, edges=edges[listed], markers=markers[listed],
                 required_points=kept)
     places = {pair: whole.points[found] for pair, found in required.items()}
@@ -361,8 +362,8 @@ def _mesh_of(whole: _Whole) -> Tuple[Mesh, _Labelling]:
 
 
 def _edges_apart(whole: _Whole, keys: Any, count: int) -> Tuple[Dict[Pair, Any], List[Pair]]:
-    """Labelled edges by their numbers among the keys, without those that have the label of their cell, and the
-    pairs of which there are such."""
+    """Returns labelled edges by the numbers of their keys, without edges that have the label of their cell, and the
+    pairs on such edges."""
     apart: Dict[Pair, Any] = {}
     closed = []
     for pair, edges in whole.edge_labels.items():
@@ -377,7 +378,7 @@ def _edges_apart(whole: _Whole, keys: Any, count: int) -> Tuple[Dict[Pair, Any],
 
 
 def _vertices_apart(whole: _Whole, count: int) -> Tuple[Dict[Pair, Any], List[Pair]]:
-    """Labelled vertices without those of labelled edges and cells, and the pairs of which these are."""
+    """Returns labelled vertices without those of labelled edges and cells, and the pairs on the latter."""
     apart: Dict[Pair, Any] = {}
     closed = []
     for pair, vertices in whole.vertex_labels.items():
@@ -392,11 +393,11 @@ def _vertices_apart(whole: _Whole, count: int) -> Tuple[Dict[Pair, Any], List[Pa
 
 
 class _Scattered(NamedTuple):
-    """A mesh to scatter, with the labels of its points, and its fields by use and name."""
+    """A mesh to distribute, with the labels of its points, and its fields by use and name."""
 
     mesh: Mesh
     labelling: _Labelling
-    names: List[Pair]  # all pairs of the mesh before
+    names: List[Pair]  # all pairs on the mesh before
     rows: Dict[str, npt.NDArray[np.float64]]
 
 
@@ -420,11 +421,11 @@ def _fields(whole: _Whole, use: str, form: Any) -> Any:
     return found if isinstance(form, Mapping) else found[""]
 
 
-# The new mesh, scattered.
+# Distributing the new mesh.
 
 
 def _scatter(comm: Any, scattered: Optional[_Scattered], overlap: int) -> Tuple[Any, Any]:
-    """The distributed dm, and which point of the mesh each local vertex is."""
+    """Returns the distributed dm, and for each local vertex the number of its point in the mesh."""
     from petsc4py import PETSc
 
     mpi = comm.tompi4py()
@@ -466,7 +467,7 @@ def _brought(dm: Any, moved: Any, index: Any) -> Any:
 
 
 def _set_labels(dm: Any, scattered: Any, order: Any, first_vertex: int) -> None:
-    """Sets the labels of cells, edges and vertices of the dm, of which the first process has all."""
+    """Sets the labels of cells, edges and vertices of the dm, all of which the first process has."""
     from petsc4py import PETSc
 
     mesh, labelling = scattered.mesh, scattered.labelling
@@ -503,7 +504,7 @@ def _set_labels(dm: Any, scattered: Any, order: Any, first_vertex: int) -> None:
 
 
 def _rows_for(comm: Any, index: Any, made: Any, scattered: Optional[_Scattered]) -> Tuple[Any, Any, Any]:
-    """Fields at the local vertices, and the report."""
+    """Returns fields at the local vertices, and the report."""
     wanted = comm.gather(index)
     sent = None
     if scattered is not None:

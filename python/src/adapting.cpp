@@ -20,20 +20,20 @@
 namespace asterism::python {
 namespace {
 
-// Everything that was asked for.
+// Holds everything that was asked for.
 struct adapt_request {
-  solution fields;                      // the metric is made of
-  std::vector<metric_tensor> given;     // in place of fields
-  std::vector<nodal_hessian> hessians;  // that the metric is made of, in place of fields
+  solution fields;                      // fields of which the metric is made
+  std::vector<metric_tensor> given;     // a metric in place of fields
+  std::vector<nodal_hessian> hessians;  // in place of fields
   bool implied = false;
   std::vector<std::vector<metric_tensor>> besides;
-  solution carried;  // brought to the next mesh
+  solution carried;  // fields that are only transferred
   transfer_method how = transfer_method::interpolate;
   solution_metric_options wishes;
   mesh_adaptation_options options;
 };
 
-// What came of it.
+// Holds the results.
 struct adapt_answer {
   solution_metric metric;
   adapted_mesh next;
@@ -96,7 +96,7 @@ result<solution_metric> metric_of(const mesh& m, const adapt_request& asked) {
   return shape_metric(m, implied.value(), asked.wishes, asked.besides);
 }
 
-// Words the run for its certificate. Where files would be named it says that there were none.
+// Describes the run for its certificate. In place of names of files it says that there were none.
 void describe(const adapt_request& asked, const mesh& background, adapt_answer& made) {
   const std::string in_memory = "in memory";
   internal::metric_request request;

@@ -12,7 +12,7 @@ namespace {
   throw input_error(std::string(name) + ": " + why);
 }
 
-// Returns what an argument is, as a message quotes it.
+// Returns the argument's type in words, for a message.
 std::string shown(const py::object& value) {
   constexpr std::size_t most = 60;
   std::string text = py::repr(value).cast<std::string>();
@@ -28,7 +28,7 @@ void check_mask(const py::object& from, const char* name) {
   if (any.cast<bool>()) refuse(name, "some of its entries are masked, and every one is wanted");
 }
 
-// Rows of doubles side by side, any whole number of doubles apart.
+// Views rows of doubles whose distance is any whole number of doubles.
 bool has_plain_rows(const py::array_t<double>& a) {
   constexpr py::ssize_t size = sizeof(double);
   const py::ssize_t last = a.ndim() - 1;
@@ -141,7 +141,7 @@ std::optional<double> keywords::from_zero(const char* name) const {
 std::optional<std::size_t> keywords::count(const char* name, std::size_t least) const {
   const auto x = real(name);
   if (!x) return std::nullopt;
-  constexpr double most = 1e15;  // every whole number up to it is a double
+  constexpr double most = 1e15;  // all whole numbers up to here are doubles
   if (!(*x >= static_cast<double>(least) && *x <= most) || *x != std::floor(*x))
     refuse(name, "a whole number of at least " + std::to_string(least) + " is wanted, not " +
                      shown(object(name)));

@@ -46,7 +46,7 @@ using whole_array = py::array_t<std::int64_t, py::array::c_style>;
 // Returns an array of whole numbers, whatever type holds them.
 whole_array wholes_of(const py::object& from, const char* name);
 
-// An array of doubles with `width` numbers in a row; keeps what it looks at alive.
+// Views an array with `width` doubles in a row, and keeps the array alive.
 class number_table {
  public:
   // `name` is the argument's, for messages.
@@ -55,7 +55,7 @@ class number_table {
   bool is_single() const { return single_; }
   // Returns the number of rows, 1 where a single row stands for all.
   std::size_t rows() const { return rows_; }
-  // A single row stands for as many as there are.
+  // Repeats a single row `count` times.
   asterism_rows every() const { return {first_, rows_ == 1 ? 0 : stride_}; }
   const double* row(std::size_t k) const { return first_ + k * stride_; }
 
@@ -66,7 +66,7 @@ class number_table {
   bool single_ = false;
 };
 
-// Keyword arguments by name. One that is not there is None.
+// Holds keyword arguments by name. A missing one counts as None.
 class keywords {
  public:
   explicit keywords(py::dict given) : given_(std::move(given)) {}

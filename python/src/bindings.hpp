@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Declares the parts of the module asterism._asterism, a source file each.
+// Declares the parts of the module asterism._asterism, one for each source file.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Brings what a domain covers into the form of polygons with holes, as GeoJSON and shapely have
-// them.
+// Converts a domain to polygons with holes, as GeoJSON and shapely have them.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
@@ -25,8 +24,8 @@ struct covered_polygon {
   std::vector<ring> holes;
 };
 
-// Follows the boundary of a domain that check_domain accepted, with the domain on the left. Every
-// decision is an exact sign.
+// Follows the boundary of a domain that check_domain accepted, with the domain on the left. Decides
+// by exact signs only.
 class boundary_walk {
  public:
   boundary_walk(const std::vector<point>& vertices,
@@ -35,8 +34,8 @@ class boundary_walk {
     for (std::size_t e = 0; e < edges.size(); ++e) leaving_[edges[e].a].push_back(e);
   }
 
-  // Returns the rings that the closed walk from edge e consists of, none if it was walked before.
-  // A walk that meets a vertex again falls apart there: a ring has each vertex once.
+  // Returns the rings of the closed walk from edge e, none if it was walked before. A walk that
+  // meets a vertex again is divided there, so that a ring has each vertex once.
   std::vector<ring> rings_from(std::size_t e) {
     std::vector<ring> rings;
     std::map<vertex_index, std::size_t> place;
@@ -68,7 +67,7 @@ class boundary_walk {
     return kernel_.orientation(vertices_[a], vertices_[b], vertices_[c]);
   }
 
-  // Takes the loop from place `first` on away from an open walk, whose vertex there is met again.
+  // Removes the loop from place `first` on from an open walk that has returned to its vertex there.
   static ring cut(ring& open, std::size_t first, std::map<vertex_index, std::size_t>& place) {
     ring loop(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
     for (std::size_t k = first + 1; k < open.size(); ++k) place.erase(open[k]);
@@ -76,8 +75,8 @@ class boundary_walk {
     return loop;
   }
 
-  // Returns the edge along which the boundary goes on after edge e: where several leave its end,
-  // the first one clockwise from e looked back at, because the domain between the two is e's.
+  // Returns the next edge of the boundary after edge e. Where several leave e's end, it is the
+  // first one clockwise from e reversed, since the domain lies between the two.
   std::size_t next(std::size_t e) const {
     const vertex_index from = edges_[e].a, at = edges_[e].b;
     const auto turned = [&](std::size_t k) {
@@ -99,8 +98,8 @@ class boundary_walk {
   std::vector<bool> is_walked_;
 };
 
-// Returns the parts of the domain, in the order of their first segments. Segments inside are no
-// boundary, and of curves there are the chords.
+// Returns the parts of the domain, in the order of their first segments. Leaves out segments
+// inside. Curves are replaced by their chords.
 std::vector<covered_polygon> covered_polygons(const domain& d) {
   std::vector<internal::covered_edge> edges;
   for (const segment& s : d.segments)

@@ -64,7 +64,7 @@ std::vector<segment> segments_of(const py::object& given, const py::object& mark
   return segments;
 }
 
-// Asks for a domain to be mended, within a distance or, without one, the least that suffices.
+// Repairs a domain within a distance, or within the least that suffices if none is given.
 struct repair_wish {
   bool is_wanted = false;
   std::optional<double> distance;
@@ -77,9 +77,9 @@ repair_wish repair_of(const py::object& given) {
   return {true, keywords(words).positive("repair")};
 }
 
-// Adds to a refusal that repair=True mends it, where it does.
+// Adds to a refusal that repair=True mends the domain, if it does.
 error with_remedy(const error& refusal, const domain& d) {
-  constexpr double units = 2e4;  // of kernels/work_units.hpp, ten microseconds each
+  constexpr double units = 2e4;  // in units of kernels/work_units.hpp, ten microseconds each
   domain_repairs repairs;
   if (!repair_domain(d, {}, &repairs, cancellation().with_work(units))) return refusal;
   return {refusal.message + "; repair=True mends it: " + repairs.messages.front(), refusal.code};

@@ -14,7 +14,7 @@
 namespace asterism::python {
 namespace {
 
-// Returns the findings of the auditor, as Python reads them.
+// Returns the auditor's findings as Python objects.
 py::dict findings_of(const audit_report& audit) {
   py::list witnesses;
   for (const audit_finding& f : audit.findings)

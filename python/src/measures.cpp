@@ -25,7 +25,8 @@ triangle_sites sites_of(const mesh& m, const triangle& t) {
   return {m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]};
 }
 
-// Returns the least angle at each corner, of those that the three corners measure, in degrees.
+// Returns the least angle at each corner, in degrees, over the metrics of the triangle's three
+// corners.
 std::array<double, 3> angles_of(const triangle_sites& t) {
   std::array<double, 3> least{180, 180, 180};
   for (std::size_t i = 0; i < 3; ++i)
@@ -36,7 +37,7 @@ std::array<double, 3> angles_of(const triangle_sites& t) {
   return least;
 }
 
-// Returns the length of the side across from each corner.
+// Returns the length of the side opposite to each corner.
 std::array<double, 3> lengths_of(const triangle_sites& t) {
   std::array<double, 3> lengths{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -64,7 +65,7 @@ py::array_t<double> qualities(const py_mesh& held) {
   return column;
 }
 
-// Refuses a mesh in whose triangles nothing can be looked up.
+// Refuses a mesh in which no triangle can be searched for.
 void check_triangulation(const py_mesh& held) {
   value_or_raise(internal::checked_triangulation(held.content, "the mesh", slit_rule::joined));
 }

@@ -74,7 +74,7 @@ std::string svg_of(const py_mesh& m, int width, bool ellipses) {
   return value_or_raise(draw_picture(m.content, picture_format::svg, options));
 }
 
-// True if files of the format have fields in them or beside them, or show them.
+// True if the format has a place for fields, in the file or beside it, or shows them.
 bool holds_fields(mesh_format format) {
   return internal::kept_in(format).fields || format == mesh_format::html;
 }
@@ -166,7 +166,7 @@ void add_edges(mesh& m, const py::object& edges, const py::object& markers) {
   }
 }
 
-// Reads what is to stay when the mesh is adapted.
+// Reads the corners, vertices and edges that must stay when the mesh is adapted.
 mesh_marks marks_of(const keywords& given, std::size_t points) {
   mesh_marks marks;
   for (const auto& [name, list] :
@@ -186,7 +186,7 @@ mesh_marks marks_of(const keywords& given, std::size_t points) {
   return marks;
 }
 
-// From elsewhere: nothing is known of how it was made.
+// Makes a mesh from elsewhere: nothing is known of how it was made.
 py_mesh from_arrays(const py::object& points, const py::object& triangles, const py::object& metric,
                     const py::dict& more) {
   const keywords given(more);
@@ -216,7 +216,7 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
   py_mesh made;
   made.marks = marks_of(given, m.sites.size());
   auto adopted = value_or_raise(adopt_mesh(m, region_edges::as_listed, slit_rule::joined));
-  // Keeps the given points where there are slits: one for each side, which the domain has once.
+  // Keeps given points at slits: the mesh has one for each side, and the domain has one.
   if (!adopted.cracks.empty()) internal::keep_segments(m, {{}, true});
   made.content = adopted.cracks.empty() ? std::move(adopted.subject) : std::move(m);
   warn(std::exchange(made.content.notes, {}));
@@ -224,8 +224,8 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
   return made;
 }
 
-// Returns what the mesh covers: every vertex is one of the domain, or with a corner angle those
-// that keep its shape.
+// Returns the domain that the mesh covers. Every vertex is one of the domain, or with a corner
+// angle only those that keep its shape.
 py_domain domain_of(const py_mesh& m, const py::object& corner) {
   py::dict words;
   words["corner_angle"] = corner;

@@ -36,8 +36,7 @@ struct mesh_arguments {
   std::vector<periodic_pair> periodic;
 };
 
-// Raises the default limit where more sites are asked for in numbers, with room for what boundaries
-// and angles take besides.
+// Raises the default limit on sites to the count wanted, with room for boundaries and angles.
 std::size_t room_for(const mesh_arguments& a, std::size_t vertices_of_domain) {
   constexpr double most = 1e8, times = 3, more = 1000, vertices_of_complexity = 1.2, growth = 10;
   const double least = std::max(1e5, growth * static_cast<double>(vertices_of_domain));
@@ -66,7 +65,8 @@ void check_ranges(const mesh_arguments& a) {
 mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domain) {
   mesh_arguments a;
   a.size = given.positive("size");
-  constexpr double least = 1e-150, most = 1e150;  // beyond, squares leave the range of doubles
+  // Beyond these, squares leave the range of doubles.
+  constexpr double least = 1e-150, most = 1e150;
   if (a.size && !(*a.size >= least && *a.size <= most))
     throw input_error("size: a number from 1e-150 to 1e150 is wanted, not " + text_of(*a.size));
   a.complexity = given.positive("complexity");
@@ -110,7 +110,7 @@ py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_ar
   const std::string size = a.size ? text_of(*a.size) : "none";
   const std::string delivered =
       a.size ? text_of(*a.size * outcome.ended.length_factor) : std::string("none");
-  // The names are those of the command, which verify() looks for.
+  // Uses the command's names of options, by which verify() reads them.
   made.claim.options = {
       {"chord-tolerance", a.chord_tolerance ? text_of(*a.chord_tolerance) : "none"},
       {"domain", "given"},
@@ -150,7 +150,7 @@ py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_ar
   return m;
 }
 
-// Refuses sizes at places where nothing says how long edges are elsewhere.
+// Refuses sizes at places if no size is given for the rest of the domain.
 void check_sizes(const mesh_arguments& a, const py::object& metric) {
   if (a.sizes.is_empty() || a.size || a.complexity || a.options.vertices) return;
   if (!py::isinstance<py::str>(metric) || metric.cast<std::string>() != "identity")
@@ -174,7 +174,7 @@ py_mesh run(const py_domain& held, const py::object& metric, const py::dict& mor
   check_counts(d, a);
   check_sizes(a, metric);
   watched_run watch(given);
-  // A function called for a metric must live as long as the last field that calls it.
+  // Keeps the metric's function alive as long as a field may call it.
   std::vector<python_metric> wanted;
   const field_in_box metric_of_size =
       [&](double size, const bounding_box& box) -> result<std::unique_ptr<metric_field>> {

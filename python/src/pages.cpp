@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pages about meshes, with fields, and with the meshes and domains that came before.
+// Makes pages about meshes, with fields, and with earlier meshes and domains.
 #include "pages.hpp"
 
 #include <pybind11/stl.h>
@@ -42,7 +42,8 @@ std::string page_of(const py_mesh& m, const py::dict& more) {
     facts.before.push_back(frame_of(one));
   const py::gil_scoped_release unlocked;
   const auto [shown, cracks] = joined(m.content);
-  // A page has one vertex at each place, and values of both sides of a slit have none there.
+  // A page has one vertex at each place, so it cannot show different values on both sides of a
+  // slit.
   if (!cracks.empty()) {
     facts.fields = {};
     facts.wanted = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Collects what is told about a mesh on a page (mesh/draw/report.hpp).
+// Collects the contents of a page about a mesh (mesh/draw/report.hpp).
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace asterism::python {
 
-// Returns what the mesh itself says: its certificate and where that comes from.
+// Returns the page's part about the mesh itself: its certificate, and the certificate's source.
 report_facts facts_of(const py_mesh& m, const std::string& title);
 
 }  // namespace asterism::python

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads which sides are to have the same points.
+// Reads pairs of sides that must have the same points.
 #pragma once
 
 #include <pybind11/stl.h>
@@ -13,7 +13,7 @@
 
 namespace asterism::python {
 
-// Reads the keyword `periodic`, which the caller has made a list of pairs of int.
+// Reads the keyword `periodic`, a list of pairs of int.
 inline std::vector<periodic_pair> periodic_of(const keywords& given) {
   std::vector<periodic_pair> pairs;
   if (!given.has("periodic")) return pairs;

@@ -18,7 +18,7 @@ struct argument {
   py::ssize_t width;
 };
 
-// A table of one row stands for all rows as a row alone does, as numpy broadcasts.
+// Repeats a table of one row for all rows, as numpy broadcasts.
 std::size_t common_rows(const std::vector<number_table>& tables) {
   std::size_t rows = 1;
   bool found = false;

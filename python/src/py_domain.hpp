@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds a domain for Python, with what was mended of it.
+// Holds a domain for Python, with the repairs that were made.
 #pragma once
 
 #include "asterism/mesh/data/domain.hpp"
@@ -10,8 +10,8 @@
 namespace asterism::python {
 
 struct py_domain {
-  domain shape;               // as check_domain accepts it
-  domain_repairs mended;      // distance 0: no repair was asked for
+  domain shape;               // as check_domain returns it
+  domain_repairs mended;      // distance 0 where no repair was asked for
   crack_markers cracks = {};  // of a mesh: meshes of the domain have the vertices of both sides
 };
 

@@ -17,10 +17,10 @@ struct py_mesh {
   mesh content;
   bool complete = false, certified = false;
   std::string reason;
-  double angle_bound = 0;            // degrees, for pictures
-  std::optional<certificate> claim;  // of a mesh that was made, or that came with one
-  mesh_marks marks = {};             // what is to stay when the mesh is adapted
-  physical_names names = {};         // of markers and regions, for files
+  double angle_bound = 0;            // angle bound in degrees, for pictures
+  std::optional<certificate> claim;  // of a mesh that was made here, or read beside one
+  mesh_marks marks = {};             // parts that must stay when the mesh is adapted
+  physical_names names = {};         // names of markers and regions, for files
 };
 
 }  // namespace asterism::python

@@ -16,7 +16,8 @@
 
 namespace asterism::python {
 
-// A callable (n, 2) -> (n, 3), asked for many points at a time; one that cannot do that, for one.
+// Calls a function (n, 2) -> (n, 3) for many points at a time. After a failure, calls it for one
+// point at a time.
 class called_field {
  public:
   called_field(py::function function, raised_error& errors)
@@ -39,20 +40,20 @@ class called_field {
     }
   }
 
-  // Leaves it to the calls for one point to raise what they raise.
+  // Ignores the error: calls for one point raise it again if it is real.
   bool at_many(std::size_t count, const double* points, double* metrics) {
     try {
       answer(count, points, metrics);
     } catch (const py::error_already_set& raised) {
       takes_many_ = false;
-      if (!raised.matches(PyExc_Exception)) errors_->keep();  // an interrupt
+      if (!raised.matches(PyExc_Exception)) errors_->keep();  // raised by an interrupt
     } catch (const input_error&) {
       takes_many_ = false;
     }
     return takes_many_;
   }
 
-  // One tensor for many points is refused: it may be meant for the first alone.
+  // Refuses one tensor for many points: it may belong to the first point only.
   void answer(std::size_t count, const double* points, double* metrics) {
     py::array_t<double> places({static_cast<py::ssize_t>(count), py::ssize_t{2}});
     std::copy_n(points, 2 * count, places.mutable_data());
@@ -65,7 +66,7 @@ class called_field {
 
   py::function function_;
   raised_error* errors_;
-  bool takes_many_ = true;  // with the interpreter's lock
+  bool takes_many_ = true;  // taken with the interpreter's lock
 };
 
 namespace {

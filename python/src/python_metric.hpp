@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a metric field of what Python gives for one: a text, a callable, or a mesh with tensors.
+// Makes a metric field of a text, a callable, or a mesh with tensors.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace asterism::python {
 
 class called_field;
 
-// A metric, and what must live as long as its field.
+// Holds a metric field, and the objects that must live as long as it.
 class python_metric {
  public:
   // Makes the field for edges of length `size`, for a domain from this file, or from none, with
@@ -25,9 +25,9 @@ class python_metric {
   python_metric(python_metric&&) noexcept;
   python_metric& operator=(python_metric&&) = delete;
 
-  const std::string& name() const { return name_; }  // as certificates have it
+  const std::string& name() const { return name_; }  // the metric's words in certificates
   std::unique_ptr<metric_field> take_field() { return std::move(field_); }
-  // The fingerprint of the file that it was read from, in digits; "none" where it is from no file.
+  // Fingerprint, in digits, of the file that it was read from; "none" where there was no file.
   const std::string& fingerprint() const { return fingerprint_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Metrics for the next mesh, from a solution on this one, and the solution brought to it.
+// Makes metrics for the next mesh from a solution, and transfers the solution to it.
 #include "asterism/mesh/data/solution.hpp"
 
 #include "asterism/mesh/io/solution_file.hpp"
@@ -14,7 +14,7 @@
 namespace asterism::python {
 namespace {
 
-// Makes the metric of fields, or, where there are none, puts bounds on the one given.
+// Makes the metric of fields, or, where there are none, bounds the given one.
 py::tuple metric_for(const py_mesh& on, const named_fields& fields, const py::object& given,
                      const py::dict& more) {
   const mesh& m = on.content;

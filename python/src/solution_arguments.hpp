@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads fields, tensors and wishes about metrics from Python, and gives fields and reports back.
+// Reads fields, tensors and options of metrics from Python, and returns fields and reports.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -18,7 +18,7 @@
 
 namespace asterism::python {
 
-// Names and arrays of one, two or three numbers a point.
+// Reads names and arrays of one, two or three numbers at each point.
 using named_fields = std::vector<std::pair<std::string, py::object>>;
 
 py::array_t<double> array_of(const std::vector<metric_tensor>& tensors);
@@ -27,10 +27,10 @@ std::vector<metric_tensor> tensors_of(const py::object& from, std::size_t count,
 std::vector<std::vector<metric_tensor>> all_tensors_of(const py::object& from, std::size_t count,
                                                        const char* name);
 
-// Returns second derivatives by name; all numbers are finite.
+// Returns second derivatives by name. Raises unless all numbers are finite.
 std::vector<nodal_hessian> hessians_of(const py::object& from, std::size_t count);
 
-// All numbers are finite; raises for others.
+// Raises unless all numbers are finite.
 solution solution_of(const named_fields& given, std::size_t count);
 // Returns a list of arrays, (n, c) with c components.
 py::list arrays_of(const solution& values);

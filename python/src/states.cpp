@@ -10,7 +10,7 @@ namespace {
 
 constexpr int state_version = 1;
 
-// Rows of a plain struct of numbers of one kind, as an array and back.
+// Converts rows of a struct of numbers of one type to an array, and back.
 template <class Number, class Row>
 py::array_t<Number> rows_of(const std::vector<Row>& rows) {
   static_assert(sizeof(Row) % sizeof(Number) == 0);
@@ -93,7 +93,7 @@ void check_version(const py::tuple& state, std::size_t parts) {
     throw input_error("a pickle of another version of asterism");
 }
 
-// Refuses what would be read beyond the mesh's own arrays.
+// Refuses indices beyond the mesh's own arrays.
 void check_indices(const mesh& m) {
   const auto is_wrong = [&](vertex_index v) { return v >= m.sites.size(); };
   bool wrong = m.given > m.sites.size() ||
@@ -144,7 +144,7 @@ py_domain domain_of_state(const py::tuple& state) {
     d.polygons.push_back(
         {t[0].cast<std::optional<int>>(), t[1].cast<std::vector<std::vector<std::uint32_t>>>()});
   }
-  // What was accepted once is accepted again, unchanged.
+  // The domain was accepted before, and is accepted again unchanged.
   py_domain held{value_or_raise(check_domain(d)), {}};
   held.mended.distance = state[11].cast<double>();
   for (const py::handle of : state[12]) {

@@ -86,15 +86,15 @@ py::array_t<std::int32_t> triangles_of(const space_mesh& m) {
   return all;
 }
 
-// Takes a parameter of the patch that was meshed to that of the patch given: patches without inner
-// knots are meshed from 0 to 1.
+// Maps a parameter of the meshed patch to one of the given patch. Patches without inner knots are
+// meshed on [0, 1].
 double given_parameter(double x, const std::vector<double>& meshed,
                        const std::vector<double>& given) {
   if (meshed == given) return x;
   return x >= 1 ? given.back() : given.front() + x * (given.back() - given.front());
 }
 
-// The parameters of the corners of the triangles in space, in their order.
+// Returns the parameters of the corners of the triangles in space, in their order.
 py::array_t<double> parameters_of(const shell_certificate& claim, const surface& asked,
                                   const std::vector<shell_triangle>& triangles, std::size_t kept) {
   py::array_t<double> all({static_cast<py::ssize_t>(kept), py::ssize_t{3}, py::ssize_t{2}});
@@ -171,7 +171,7 @@ py::dict mesh_surface(const std::string& text, const py::dict& more) {
   return answer_of(claim, asked);
 }
 
-// The content of a file by its name's ending.
+// Returns the content of a file in the format of its ending.
 std::string file_text(const py::array_t<double, py::array::c_style>& points,
                       const py::array_t<std::int32_t, py::array::c_style>& triangles,
                       const py::array_t<std::int32_t, py::array::c_style>& patches,

@@ -30,7 +30,7 @@ watched_run::watched_run(const keywords& given)
     throw input_error("progress: a callable is wanted");
 }
 
-// Ctrl-C is seen here, where the mesher asks whether to stop; an error in a callback ends the run,
+// Handles Ctrl-C here, where the mesher polls whether to stop. An error in a callback ends the run,
 // too.
 std::optional<std::string> watched_run::reason_to_stop() {
   if (errors_.any()) return "a callback failed";

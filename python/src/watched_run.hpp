@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Watches a run that is made without the interpreter's lock: Ctrl-C, limits on time and threads,
-// progress told to a callable, and what Python raised in any callable.
+// Watches a run made without the interpreter's lock: handles Ctrl-C, limits on time and threads,
+// calls of `progress`, and exceptions of Python callables.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -31,7 +31,8 @@ class raised_error {
   std::exception_ptr error_;
 };
 
-// As many threads as the keyword `threads` says, as long as it lives; else one a processor.
+// Uses as many threads as the keyword `threads` says while the object lives; else one for each
+// processor.
 class thread_limit {
  public:
   explicit thread_limit(const keywords& given);
@@ -45,12 +46,13 @@ class watched_run {
  public:
   explicit watched_run(const keywords& given);
 
-  // Returns why to end now, or nothing. Any thread may ask, without the interpreter's lock.
+  // Returns a reason to end now, or nothing. Any thread may call it, without the interpreter's
+  // lock.
   std::optional<std::string> reason_to_stop();
   cancellation stop() {
     return [this] { return reason_to_stop(); };
   }
-  // Empty where nobody listens.
+  // Empty if there is no callback.
   progress_listener listener();
   raised_error& errors() { return errors_; }
 

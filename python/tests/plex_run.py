@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What test_petsc.py runs under mpirun: `plex_run.py JOB`. Prints one line of JSON on the first process."""
+"""The jobs that test_petsc.py runs under mpirun: `plex_run.py JOB`. Prints one line of JSON on the first process."""
 import hashlib
 import json
 import pathlib
@@ -17,7 +17,7 @@ N = 14
 
 
 def square():
-    """A grid of the unit square with labels of every kind, distributed by PETSc in its own way."""
+    """Returns a grid of the unit square with labels of every kind, distributed by PETSc itself."""
     cells, points = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2))
     if MPI.rank == 0:
         points = np.array([(i / N, j / N) for j in range(N + 1) for i in range(N + 1)])

@@ -110,7 +110,7 @@ def test_transfer_of_vectors_and_by_name(background):
     linear = np.column_stack([1 + x, x - 2 * y])
     for how in ("interpolate", "conservative", "bounded"):
         moved = asterism.transfer(background, {"v": linear, "s": ridge(background.points)}, finer, how)
-        if how != "bounded":  # which may diffuse at the boundary
+        if how != "bounded":  # Green's recovery, which is inexact at the boundary
             assert abs(moved["v"] - np.column_stack([1 + finer.points[:, 0], finer.points @ (1, -2)])).max() < 1e-12
         assert moved["s"].report["components"]["s"]["integral_before"] == pytest.approx(
             integral(background, ridge(background.points)))
@@ -123,7 +123,7 @@ def test_transfer_of_vectors_and_by_name(background):
 
 
 def second_derivatives(points):
-    """Of the ridge: 8 (r^2 - 1/2) is s, and the second derivatives of tanh s are by the chain rule."""
+    """Returns second derivatives of the ridge tanh s, s = 8 (r^2 - 1/2), by the chain rule."""
     x, y = points.T
     t = np.tanh(8 * (x * x + y * y - 0.5))
     slope, bend = 8 * (1 - t * t), -2 * 64 * t * (1 - t * t)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""asterism.adapt: metric, mesh and fields in one call, for meshes of ours and from elsewhere."""
+"""asterism.adapt: metric, mesh and fields in one call, for meshes made here and from elsewhere."""
 import warnings
 from collections import defaultdict
 
@@ -10,7 +10,7 @@ import asterism
 
 
 def two_materials(n=12):
-    """A square grid of two materials, its sides numbered, without lines between the materials."""
+    """Returns a square grid of two materials with numbered sides and no lines between the materials."""
     points = np.array([(i / n, j / n) for j in range(n + 1) for i in range(n + 1)])
     cells = [(j * (n + 1) + i, j * (n + 1) + i + 1, (j + 1) * (n + 1) + i + 1, (j + 1) * (n + 1) + i)
              for j in range(n) for i in range(n)]

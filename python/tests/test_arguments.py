@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What may stand for a domain and a metric, what is refused, and what is kept by pickle and copy."""
+"""Forms in which domains and metrics are given, forms that are refused, and what pickle and copy keep."""
 import concurrent.futures
 import copy
 import inspect
@@ -45,7 +45,7 @@ def test_many_things_stand_for_a_domain(tmp_path):
         made = asterism.mesh(domain, size=0.3)
         assert made.certified and area(made) == pytest.approx(3, abs=1e-12)
     assert asterism.mesh("airfoil").certified
-    assert np.array_equal(asterism.mesh(base, size=0.3).triangles, base.triangles)  # it meets what is asked
+    assert np.array_equal(asterism.mesh(base, size=0.3).triangles, base.triangles)  # it is kept
 
 
 def test_there_is_one_type_of_domain(tmp_path):

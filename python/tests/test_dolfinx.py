@@ -14,7 +14,8 @@ import asterism.dolfinx  # noqa: E402
 
 @pytest.fixture(scope="module")
 def square():
-    """Two materials, sides 1 to 4, and a line inside of tag 9; only one material is tagged in `some`."""
+    """Returns a mesh of two materials with sides 1 to 4 and an inner line of tag 9. In `some`, only one material is
+    tagged."""
     mesh = dmesh.create_unit_square(MPI.COMM_SELF, 12, 12)
     mesh.topology.create_connectivity(2, 0)
     cells = np.arange(mesh.topology.index_map(2).size_local, dtype=np.int32)
@@ -52,7 +53,7 @@ def test_there_and_back(square):
     mesh, cell_tags, facet_tags = square
     ours = asterism.dolfinx.from_dolfinx(mesh, cell_tags, facet_tags)
     assert np.array_equal(ours.points, mesh.geometry.x[:, :2])
-    assert set(ours.edge_markers) == {0, 1, 2, 3, 4, 9}  # 0: between the materials
+    assert set(ours.edge_markers) == {0, 1, 2, 3, 4, 9}  # 0 for edges between the materials
     back = asterism.dolfinx.to_dolfinx(ours)
     assert np.array_equal(back.mesh.geometry.x[:, :2], ours.points[back.points])
     assert areas(back.mesh, back.cell_tags) == pytest.approx(WANTED_AREAS)

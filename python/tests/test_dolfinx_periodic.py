@@ -28,7 +28,8 @@ def strip(n):
 
 
 def solved(mesh, facet_tags):
-    """-lap u = f, periodic in x, 0 above and below, of u = sin(2 pi x) sin(pi y); and how many unknowns follow another."""
+    """Solves -lap u = f, periodic in x, 0 above and below, for u = sin(2 pi x) sin(pi y). Returns also how many
+    unknowns are tied to another."""
     space = fem.FunctionSpace(mesh, ("CG", 1))
     ends = fem.locate_dofs_geometrical(space, lambda x: np.isclose(x[1], 0) | np.isclose(x[1], 1))
     conditions = [fem.dirichletbc(0.0, ends, space)]
@@ -55,8 +56,8 @@ def test_a_periodic_space_takes_each_mesh_of_a_loop():
         errors.append(error)
         places = mesh.geometry.x[:, :2]
         right = np.sort(places[places[:, 0] == 1, 1])
-        assert np.array_equal(np.sort(places[places[:, 0] == 0, 1]), right)  # to the last bit
-        assert slaves == len(right) - 2  # all but the corners, which are 0
+        assert np.array_equal(np.sort(places[places[:, 0] == 0, 1]), right)  # equal to the last bit
+        assert slaves == len(right) - 2  # all but the corners, where u is 0
         made = asterism.dolfinx.adapt(mesh, values_of(mesh, found), None, facet_tags, vertices=900,
                                       periodic=[(LEFT, RIGHT)])
         assert made.asterism.certificate.periodic[0]["kind"] == "translated exactly"
@@ -65,7 +66,7 @@ def test_a_periodic_space_takes_each_mesh_of_a_loop():
 
 
 def values_of(mesh, found):
-    """The values at the nodes of the mesh, on a space without constraints."""
+    """Returns the values at the nodes of the mesh, in a space without constraints."""
     plain = fem.Function(fem.FunctionSpace(mesh, ("CG", 1)))
     plain.interpolate(found)
     return plain

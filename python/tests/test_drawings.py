@@ -45,7 +45,7 @@ def test_lines_and_layers(tmp_path):
 
 def test_bulges_arcs_and_circles(tmp_path):
     def fill(space, _):
-        # A stadium: its left half a polyline with a bulge, its right half an arc; a round hole.
+        # A stadium: the left half is a polyline with a bulge, the right half an arc. It has a round hole.
         space.add_lwpolyline([(1, 1, 0), (0, 1, 1), (0, -1, 0), (1, -1, 0)], format="xyb")
         space.add_arc((1, 0), 1, -90, 90)
         space.add_circle((0.5, 0), 0.25)
@@ -65,7 +65,7 @@ def test_splines_and_ellipses(tmp_path):
     path = drawing(tmp_path, fill)
     with pytest.warns(UserWarning, match="near them: 1"):
         domain = asterism.read_dxf(path)
-    # Below: a cubic with the moments of its control points.
+    # The lower side is a cubic; its area is that of its control points' formula.
     t = np.linspace(0, 1, 20001)
     y = -3 * t * (1 - t)
     x = -2 * (1 - t) ** 3 - 3 * t * (1 - t) ** 2 + 3 * t ** 2 * (1 - t) + 2 * t ** 3
@@ -89,7 +89,7 @@ def test_blocks_and_refusals(tmp_path):
 
 def test_xdmf(tmp_path):
     meshio = pytest.importorskip("meshio")
-    pytest.importorskip("h5py")  # which its writer imports whatever it writes
+    pytest.importorskip("h5py")  # the writer of XDMF imports h5py in any case
     points = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], float)
     made = meshio.Mesh(points, [("triangle", np.array([(0, 1, 2), (0, 2, 3)]))],
                        cell_data={"region": [np.array([3, 4])]})

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Meshes to which the theorem on nets applies, through Python: kept, refused by name, and what does not go with it."""
+"""Meshes to which the theorem on nets applies, through Python: guarantees that are kept, problems that are refused by
+name, and options that exclude a guarantee."""
 import numpy as np
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is measured of each triangle, points looked up, and pages."""
+"""Measures of single triangles, searches for points, and pages."""
 from fractions import Fraction
 
 import numpy as np
@@ -15,7 +15,7 @@ def made():
 
 
 def angle(m, a, p, q):
-    """By another route: the map that makes the metric round."""
+    """Computes angles by another route: through the map that makes the metric round."""
     root = np.linalg.cholesky(np.array([[m[0], m[1]], [m[1], m[2]]])).T
     u, v = root @ (p - a), root @ (q - a)
     return np.degrees(np.arccos(u @ v / np.sqrt((u @ u) * (v @ v))))

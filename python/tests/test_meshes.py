@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Domains, meshes, certificates: what comes back, what is refused, what interrupts."""
+"""Domains, meshes and certificates: results, refusals, interrupts."""
 import gc
 import json
 import os

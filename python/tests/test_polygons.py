@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Shapes of shapely as domains: what is meshed is what shapely says that they contain."""
+"""Shapes of shapely as domains: the mesh covers what shapely says that they contain."""
 import json
 import random
 import warnings
@@ -17,7 +17,7 @@ GRID = 12
 
 
 def areas(domain):
-    """By region, of a mesh of few triangles."""
+    """Returns the areas of a mesh of few triangles by region."""
     mesh = asterism.mesh(domain, size=50, angle_bound=5)
     a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
     sizes = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
@@ -52,7 +52,7 @@ def blob(dice):
 
 
 def one_shape(dice):
-    """Parts that touch in points, lakes, islands in them: whatever a few operations leave."""
+    """Returns the result of a few random operations: parts that touch in points, lakes, islands in lakes."""
     shape = blob(dice)
     for _ in range(dice.randrange(1, 7)):
         operation = dice.choice(["union", "difference", "intersection"] + 3 * ["symmetric_difference"])
@@ -62,8 +62,9 @@ def one_shape(dice):
 
 
 def several_features(dice):
-    """The pieces into which outlines cut the plane, dealt out to features, some to none: enclaves, lakes
-    between features, holes of one under another, common sides with corners of one alone on them."""
+    """Returns features made of the pieces into which outlines cut the plane; some pieces belong to none. They have
+    enclaves, lakes between features, holes of one under another, and common sides on which only one feature has a
+    vertex."""
     outlines = operations.unary_union([blob(dice).boundary for _ in range(dice.randrange(3, 8))])
     count = dice.randrange(2, 6)
     dealt = [[] for _ in range(count + 1)]
@@ -87,7 +88,7 @@ def test_areas_by_feature_are_those_of_shapely(make, seed):
         if not wanted:
             continue
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of features that are empty
+            warnings.simplefilter("ignore")  # numbers of empty features
             domain = asterism.Domain.from_geo(collection(shapes))
         found = areas(domain)
         assert found.keys() == wanted.keys(), (seed, number)
@@ -98,7 +99,7 @@ def test_areas_by_feature_are_those_of_shapely(make, seed):
 
 
 def test_differences_that_shapely_rounded_are_right_or_refused_by_name():
-    """A feature that is cut out of another by shapely has corners that are rounded, beside its sides."""
+    """shapely cuts a feature out of another. The corners are rounded, and are beside the other's sides."""
     refused = 0
     for number in range(60):
         dice = random.Random(3000 + number)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pages with fields and with what came before, and what a mesh covers for other packages."""
+"""Pages with fields and earlier meshes, and the polygons of a mesh for other packages."""
 import json
 import re
 import zlib
@@ -18,19 +18,19 @@ def made() -> asterism.Mesh:
 
 
 def facts_of(page) -> dict:
-    """What the page's script reads first."""
+    """Returns the data that the page's script reads first."""
     return json.loads(re.search(r'id="facts">(.*?)</script>', page.text, re.S).group(1))
 
 
 def array_of(page, name: str) -> np.ndarray:
-    """By another route than the page's script: the named array of those that are packed."""
+    """Returns the named array of the page's packed data, by another route than the page's script."""
     kinds = {"f64": np.float64, "f32": np.float32, "u32": np.uint32, "i32": np.int32, "u8": np.uint8}
     packed = zlib.decompress(b64decode(re.search(r'id="data">(.*?)</script>', page.text, re.S).group(1)))
     at = 0
     for entry in facts_of(page)["arrays"]:
         kind = np.dtype(kinds[entry["type"]])
         size = kind.itemsize * entry["length"]
-        if entry["name"] == name:  # the first bytes of all numbers, then the second ones
+        if entry["name"] == name:  # packed as planes: the first bytes of all numbers, then the second ones
             planes = np.frombuffer(packed, np.uint8, size, at).reshape(kind.itemsize, entry["length"])
             return np.ascontiguousarray(planes.T).view(kind).reshape(-1)
         at += size
@@ -111,21 +111,21 @@ RING = [(0, 0), (4, 0), (4, 4), (0, 4)]
 
 @pytest.mark.parametrize("points, segments, holes, rings", [
     (RING, None, [], [1]),
-    # A hole, and an island in it.
+    # Has a hole with an island in it.
     (RING + [(1, 1), (3, 1), (3, 3), (1, 3), (2, 1.5), (2.5, 2.5), (1.5, 2.5)],
      [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (8, 9), (9, 10), (10, 8)],
      [(1.1, 1.1)], [2, 1]),
-    # A hole that touches the outer ring in a corner of it.
+    # Has a hole that touches the outer ring in one of its corners.
     ([(0, 0), (4, 0), (4, 4), (0, 4), (1, 2), (2, 1)],
      [(0, 1), (1, 2), (2, 3), (3, 0), (0, 4), (4, 5), (5, 0)], [(1, 1)], [2]),
-    # Two parts that touch in one point.
+    # Has two parts that touch in one point.
     ([(0, 0), (1, 0), (1, 1), (2, 1), (2, 2)],
      [(0, 1), (1, 2), (2, 0), (2, 3), (3, 4), (4, 2)], [], [1, 1]),
-    # Two holes that touch each other, and a segment inside.
+    # Has two holes that touch each other, and a segment inside.
     (RING + [(1, 1), (2, 2), (1, 3), (3, 1), (3, 3), (0.5, 0.5)],
      [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 4), (5, 7), (7, 8), (8, 5), (0, 9)],
      [(1.2, 2), (2.8, 2)], [3]),
-    # A ring closed by two parts that meet in a point: what it encloses is a hole.
+    # Has two parts that close a ring by meeting in a point. The region they enclose is a hole.
     ([(0, 0), (4, 0), (4, 4), (0, 4), (2, 4), (1, 1), (3, 1)],
      [(0, 1), (1, 2), (2, 4), (4, 3), (3, 0), (4, 5), (5, 6), (6, 4)], [(2, 2)], [2]),
 ])

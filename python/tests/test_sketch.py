@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The loop of the manual runs as it is written there, and what it calls a view is one."""
+"""The loop of the manual runs as it is written there, and arrays that it calls views are views."""
 import pathlib
 import re
 import sys
@@ -15,7 +15,7 @@ MANUAL = pathlib.Path(__file__).resolve().parents[2] / "docs/manual/python.md"
 
 
 def shown_pyvista():
-    """What to_pyvista() needs of pyvista, which Debian does not have."""
+    """Stands in for the part of pyvista that to_pyvista() uses: Debian has no package of pyvista."""
     class PolyData:
         def __init__(self, points, faces):
             assert points.shape[1] == 3 and len(faces) % 4 == 0 and (faces[::4] == 3).all()
@@ -68,7 +68,7 @@ def test_views_share_the_memory_of_the_mesh():
 
 
 def peak_of(ask):
-    """Most bytes that numpy and Python held at once for a call, beyond what there was before."""
+    """Returns the most bytes that numpy and Python held at once during a call, beyond those before it."""
     tracemalloc.start()
     try:
         ask()
@@ -82,11 +82,11 @@ def test_predicates_use_rows_where_they_lie():
     rows = 50000
     sites = np.column_stack([random.uniform(-1, 1, (rows, 2)), np.ones(rows), np.zeros(rows), np.ones(rows)])
     others = sites[::-1].copy()
-    answers = rows  # a byte each
+    answers = rows  # one byte for each
     slack = 20000
     assert peak_of(lambda: asterism.compare_distance(sites, others, sites[:, :2])) < answers + slack
     assert peak_of(lambda: asterism.orientation(sites[:, :2], others[:, :2], (3, 4))) < answers + slack
     assert peak_of(lambda: asterism.in_circle(sites[:, :2], others[:, :2], (3, 4), (0, 5),
                                               metric=sites[:, 2:])) < answers + slack
-    # Of another layout there is a copy.
+    # An array of another layout is copied.
     assert peak_of(lambda: asterism.compare_distance(np.asfortranarray(sites), others, (0, 0))) > 40 * rows

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes with slits: points are there once for each side, and what is made of them keeps the sides apart."""
+"""Meshes with slits, which have points once for each side. Everything made of such a mesh keeps the sides apart."""
 import pickle
 import warnings
 
@@ -10,7 +10,7 @@ import asterism
 
 
 def slit_square(n=8):
-    """A square of 2 n^2 triangles with a slit along y = 0 from its left side to the middle, where the tip is."""
+    """Returns a square of 2 n^2 triangles with a slit along y = 0 from its left side to the tip in its middle."""
     at = [(-1 + 2 * i / n, -1 + 2 * j / n) for j in range(n + 1) for i in range(n + 1)]
     middle = n // 2
     above = {i + middle * (n + 1): len(at) + i for i in range(middle)}
@@ -29,7 +29,7 @@ def slit_square(n=8):
 
 
 def sides(mesh):
-    """Which points of the slit are of triangles above it, and which of those below."""
+    """Returns the slit's points of triangles above it, and those of triangles below it."""
     above = mesh.points[mesh.triangles].mean(axis=1)[:, 1] > 0
     on = np.flatnonzero((mesh.points[:, 1] == 0) & (mesh.points[:, 0] < 0))
     return [np.intersect1d(on, mesh.triangles[rows]) for rows in (above, ~above)]
@@ -84,7 +84,7 @@ def test_adapt_brings_each_side_its_values(slit):
     answer = asterism.adapt(slit, values, vertices=300, carry={"jump": u})
     check_parted(answer.mesh)
     upper, lower = sides(answer.mesh)
-    tip = answer.mesh.points[upper, 0] > -0.25 - 1e-12  # where the side's last edge leads to the tip
+    tip = answer.mesh.points[upper, 0] > -0.25 - 1e-12  # the last edge of the side ends at the tip
     assert answer.carried["jump"][upper][~tip] == pytest.approx(1)
     assert answer.carried["jump"][lower] == pytest.approx(0)
     assert answer.mesh.verify()["verified"]
@@ -104,7 +104,7 @@ def test_metric_transfer_and_lookups(slit):
 def test_the_hull_closes_points():
     corners = [(0, 0), (2, 0), (2, 1), (0, 1), (1, 0.25)]
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # that sides were added
+        warnings.simplefilter("ignore")  # warns that sides were added
         domain = asterism.Domain(corners, convex_hull=True)
         assert len(domain.points) == 5 and len(domain.segments) == 4
         notch = asterism.Domain(corners, [(0, 4), (4, 1), (1, 2), (2, 3), (3, 0)], convex_hull=True)

@@ -22,7 +22,7 @@ def test_a_patch_is_meshed_and_certified():
     assert made.points.shape == (made.certificate.vertices, 3)
     assert made.triangles.shape == (made.certificate.triangles, 3) and not made.points.flags.writeable
     assert set(made.patches) == {0}
-    # Each corner is the surface's point at its parameters: cubic Bernstein polynomials.
+    # Each corner is the surface's point at the corner's parameters, by cubic Bernstein polynomials.
     u, v = made.uv[..., 0], made.uv[..., 1]
     basis = lambda t: np.stack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3], -1)
     lifted = np.einsum("tki,tkj,ijn->tkn", basis(u), basis(v), bump())

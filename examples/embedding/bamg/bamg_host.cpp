@@ -28,7 +28,7 @@ struct triangle_mesh {
     int from, to, side;
   };
   std::vector<double> x, y;
-  std::vector<int> corners;  // three a triangle
+  std::vector<int> corners;  // three for a triangle
   std::vector<edge> boundary;
 };
 
@@ -54,7 +54,7 @@ triangle_mesh grid(int n) {
   return mesh;
 }
 
-// The background mesh as BAMG holds it, with the metric at its vertices.
+// Holds the background mesh in BAMG's types, with the metric at its vertices.
 bamg::Triangles* to_bamg(const triangle_mesh& mesh, const metric_function& metric) {
   const bamg::Int4 nv = mesh.x.size(), nt = mesh.corners.size() / 3;
   auto* const to = new bamg::Triangles(nv);
@@ -138,7 +138,7 @@ triangle_mesh adapted(const triangle_mesh& mesh, const metric_function& metric) 
   bamg::Triangles* const background = to_bamg(mesh, metric);
   bamg::NbFlips = bamg::NbUnSwap = 0;
   const clock_t start = clock();
-  bamg::Triangles fine(200000, *background, 0);  // vertices at most
+  bamg::Triangles fine(200000, *background, 0);  // most vertices
   fine.SplitInternalEdgeWithBorderVertices();
   fine.SmoothingVertex(3, 1.0);
   const double seconds = double(clock() - start) / CLOCKS_PER_SEC;
@@ -146,8 +146,8 @@ triangle_mesh adapted(const triangle_mesh& mesh, const metric_function& metric) 
   printf("%zu %zu %ld %ld %.3f\n", result.x.size(), result.corners.size() / 3, bamg::NbFlips,
          bamg::NbUnSwap, seconds);
   fflush(stdout);
-  // `fine` refers to the background until it goes; the background is left to the end of the
-  // program.
+  // `fine` refers to the background as long as it exists, so the background is kept until the
+  // program ends.
   return result;
 }
 

@@ -23,11 +23,12 @@ UNITS = ["Mesh2", "MeshGeom", "MeshRead", "Metric", "R2", "MeshDraw", "MeshQuad"
 METRICS = ["uniform", "swirl-12", "swirl-60", "swirl-400", "layer", "rays", "tilted-100",
            "tilted-10000", "circle-shock", "curved-shock"]
 VARIANTS = {"plain": ["count_flips.patch"], "exact": ["count_flips.patch", "exact_swap.patch"]}
-SECONDS = 30  # of processor time, after which a run counts as one that does not end
+SECONDS = 30  # seconds of processor time, after which a run counts as endless
 
 
 def compiled(work, build_tree, tree, unit):
-    """The object file of a unit of BAMG, or of our host; kept if nothing that it depends on is newer."""
+    """Returns the object file of a unit of BAMG, or of the host. It is kept if nothing that it depends on is
+    newer."""
     sources = tree / "contrib/bamg/bamglib"
     made = tree / f"{unit.stem}.o"
     newest = max(f.stat().st_mtime for f in [*HERE.iterdir(), unit])
@@ -41,8 +42,8 @@ def compiled(work, build_tree, tree, unit):
 
 
 def build(work, build_tree):
-    """The programs of the variants, from patched copies below WORK. They differ in Mesh2.cpp alone."""
-    empty = work / "empty"  # for a header of gmsh that is included and not used
+    """Builds the variants' programs from patched copies below WORK. They differ in Mesh2.cpp alone."""
+    empty = work / "empty"  # stands for a header of gmsh that is included and not used
     empty.mkdir(exist_ok=True)
     (empty / "MElement.h").write_text("")
     programs = {}
@@ -83,7 +84,7 @@ def read(stem):
 
 
 def least_angle(points, metric):
-    """In degrees, of a triangle as one metric sees it."""
+    """Returns the angles of a triangle in degrees, in one metric."""
     m11, m12, m22 = metric
 
     def dot(u, v):
@@ -98,7 +99,8 @@ def least_angle(points, metric):
 
 
 def judged(stem, command):
-    """Worst angle as seen from all three vertices, and triangles that an exact test finds inverted."""
+    """Returns the worst angle over the metrics of all three vertices, and the number of triangles that an exact test
+    finds inverted."""
     points, triangles, metrics = read(stem)
     worst = min(least_angle([points[v] for v in t], metrics[w]) for t in triangles for w in t)
     records = "".join("orientation " + " ".join(f"{x!r} {y!r}" for x, y in (points[v] for v in t)) + "\n"
@@ -109,7 +111,7 @@ def judged(stem, command):
 
 
 def run(program, metric, rounds, stem, command):
-    """A row's cells for one variant, and whether it ended well."""
+    """Returns a row's cells for one variant, and whether the run ended well."""
     def limited():
         resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
     done = subprocess.run([program, metric, str(rounds), stem], capture_output=True, text=True,

@@ -11,14 +11,15 @@
 using metric = std::array<double, 3>;  // m11 m12 m22
 using metric_function = std::function<metric(double, double)>;
 
-// Size `along` in the direction of the angle, `across` at right angles to it.
+// Returns the tensor with size `along` in the direction of the angle, and `across` at a right angle
+// to it.
 inline metric of_sizes(double angle, double along, double across) {
   const double c = std::cos(angle), s = std::sin(angle);
   const double a = 1 / (along * along), b = 1 / (across * across);
   return {a * c * c + b * s * s, (a - b) * c * s, a * s * s + b * c * c};
 }
 
-// Stretched along circles about the origin, by the radius times the root of the strength.
+// Stretched along circles about the origin, by the radius times the square root of the strength.
 inline metric_function swirl(double strength, double size) {
   return [=](double x, double y) -> metric {
     const double k = 1 / (size * size);
@@ -26,8 +27,8 @@ inline metric_function swirl(double strength, double size) {
   };
 }
 
-// The metric of least L2 error of linear interpolation at a density (Loseille and Alauzet 2011):
-// the Hessian with its eigenvalues made positive, times density times its determinant to the power
+// Returns the metric of least L2 error of linear interpolation at a density (Loseille and Alauzet
+// 2011): the Hessian with absolute eigenvalues, times density times its determinant to the power
 // -1/6.
 inline metric of_hessian(double h11, double h12, double h22, double density) {
   const double mean = (h11 + h22) / 2, half = (h11 - h22) / 2;

@@ -33,8 +33,8 @@ using triangulation = CGAL::Delaunay_triangulation_2<
     Traits,
     CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<int, Traits>>>;
 
-// On a lattice that the metric sees as squares, a quarter of them moved by one unit in the last
-// place: many are on one ellipse, or nearly.
+// Points of a lattice whose cells are squares in the metric. A quarter of the points are moved by
+// one unit in the last place, so that many are on one ellipse, or nearly.
 std::vector<point> lattice_points(std::size_t count) {
   std::mt19937_64 random(7);  // the same numbers everywhere
   const int size = static_cast<int>(std::sqrt(double(count)));
@@ -48,7 +48,7 @@ std::vector<point> lattice_points(std::size_t count) {
   return points;
 }
 
-// (4, 1) and (1, 2) have length 7 in it and are at right angles.
+// In the metric (4, 1) and (1, 2) have length 7 and are orthogonal.
 constexpr metric_tensor metric = {5, -6, 17};
 
 struct report {
@@ -56,7 +56,7 @@ struct report {
   double seconds = 0;
 };
 
-// Holds a triangulation against exact tests on the points that the vertices' numbers stand for.
+// Tests a triangulation exactly on the points for which the vertices' numbers stand.
 template <class Triangulation>
 void check(const Triangulation& made, const std::vector<point>& points, report& found) {
   const asterism::filtered_kernel kernel;

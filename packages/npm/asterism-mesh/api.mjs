@@ -3,7 +3,7 @@
 // The mesher and its auditor over the module mesh.wasm. Each job has an instance of its own, whose memory goes
 // with it; everything that touches that memory is here. Types and laws: index.d.ts.
 
-// In the order of the module's numbers.
+// Names in the order of the module's numbers.
 const TEXTS = ['failure', 'reason', 'certificate', 'mesh', 'solution', 'witnesses', 'version'];
 const DOMAINS = ['square', 'airfoil'];
 const OPTIONS = ['size', 'gradation', 'repairDomain', 'repairDistance', 'chordTolerance', 'regions', 'randomPoints', 'strict', 'angleBound',
@@ -41,7 +41,7 @@ export function polyOf({ points, segments, markers, holes = [], regions = [] }) 
   return `${lines.join('\n')}\n`;
 }
 
-// The domain's name, and the files that it is.
+// Returns the domain's name, and its files.
 function domainOf(domain) {
   if (typeof domain === 'string') {
     if (!DOMAINS.includes(domain)) throw new RangeError(`domain: '${domain}' is not one of ${DOMAINS.join(', ')}; files are { name, text }`);
@@ -101,7 +101,7 @@ class Instance {
     return imports;
   }
 
-  // Notes, which the command says on standard error.
+  // Returns the notes, which the command writes to standard error.
   write(vectors, count, written) {
     const view = new DataView(this.buffer);
     let bytes = 0;
@@ -114,7 +114,8 @@ class Instance {
     return 0;
   }
 
-  // The metric wanted at places, of JavaScript's function; what it throws is thrown to whoever asked for the mesh.
+  // Returns the metric wanted at places, by JavaScript's function. The caller that asked for the
+  // mesh gets its exceptions.
   ask(count, points, metrics) {
     try {
       const places = new Float64Array(this.buffer, points, 2 * count).slice(), tensors = new Float64Array(3 * count);

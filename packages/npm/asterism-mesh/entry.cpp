@@ -28,7 +28,7 @@
 
 #define ASTERISM_FOR_JAVASCRIPT(name) extern "C" __attribute__((export_name(#name), used))
 
-// Writes the tensors wanted at `count` points; anything but 0 ends the run.
+// Writes the tensors wanted at `count` points. Any result but 0 ends the run.
 extern "C" __attribute__((import_module("asterism"), import_name("metric"))) int
 metric_of_javascript(std::size_t count, const double* points, double* metrics);
 
@@ -38,14 +38,14 @@ using namespace asterism;
 using namespace asterism::internal;
 using json = nlohmann::json;
 
-// What came of the job.
+// Holds the results of the job.
 struct job_result {
   mesh made;
   std::vector<unsigned> edges;
   std::vector<int> markers, regions;
   bool complete = false, certified = false, verified = false;
   double worst_angle = 0;
-  // Where the input was refused, why; else what a run left.
+  // Holds the reason where the input was refused, else the results.
   std::string failure, reason, certificate, mesh_file, solution_file;
   std::vector<std::string> witnesses;
   std::string all_witnesses;
@@ -61,7 +61,7 @@ void take(const json& options, const char* name, T& into) {
   if (options.contains(name)) into = options.at(name).get<T>();
 }
 
-// Reads the options, whose names and defaults are the command's.
+// Reads the options, which have the command's names and defaults.
 apps::mesh_job job_of(const json& asked) {
   const json& options = asked.at("options");
   apps::mesh_job job;
@@ -145,7 +145,7 @@ result<mesh> given_mesh() {
   return read_medit("given.mesh", options);
 }
 
-// Judges a mesh by its certificate, which has the domain and the bound.
+// Judges a mesh by its certificate, which contains the domain and the bound.
 std::optional<error> judge(const json& asked) {
   const auto subject = given_mesh();
   if (!subject) return subject.failure();
@@ -161,7 +161,7 @@ std::optional<error> judge(const json& asked) {
   return std::nullopt;
 }
 
-// Judges a mesh from elsewhere, whose domain is what it covers.
+// Judges a mesh from elsewhere, against the domain that it covers.
 std::optional<error> judge_alone(const json& asked) {
   auto subject = given_mesh();
   if (!subject) return subject.failure();
@@ -179,7 +179,7 @@ std::optional<error> judge_alone(const json& asked) {
   return std::nullopt;
 }
 
-// Runs a job whose text JavaScript has written; 0, or 1 where the input was refused.
+// Runs a job from its text in memory. Returns 0, or 1 where the input was refused.
 int run(const char* bytes, std::size_t length, std::optional<error> (*does)(const json&)) {
   std::optional<error> refused;
   try {
@@ -216,7 +216,7 @@ ASTERISM_FOR_JAVASCRIPT(isCertified) int is_certified_for_javascript() { return 
 ASTERISM_FOR_JAVASCRIPT(isVerified) int is_verified_for_javascript() { return came.verified; }
 ASTERISM_FOR_JAVASCRIPT(worstAngle) double worst_angle_for_javascript() { return came.worst_angle; }
 
-// The texts: the bytes of text `which`, and how many they are.
+// Return the bytes of text `which`, and their number.
 const std::string& text_number(unsigned which) {
   static const std::string version = ASTERISM_VERSION_TEXT;
   const std::string* const all[] = {&came.failure,   &came.reason,        &came.certificate,
@@ -231,7 +231,7 @@ ASTERISM_FOR_JAVASCRIPT(textLength) std::size_t text_length_for_javascript(unsig
   return text_number(which).size();
 }
 
-// The arrays of the mesh, and how many numbers are in each.
+// Return the arrays of the mesh, and how many numbers each has.
 ASTERISM_FOR_JAVASCRIPT(sites) const double* sites_for_javascript() {
   return came.made.sites.empty() ? nullptr : &came.made.sites.front().position.x;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Says, in the place of mesh/metric/plane_expression.cpp, that this build reads no formulas: the
-// parser is a library of its own. A program of JavaScript gives a function in their place.
+// Replaces mesh/metric/plane_expression.cpp: refuses formulas, since their parser is a library of
+// its own. A program of JavaScript gives a function instead.
 #include "asterism/mesh/metric/plane_expression.hpp"
 
 namespace asterism::internal {

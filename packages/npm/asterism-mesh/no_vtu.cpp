@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Says, in the place of mesh/io/vtu_mesh.cpp and vtu_solution.cpp, that this build reads no files
-// of VTK's XML, which zlib unpacks.
+// Replaces mesh/io/vtu_mesh.cpp and vtu_solution.cpp: refuses files of VTK's XML, which need zlib.
 #include "asterism/mesh/io/vtu_mesh.hpp"
 #include "asterism/mesh/io/vtu_solution.hpp"
 

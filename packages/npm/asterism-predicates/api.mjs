@@ -8,8 +8,8 @@ const METRIC = 3;
 const SITE = 5;
 const KINDS = { [POINT]: 'a point x y', [METRIC]: 'a metric m11 m12 m22', [SITE]: 'a site x y m11 m12 m22' };
 
-// In the order of the module's numbers: name, name of the batch, widths of the arguments, whether the
-// answer is a yes or no.
+// Predicates in the order of the module's numbers: name, name of the batch, widths of the
+// arguments, whether the answer is a boolean.
 const PREDICATES = [
   ['orientation', 'orientations', [POINT, POINT, POINT], false],
   ['isPositiveDefinite', 'arePositiveDefinite', [METRIC], true],
@@ -24,9 +24,9 @@ const PREDICATES = [
   ['inCircle', 'inCircles', [METRIC, POINT, POINT, POINT, POINT], false],
 ];
 const TIERS = ['semiStatic', 'interval', 'exact'];
-const REFUSAL_BASE = -16; // as in entry.cpp: a refusal is this less its status
+const REFUSAL_BASE = -16;  // as in entry.cpp: a refusal is this number minus its status
 
-// What the module asks of its surroundings: to end the program, where it could not finish.
+// The module's only import: ends the program when it cannot finish.
 function importsOf(module) {
   const imports = {};
   for (const { module: from, name } of WebAssembly.Module.imports(module)) {
@@ -52,13 +52,13 @@ class Module {
     this.answers = new Int8Array(memory.buffer, answers(), this.room);
   }
 
-  // The views are made anew when the memory has grown, which leaves the old ones without numbers.
+  // Makes the views anew after the memory has grown, which leaves the old views empty.
   viewed() {
     if (this.numbers.length === 0) this.view();
     return this;
   }
 
-  // A copy of the counts, a row of tiers for each predicate.
+  // Returns a copy of the counts, a row of tiers for each predicate.
   decided() {
     const { memory, decided } = this.exports;
     return new Float64Array(memory.buffer, decided(), PREDICATES.length * TIERS.length).slice();
@@ -122,7 +122,7 @@ function asker(module, question) {
   };
 }
 
-// The number of questions of a batch. A table of one row stands for itself in every question.
+// Returns the number of questions of a batch. A table of one row is repeated for every question.
 function rowCount(name, widths, tables) {
   if (tables.length !== widths.length)
     throw new TypeError(`${name}: takes ${widths.length} tables, not ${tables.length}`);

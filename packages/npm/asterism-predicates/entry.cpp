@@ -21,19 +21,19 @@ using namespace asterism;
 
 constexpr std::size_t most_arguments = 5;
 
-// The numbers of one question, and of the rows of a batch that are asked at once.
+// Buffers for the numbers of one question, and of the rows of a batch that are answered at once.
 constexpr std::size_t room = 16384;
 double numbers[room];
 signed char answers[room];
 double failed_row;
-// What each tier decided, and the same as JavaScript's whole numbers.
+// How many questions each tier decided, and the same as numbers that JavaScript reads.
 tier_counters counters;
 double decided[predicate_count][tier_count];
 
-// Below every answer: refusal_base - status.
+// A number below every answer. A refusal returns it minus the status.
 constexpr int refusal_base = -16;
 
-// Returns the answer to the question whose numbers are given, or refusal_base less the status.
+// Returns the answer to the question with these numbers, or refusal_base minus the status.
 int ask_one(predicate question, const double* from) {
   batch_record record{question, {}};
   std::copy(from, from + numbers_of(question), record.numbers.begin());
@@ -43,7 +43,7 @@ int ask_one(predicate question, const double* from) {
   return ask(filtered_kernel(counters), record).value();
 }
 
-// Returns `value` if its sign is the one given, else a number next to zero that has it.
+// Returns `value` if its sign is the given one, else a number next to zero with that sign.
 double with_sign(double value, int sign) {
   if (sign == 0) return 0;
   const bool agrees = sign > 0 ? value > 0 : value < 0;
@@ -100,13 +100,13 @@ ASTERISM_FOR_JAVASCRIPT(version) const char* version_for_javascript() {
   return asterism_version_text();
 }
 
-// Answers one question, whose numbers stand at the start of `numbers`.
+// Answers one question, whose numbers are at the start of `numbers`.
 ASTERISM_FOR_JAVASCRIPT(ask) int ask_for_javascript(unsigned question) {
   return ask_one(static_cast<predicate>(question), numbers);
 }
 
-// Answers `count` questions into `answers`. The arguments stand in `numbers` one after another, as
-// rows; bit k of `constant` is set where argument k is one row for all questions.
+// Answers `count` questions into `answers`. The arguments are in `numbers`, one after another, as
+// rows. Bit k of `constant` is set where argument k is one row for all questions.
 ASTERISM_FOR_JAVASCRIPT(askMany)
 int ask_many_for_javascript(unsigned question, std::size_t count, unsigned constant) {
   asterism_rows arguments[most_arguments];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The instance of node.cjs, so that a program has one, however it is imported.
+// Exports the instance of node.cjs, so that a program has one instance however it imports it.
 import predicates from './node.cjs';
 
 export const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The anisotropic Voronoi diagram (definition 2), each point with the site that is nearest by its own metric: in
-// doubles, pixel by pixel. Coarse while things move, then finer, some rows a frame.
+// Draws the anisotropic Voronoi diagram (definition 2 of the thesis): each point has the colour of
+// the nearest site in the site's own metric. Computes in doubles, pixel by pixel: coarsely while
+// something moves, then finer, some rows in each frame.
 
 /** Soft colours, told apart where sites are near: the golden angle round the circle of hues. */
 export function paletteOf(isDark) {
@@ -21,7 +22,7 @@ export class Diagram {
   constructor() {
     this.canvas = document.createElement('canvas');
     this.key = '';
-    this.pixel = 1; // of the page, that one of the canvas stands for
+    this.pixel = 1;  // page pixels for one pixel of the canvas
   }
 
   /** Says what is to be drawn; what is drawn already stays until something differs. */
@@ -30,7 +31,7 @@ export class Diagram {
     if (key === this.key) return;
     this.key = key;
     Object.assign(this, { sites, view: { ...view, centre: [...view.centre] }, palette });
-    const affordable = 900000 / Math.max(1, sites.length); // pixels at once
+    const affordable = 900000 / Math.max(1, sites.length);  // pixels computed at once
     const coarse = Math.max(3, Math.ceil(Math.sqrt(view.width * view.height / affordable)));
     this.begin(coarse);
     this.rows(Infinity);
@@ -75,7 +76,7 @@ export class Diagram {
     this.paint();
   }
 
-  // Cells in their colours, their borders darker.
+  // Draws the cells in their colours, with darker borders.
   paint() {
     const { canvas, width, height, owners, palette } = this;
     this.pixel = this.step;

@@ -12,7 +12,8 @@ import { MeshPanel } from './mesh_panel.js';
 
 const LAYERS = [['ellipses', 'Ellipses'], ['cell', 'Cell'], ['wedge', 'Wedge and arc'], ['diagram', 'Voronoi diagram'],
                 ['field', 'Field'], ['warp', 'As it sees'], ['tiers', 'Who decided']];
-// Milliseconds of a frame for stars: of a quick frame a third; of a slow one, which others make slow, more.
+// Milliseconds of a frame that stars may use: a third of a quick frame; more of a slow one, which
+// other work makes slow.
 const budgetOf = (interval) => Math.max(6, Math.min(80, 0.4 * interval));
 const isCalm = matchMedia('(prefers-reduced-motion: reduce)').matches;
 const element = (id) => document.getElementById(id);
@@ -48,7 +49,7 @@ function showWhole() {
 
 const reachOfEllipses = () => state.ellipseScale * Math.max(...(state.ellipsesOf ?? [...state.set.sites.keys()]).map((v) => axesOf(state.set.sites[v].slice(2)).long));
 
-// Circles about as large as there is room for.
+// Returns metrics whose unit circles fill the space around each site.
 function fittingScale() {
   const { sites } = state.set, [left, bottom, right, top] = boxOfSites();
   const sizes = sites.map((s) => { const { long, short } = axesOf(s.slice(2)); return Math.sqrt(long * short); }).sort((a, b) => a - b);
@@ -172,7 +173,7 @@ function nextNeighbour() {
 function startRefinement() {
   if (state.refinement) return true;
   if (!isBordered()) {
-    // Free sites get a frame, and between them a field from their ellipses.
+    // Gives free sites a frame, and interpolates a field between them from their ellipses.
     const [left, bottom, right, top] = boxOfSites(), spare = 0.12 * Math.max(right - left, top - bottom);
     const frame = [[left - spare, bottom - spare], [right + spare, bottom - spare], [right + spare, top + spare], [left - spare, top + spare]];
     const field = state.fieldName ? fieldAt() : fieldOfSites(state.set.sites.slice());
@@ -229,7 +230,8 @@ function handles() {
           [x - size * short * Math.sin(angle), y + size * short * Math.cos(angle)]];
 }
 
-// A point of the arc that both ends dominate over both neighbours, and that hides neither (definitions 4 to 6).
+// Returns a point of the arc that both ends dominate over both neighbours, in a triangle without
+// either of them (definitions 4 to 6).
 function goodPoint({ sites: [v, w, x, y] }) {
   const turn = (a, b, c) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   const within = (q, p) => {
@@ -276,7 +278,7 @@ function frame(now) {
   const isSettled = state.set.settle(budget), p = picture(now);
   view.draw(p);
   const isFiner = state.layers.diagram && !state.mesh && isSettled && !pointers.size && view.diagram.goOn(budget);
-  // Panels follow ten times a second, and at once when everything is made.
+  // Updates panels ten times a second, and at once when everything is constructed.
   const key = keyOf();
   if (key !== toldKey && (now - lastTold > 100 || (isSettled && !pointers.size && !state.isPlaying))) {
     panels.show(p, isSettled, predicates.counters().edgeTest);
@@ -365,7 +367,7 @@ function draggedTo(x, y) {
     invalidate();
   }
 }
-// As many moves as there are frames, however many the pointer reports.
+// Moves at most once a frame, however many events the pointer reports.
 function moved(event) {
   const at = placeOf(event);
   if (state.mode === 'draw') {
@@ -562,7 +564,7 @@ function recolour() {
   toldKey = '';
   invalidate();
 }
-// The sites that there are, in the field as it is now. Sites of refinement go: they were for another.
+// Keeps the sites in the new field. Removes sites that refinement added for another field.
 function refield() {
   if (state.refinement) return reopen({});
   const field = fieldAt();
@@ -613,7 +615,8 @@ function showBox({ sites }) {
     for (const k of [0, 1]) box[k] = Math.min(box[k], sites[i + k]), box[k + 2] = Math.max(box[k + 2], sites[i + k]);
   view.show(box);
 }
-// The polygon as it was before refinement divided its sides, and the points that the scene has in it.
+// Restores the polygon as it was before refinement divided its sides, with the scene's points
+// inside.
 function domainOf() {
   const made = state.scene.id === 'yours' ? { polygon: state.polygon } : SCENES[state.sceneAt].make();
   if (!made.polygon) return null;

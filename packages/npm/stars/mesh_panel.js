@@ -21,7 +21,7 @@ export class MeshPanel {
   constructor(page) {
     Object.assign(this, page);
     this.isThere = Boolean(this.element('mesher-module'));
-    this.files = null; // of the last mesh, to save
+    this.files = null;  // files of the last mesh, for saving
     this.build();
   }
 

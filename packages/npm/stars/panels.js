@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The words beside the picture: the scene, whether stars agree and the witness where not, the chosen site, the
-// question, and who decided.
+// Writes the text beside the picture: the scene, whether stars agree and a witness if not, the
+// chosen site, the question, and the tier that decided.
 import { axesOf, warpOf } from './plane.js';
 import { StarSet } from './star_set.js';
 
@@ -137,7 +137,8 @@ export class Panels {
     element('tiers').replaceChildren(made('p', `${total === 1 ? 'No' : total.toLocaleString('en')} edge tests in this scene, decided by`, { className: 'soft' }), bars);
   }
 
-  // The plane as a site sees it, its own circle round: all sites there, its Delaunay triangulation where they are few.
+  // Draws the plane in the frame in which a site's circle is round, with all sites, and with their
+  // Delaunay triangulation if they are few.
   showWarps({ set, selected, other, layers }) {
     const shown = layers.warp ? [selected, other].filter((v, i, all) => v !== null && v < set.sites.length && all.indexOf(v) === i) : [];
     const figures = shown.map((v) => {

@@ -46,7 +46,8 @@ export function bisectorAlong(v, w, ux, uy) {
   const dx = w[0] - v[0], dy = w[1] - v[1];
   const linear = ux * (w[2] * dx + w[3] * dy) + uy * (w[3] * dx + w[4] * dy);
   const a = squaredLength(v, ux, uy) - squaredLength(w, ux, uy), c = -squaredLength(w, dx, dy);
-  // a t^2 + 2 linear t + c with c < 0, in 1 / t: the greatest root above 0 is the first hit.
+  // Solves a t^2 + 2 linear t + c = 0 with c < 0 in 1 / t: the greatest root above 0 is the first
+  // point on the ray.
   const discriminant = linear * linear - a * c;
   if (!(discriminant >= 0)) return Infinity;
   const root = Math.sqrt(discriminant);
@@ -60,7 +61,7 @@ export function visibleArc(v, w, count = 360) {
   let piece = null;
   const middle = Math.atan2(w[1] - v[1], w[0] - v[0]);
   for (let i = 0; i <= count; ++i) {
-    // Denser where the ray runs along the arc, far out.
+    // Samples more densely far out, where the ray is nearly parallel to the arc.
     const s = 2 * i / count - 1, angle = middle + Math.PI * (0.35 * s + 0.65 * s * s * s);
     const ux = Math.cos(angle), uy = Math.sin(angle), t = bisectorAlong(v, w, ux, uy);
     const x = v[0] + t * ux, y = v[1] + t * uy;

@@ -6,14 +6,14 @@
 import { squaredDistance, squaredLength, voronoiVertices, wedgeExits, leastAngle, randomFrom, warpOf } from './plane.js';
 
 const STRATEGIES = { arcs: 'Voronoi arcs', darts: 'Poisson darts' };
-const MOST_REJECTED = 100; // darts in a row before sites may be nearer
+const MOST_REJECTED = 100;  // failed darts in a row, after which sites may be nearer
 
 export class Refinement {
   /** `field(x, y)` is the metric m11, m12, m22 at a place. */
   constructor(set, field, { angleBound, strategy = 'arcs', mostSites = 1200, seed = 1, name = String }) {
     Object.assign(this, { set, field, angleBound, strategy, mostSites, name });
     this.random = randomFrom(seed);
-    this.sides = null; // not asked yet
+    this.sides = null;  // unknown
     this.newSites = [];
     this.newSides = [];
     this.spacing = this.firstSpacing();
@@ -23,7 +23,8 @@ export class Refinement {
 
   siteAt(x, y) { return [x, y, ...this.field(x, y)]; }
 
-  // How near to each other sites may be: a part of the shortest distance there is, halved when stuck.
+  // Least distance of sites: a part of the shortest distance in the mesh, halved when nothing else
+  // helps.
   firstSpacing() {
     const { sites } = this.set, nearest = sites.map((s, v) => Math.min(
       ...sites.map((o, w) => v === w ? Infinity : Math.min(squaredDistance(s, o[0], o[1]), squaredDistance(o, s[0], s[1])))));
@@ -39,7 +40,7 @@ export class Refinement {
     for (const where of found.triangles) {
       const { degrees, corner } = leastAngle(where.map((v) => set.sites[v]));
       if (degrees >= this.angleBound) continue;
-      // What is at a corner of the domain with both its sides cannot be mended.
+      // An angle between two sides at a corner of the domain cannot be improved.
       const v = where[corner];
       if (set.next.get(v) === where[(corner + 1) % 3] && set.previous.get(v) === where[(corner + 2) % 3]) continue;
       bad.push({ where, rank: 2, degrees });
@@ -75,7 +76,7 @@ export class Refinement {
     return squaredDistance(sites[a], sites[b][0], sites[b][1]) > 4 * this.finest ** 2 &&
       squaredDistance(sites[b], sites[a][0], sites[a][1]) > 4 * this.finest ** 2;
   }
-  // Where the side meets the bisector of its ends.
+  // Returns the point in which the side meets the bisector of its ends.
   middleOf({ a, b }) {
     const p = this.set.sites[a], q = this.set.sites[b], dx = q[0] - p[0], dy = q[1] - p[1];
     const fromA = Math.sqrt(squaredLength(p, dx, dy)), fromB = Math.sqrt(squaredLength(q, dx, dy)), t = fromB / (fromA + fromB);
@@ -88,7 +89,7 @@ export class Refinement {
     return m;
   }
 
-  // True if the site is farther than the spacing from all, as each and as itself measures.
+  // True if the site is farther than the spacing from all others, in both metrics.
   isFar(s) {
     const least = this.spacing ** 2;
     return this.set.sites.every((o) => squaredDistance(o, s[0], s[1]) > least && squaredDistance(s, o[0], o[1]) > least);
@@ -118,7 +119,7 @@ export class Refinement {
     const corners = where.map((v) => this.set.sites[v]), mean = [0, 1, 2, 3, 4].map((k) => (corners[0][k] + corners[1][k] + corners[2][k]) / 3);
     const farthest = Math.max(...corners.map((s) => squaredDistance(mean, s[0], s[1])));
     const radius = 1.5 * Math.sqrt(farthest * this.random()), turn = 2 * Math.PI * this.random();
-    // The inverse of F takes a circle to the mean metric's.
+    // The inverse of F maps a circle to the mean metric's unit ellipse.
     const f = warpOf(mean[2], mean[3], mean[4]), [f11] = f(1, 0), [f12, f22] = f(0, 1);
     const y = radius * Math.sin(turn) / f22, x = (radius * Math.cos(turn) - f12 * y) / f11;
     return { at: [mean[0] + x, mean[1] + y], kind: 'a dart' };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page begins with: metric fields, and the figures of the thesis as sites that can be dragged. Its
-// fields are pictures there; these polynomials are the mesher's (docs/manual/metrics.md).
+// The scenes of the page: metric fields, and the thesis's figures as sites that can be dragged. The
+// fields are drawn in doubles here. The mesher gets them as polynomials (docs/manual/metrics.md).
 import { randomFrom, ofEigenvalues, metricOfAxes } from './plane.js';
 
-// `at` takes the strength, and the middle and half the longer side of the domain's box.
+// `at` takes the strength, and centre and half of the longer side of the domain's box.
 const stretched = (tensor) => (k, [cx, cy, half] = [0, 0, 1]) => (x, y) => tensor(k, (x - cx) / half, (y - cy) / half);
 export const FIELDS = {
   swirl: { title: 'swirl', words: 'stretched along circles', hasStrength: true, at: stretched((k, x, y) => [1 + k * x * x, k * x * y, 1 + k * y * y]) },
@@ -29,7 +29,7 @@ export function fieldOfSites(sites) {
   };
 }
 
-// Of a symmetric matrix, positive definite or not.
+// Returns the square root of a symmetric matrix, positive definite or not.
 function expOf([a, b, c]) {
   const mean = (a + c) / 2, half = (a - c) / 2, r = Math.hypot(half, b), e = Math.exp(mean);
   const even = e * Math.cosh(r), odd = r === 0 ? e : e * Math.sinh(r) / r;
@@ -47,7 +47,7 @@ const thesisSquare = (field, strength, angleBound, strategy) => ({
   field: { name: field, strength }, polygon: SQUARE, points: randomPoints(10, 7), angleBound, strategy,
 });
 
-// Each the best of many places: far from those before it.
+// Draws sites, each the farthest from earlier ones among many random places.
 function spreadPoints(count, seed, width, height) {
   const random = randomFrom(seed), points = [];
   while (points.length < count) {

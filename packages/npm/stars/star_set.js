@@ -32,7 +32,7 @@ export class StarSet {
     this.version = (this.version ?? 0) + 1;
   }
 
-  // 1 where u, v, w turn counter-clockwise: orient2d has y downwards.
+  // Returns 1 where u, v, w are counter-clockwise. orient2d has y downwards.
   turn(u, v, w) {
     const { sites } = this, a = sites[u], b = sites[v], c = sites[w];
     return -Math.sign(this.predicates.orient2d(a[0], a[1], b[0], b[1], c[0], c[1]));
@@ -67,7 +67,7 @@ export class StarSet {
         if (this.isBetween(v, a, w) || this.isBetween(v, b, w)) return false;
       } else if (ofA * ofB <= 0 && this.turn(a, b, v) * this.turn(a, b, w) <= 0) return false;
     }
-    // A border vertex beside v or w on the open segment between them.
+    // Returns a border vertex in the open segment from v to w.
     return [v, w].every((at) => [this.next.get(at), this.previous.get(at)].every((u) =>
       u === undefined || u === v || u === w || this.turn(v, w, u) !== 0 || !this.isBetween(v, u, w)));
   }
@@ -76,7 +76,7 @@ export class StarSet {
     const { sites } = this, k = sites[v][0] !== sites[w][0] ? 0 : 1;
     return (sites[v][k] < sites[u][k]) === (sites[u][k] < sites[w][k]);
   }
-  // True if u and w, on a line with v, lie in one direction from it.
+  // True if u and w, collinear with v, are in the same direction from it.
   isOneWay(v, u, w) {
     const { sites } = this, k = sites[v][0] !== sites[u][0] ? 0 : 1;
     return (sites[v][k] < sites[u][k]) === (sites[v][k] < sites[w][k]);
@@ -140,7 +140,7 @@ export class StarSet {
         star.ring.splice(i, 1);
       }
   }
-  // True if the star has changed.
+  // Returns true if the star has changed.
   offer(v, star, w) {
     let where = this.locate(v, star, w), hasChanged = false;
     if (!where) return false;
@@ -207,7 +207,7 @@ export class StarSet {
     return (!ring.length || this.accepts(v, w, ring[where.gap], ring[this.after(star, where.gap)])) && this.sees(v, w);
   }
 
-  // Marks the stars in which w stands, or would.
+  // Marks the stars that contain w, or would accept it.
   markAround(w) {
     this.stars.forEach((star, v) => {
       if (v !== w && !this.stale.has(v) && (star.ring.includes(w) || this.wouldAccept(v, w))) this.stale.add(v);
@@ -238,7 +238,7 @@ export class StarSet {
     boundary.splice(boundary.indexOf(a) + 1, 0, m);
     this.setBoundary(boundary);
     this.stars.push(this.emptyStar(m));
-    // The ends' stars begin at the new site.
+    // The stars of both ends begin at the new site.
     this.stale.add(a).add(b);
     this.markAround(m);
     return m;
@@ -303,7 +303,7 @@ export class StarSet {
     const agree = disputed.length + halfEdges.length + gaps.length + unsettled.length === 0;
     return this.agreed = { version: this.version, triangles, disputed, halfEdges, gaps, unsettled, agree };
   }
-  // Gaps of half a turn and more: v and the neighbours beside it.
+  // Returns gaps of half a turn or more: v and the two neighbours.
   gapsOf(v) {
     const { ring, isClosed } = this.stars[v], gaps = [];
     if (ring.length < 2) return [[v, ring[0] ?? v, ring[0] ?? v]];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws sites, stars, cells, arcs and wedges on a canvas. It is given what to draw and decides nothing.
+// Draws sites, stars, cells, arcs and wedges on a canvas. Decides nothing.
 import { axesOf, bisectorAlong, visibleArc, wedgeWithin, squaredLength, leastAngle } from './plane.js';
 import { Diagram, paletteOf } from './diagram.js';
 
@@ -13,7 +13,7 @@ export class View {
     this.canvas = canvas;
     this.context = canvas.getContext('2d');
     this.centre = [0, 0];
-    this.scale = 100; // pixels of the page for a unit
+    this.scale = 100;  // page pixels per unit
     this.diagram = new Diagram();
     this.readColours();
     this.resize();
@@ -97,7 +97,7 @@ export class View {
     return this.hatch = this.context.createPattern(tile, 'repeat');
   }
 
-  // --- The whole picture. `p` says what: main.js, picture().
+  // --- The whole picture. picture() of main.js describes `p`.
 
   draw(p) {
     const { context, colours } = this;
@@ -150,7 +150,8 @@ export class View {
     if (layers.wedge && p.selected !== null && p.other !== null) this.drawArc(p);
   }
 
-  // Each star draws its half of an edge, as far as the bisector: an edge in one star has one half.
+  // Each star draws its half of an edge, up to the bisector, so that an edge in one star only has
+  // one half.
   drawEdges({ set, layers, tiers }, agreed) {
     const { sites } = set, { colours } = this, width = sites.length > 120 ? 1 : 1.5, byTier = [[], [], []];
     const middle = (v, w) => {
@@ -188,7 +189,8 @@ export class View {
     this.stroke(colours.good, 4);
   }
 
-  // What the star knows of the cell: along each ray the first bisector with a neighbour. Beyond sight it is open.
+  // Draws the cell that the star implies: along each ray up to the first bisector with a neighbour,
+  // open beyond sight.
   drawCell({ set, selected, other }) {
     const { sites } = set, v = sites[selected], { ring } = set.stars[selected], count = 360;
     if (ring.length === 0) return;
@@ -231,7 +233,7 @@ export class View {
     this.fill(this.colours.wedge);
     this.stroke(this.colours['wedge-line'], 1.2, [7, 4]);
   }
-  // The arc that both see, and of it the points that both dominate over the neighbours beside.
+  // Draws the arc that both ends see, and the part that both dominate over the neighbours beside.
   drawArc({ set, selected, other, why, isGood }) {
     const v = set.sites[selected], w = set.sites[other], pieces = visibleArc(v, w, 400);
     this.path(() => pieces.forEach((piece) => this.trace(piece)));
@@ -311,7 +313,7 @@ export class View {
     this.fill(this.colours.accent);
   }
 
-  // What the last step of refinement looked at, and its new site, for whom a ring grows.
+  // Marks what the last step of refinement tested, and its new site with a growing ring.
   drawMarks({ set, marks, age }) {
     const { sites } = set, { colours, context } = this;
     if (marks.triangle?.every((v) => v < sites.length)) {
@@ -339,7 +341,8 @@ export class View {
     this.stroke(colours.good, 2.5);
   }
 
-  // A finished mesh: arrays of sites (five numbers) and triangles. Coloured by the least angle.
+  // Draws a finished mesh, given as arrays of sites (five numbers) and triangles, coloured by the
+  // least angle.
   drawMesh({ sites, triangles, shades }) {
     const { context, colours } = this, count = triangles.length / 3;
     const [left, top] = this.toPlane(0, 0), [right, bottom] = this.toPlane(this.width, this.height);
