@@ -3,7 +3,9 @@
 
 Each gets a name of its own, so that no other copy in the process is taken for it, and is found
 beside the module. Not inside: what every Linux with a C library of this age or newer has (_EVERYWHERE).
-The wheel is named by that age, manylinux_X_Y. Needs patchelf, readelf and ldd.
+The wheel is named by that age, manylinux_X_Y. asterism.libs/licences has the copyright files of those libraries, and
+of those that are compiled in, with the whole text of each licence that they name. Needs Debian, for these, and
+patchelf, readelf and ldd.
 """
 from __future__ import annotations
 
@@ -19,6 +21,11 @@ import zipfile
 
 # Libraries that PEP 600 leaves to the system.
 _EVERYWHERE = re.compile(r"^(linux-vdso|ld-linux.*|lib(c|m|dl|rt|pthread|util|gcc_s|stdc\+\+))\.so(\.\d+)*$")
+# Libraries of headers, which leave code in the module: one header of each, as the compiler finds it
+# (tests/build/check_take_along.py compares with the sources' includes).
+COMPILED_IN = {"boost": "/usr/include/boost/version.hpp", "nlohmann-json": "/usr/include/nlohmann/json.hpp",
+               "pybind11": "/usr/include/pybind11/pybind11.h"}
+_COMMON_LICENCES = pathlib.Path("/usr/share/common-licenses")
 
 
 def run(*words: str) -> str:
@@ -40,14 +47,32 @@ def own_name(name: str, path: pathlib.Path) -> str:
     return f"{stem}-{hashlib.sha256(path.read_bytes()).hexdigest()[:8]}.so{ending}"
 
 
-def licence_of(path: pathlib.Path) -> pathlib.Path | None:
-    """Returns the copyright file of the Debian package to which a library belongs."""
+def licence_of(path: pathlib.Path) -> pathlib.Path:
+    """Returns the copyright file of the Debian package to which a file belongs."""
     for spelling in (path, pathlib.Path(str(path).replace("/usr/lib/", "/lib/", 1))):
         owner = subprocess.run(["dpkg", "-S", str(spelling)], capture_output=True, text=True, check=False).stdout
-        if owner:
-            text = pathlib.Path("/usr/share/doc") / owner.split(":")[0] / "copyright"
-            return text if text.exists() else None
-    return None
+        text = pathlib.Path("/usr/share/doc") / owner.split(":")[0] / "copyright"
+        if owner and text.exists():
+            return text
+    raise SystemExit(f"{path}: no copyright file of its package is found, and it cannot be passed on without")
+
+
+def named_licences(text: str) -> set[str]:
+    """Returns the licences whose text a copyright file leaves to Debian's common folder, which other systems have not."""
+    names = set(re.findall(rf"{_COMMON_LICENCES}/([\w.+-]*\w)", text))
+    return names | {"GPL-3"} if {"LGPL", "LGPL-3"} & names else names  # which is terms added to that one
+
+
+def write_licences(libraries: dict[str, pathlib.Path], folder: pathlib.Path) -> None:
+    """Writes NAME.txt for each library, and each licence that one of them names."""
+    folder.mkdir(parents=True)
+    named: set[str] = set()
+    for name, path in libraries.items():
+        text = licence_of(path).read_text(encoding="utf-8")
+        (folder / f"{name}.txt").write_text(text, encoding="utf-8")
+        named |= named_licences(text)
+    for name in named:
+        shutil.copyfile(_COMMON_LICENCES / name, folder / name)
 
 
 def bundle(tree: pathlib.Path) -> list[pathlib.Path]:
@@ -55,7 +80,8 @@ def bundle(tree: pathlib.Path) -> list[pathlib.Path]:
     modules = sorted(tree.glob("asterism/*.so"))
     libraries = {name: path for module in modules for name, path in needed_by(module).items()}
     inside = tree / "asterism.libs"
-    (inside / "licences").mkdir(parents=True)
+    write_licences({**{name.split(".so")[0]: path for name, path in libraries.items()},
+                    **{name: pathlib.Path(header) for name, header in COMPILED_IN.items()}}, inside / "licences")
     names = {name: own_name(name, path) for name, path in libraries.items()}
     copies = []
     for name, path in libraries.items():
@@ -64,10 +90,6 @@ def bundle(tree: pathlib.Path) -> list[pathlib.Path]:
         copy.chmod(0o755)
         run("patchelf", "--set-soname", copy.name, "--set-rpath", "$ORIGIN", str(copy))
         copies.append(copy)
-        licence = licence_of(path)
-        if licence is None:
-            raise SystemExit(f"{path}: no copyright file of its package is found, and it cannot be passed on without")
-        shutil.copy(licence, inside / "licences" / f"{name.split('.so')[0]}.txt")
     for module in modules:
         run("patchelf", "--set-rpath", "$ORIGIN/../asterism.libs", str(module))
     for file in [*modules, *copies]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Tries an installed package: a mesh, an adaptation, the predicates, files."""
+"""Tries an installed package: a mesh, an adaptation, the predicates, files; the licences of what it brings along."""
 import pathlib
+import re
 import tempfile
 
 import numpy as np
@@ -16,4 +17,9 @@ with tempfile.TemporaryDirectory() as folder:
     made.mesh.save(pathlib.Path(folder) / "m.mesh")
     made.mesh.save(pathlib.Path(folder) / "m.html")
     assert asterism.verify(pathlib.Path(folder) / "m.mesh")["triangles"] == len(made.mesh.triangles)
+libraries = pathlib.Path(asterism.__file__).parents[1] / "asterism.libs"
+for library in libraries.glob("*.so*"):
+    licence = libraries / "licences" / (re.sub(r"-[0-9a-f]{8}\.so.*", "", library.name) + ".txt")
+    for named in re.findall(r"/usr/share/common-licenses/([\w.+-]*\w)", licence.read_text(encoding="utf-8")):
+        assert (libraries / "licences" / named).stat().st_size > 1000, f"{library}: the text of {named} is missing"
 print(f"asterism {asterism.__version__} works: {made.mesh!r}")

@@ -1,13 +1,30 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What others take along says what is so: the citation has the version, the image the packages of scripts/setup.sh,
-and the forge's step every input of action.yml, with the exit statuses of the command.
+the forge's step every input of action.yml, with the exit statuses of the command, a source distribution every file,
+the Debian packages every file that is installed, and the wheel the licences of what is in it.
 check_take_along.py SOURCE ASTERISM FOLDER."""
+import fnmatch
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+
+# Prints the files of standard input, one a line, that MANIFEST.in leaves out, by what makes source distributions.
+LEFT_OUT = """
+import sys
+from setuptools.command.egg_info import FileList
+listed = sys.stdin.read().split("\\0")
+chosen = FileList()
+chosen.allfiles = listed
+for line in open("MANIFEST.in"):
+    rule = line.split("#")[0].strip()
+    if rule:
+        chosen.process_template_line(rule)
+print(*sorted(set(listed) - set(chosen.files)), sep="\\n")
+"""
 
 TOP, COMMAND, FOLDER = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], pathlib.Path(sys.argv[3])
 
@@ -48,9 +65,8 @@ def run_action(**inputs):
 
 
 def check_action():
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    for old in FOLDER.glob("*"):
-        old.unlink()
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
     for name in "a", "b c":
         subprocess.run([COMMAND, "mesh", "square", "--size", "0.5", "-o", f"{name}.mesh", "--quiet"], cwd=FOLDER, check=True)
     done = run_action(mesh="*.mesh")
@@ -66,6 +82,57 @@ def check_action():
     check(done.returncode == 2 and "no file" in done.stderr, f"no file: {done}")
 
 
+def check_source_distribution():
+    found = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], capture_output=True, text=True, check=False)
+    if found.returncode != 0:
+        print("not asked: without git the files of the project are not known")
+        return
+    left_out = subprocess.run(["/usr/bin/python3", "-W", "ignore", "-c", LEFT_OUT], cwd=TOP, input=found.stdout.strip("\0"),
+                              capture_output=True, text=True, check=True).stdout.split()
+    check(not left_out, f"MANIFEST.in: leaves out {left_out[:9]}")
+
+
+def check_packages():
+    """Whatever the build tree installs is in some Debian package, but for what debian/rules leaves out."""
+    patterns = [line for path in (TOP / "debian").glob("*.install") for line in path.read_text(encoding="utf-8").split()]
+    prefix = FOLDER / "usr"
+    built = pathlib.Path(COMMAND).resolve().parents[1]
+    subprocess.run(["cmake", "--install", built, "--prefix", prefix], check=True, stdout=subprocess.DEVNULL)
+    for path in prefix.rglob("*"):
+        name = path.relative_to(FOLDER)
+        if path.is_dir() or name.name in ("asterism-mpi", "asterism-occt", "LICENSE"):
+            continue
+        # In a Debian package the libraries are below the machine's name.
+        spellings = [str(name), re.sub("^usr/lib/", "usr/lib/machine/", str(name))]
+        packed = any(fnmatch.fnmatch(spelling, pattern) or spelling.startswith(pattern + "/") or
+                     fnmatch.fnmatch(spelling, pattern + "/*")
+                     for spelling in spellings for pattern in patterns)
+        check(packed, f"debian/*.install: no package has {name}")
+    shutil.rmtree(prefix)
+
+
+def check_licences():
+    sys.path.insert(0, str(TOP / "scripts"))
+    import bundle_libraries
+
+    included = set()
+    for folder in "core", "predicates", "kernels", "mesh", "python/src":
+        for path in (TOP / folder).rglob("*.[ch]pp"):
+            included |= set(re.findall(r"^#include <(boost|nlohmann|pybind11)/", path.read_text(encoding="utf-8"), re.M))
+    check(included == {"boost", "nlohmann", "pybind11"}, f"libraries of headers: {included}")
+    places = [pathlib.Path(place) for place in bundle_libraries.COMPILED_IN.values()]
+    check({place.parts[3] for place in places} == included, f"bundle_libraries.COMPILED_IN: {places}, not {included}")
+    gmp = next(pathlib.Path("/usr/lib").rglob("libgmp.so.10")).resolve()
+    written = FOLDER / "licences"
+    bundle_libraries.write_licences({"libgmp": gmp, "nlohmann-json": places[1]}, written)
+    check({"LGPL-3", "GPL-3", "libgmp.txt", "nlohmann-json.txt"} <= {path.name for path in written.iterdir()},
+          f"licences of GMP: {sorted(written.iterdir())}")
+    check("GNU LESSER GENERAL PUBLIC LICENSE" in (written / "LGPL-3").read_text(encoding="utf-8"), "LGPL-3: another text")
+
+
 check_citation()
 check_image()
 check_action()
+check_source_distribution()
+check_packages()
+check_licences()
