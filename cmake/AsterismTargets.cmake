@@ -1,7 +1,8 @@
 # asterism_configure(TARGET): the language level, warnings and floating-point rules of every target.
 function(asterism_configure target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  # Ignores CMAKE_UNITY_BUILD of a host, which would join files that asterism_unite keeps apart.
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD OFF)
   # Contraction would change the value of a*b+c. The filters' error bounds assume two roundings.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(EMSCRIPTEN)  # targets whose standard library lacks some functions
