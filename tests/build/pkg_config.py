@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Installs the build tree, moves it, and compiles a C program with the flags of pkg-config, once
-against the shared and once against the static library.  pkg_config.py BUILD SOURCE WORK CC"""
+against the shared and once against the static library; and folders that were named from the root on
+are in the files for pkg-config as they were named.  pkg_config.py BUILD SOURCE WORK CC"""
 import os
 import pathlib
 import shutil
@@ -27,6 +28,13 @@ def flags(prefix, package, *options):
     return run("pkg-config", *options, package, env=environment).split()
 
 
+def check_folders_from_the_root(source, work):
+    run("cmake", "-S", source, "-B", work / "rooted", "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF",
+        "-DCMAKE_INSTALL_LIBDIR=/elsewhere/lib", "-DCMAKE_INSTALL_INCLUDEDIR=/headers")
+    lines = (work / "rooted/asterism-predicates.pc").read_text(encoding="utf-8").splitlines()
+    assert "libdir=/elsewhere/lib" in lines and "includedir=/headers" in lines, lines
+
+
 def main():
     build, source, work = (pathlib.Path(a) for a in sys.argv[1:4])
     compiler = [sys.argv[4], "-std=c89", "-pedantic", "-Wall", "-Wextra", "-Werror"]
@@ -47,6 +55,8 @@ def main():
     run(*compiler, *cflags, program, "-o", work / "static", *libraries)
     run(work / "static")
     assert "libasterism" not in run("readelf", "-d", work / "static")
+
+    check_folders_from_the_root(source, work)
     return 0
 
 
