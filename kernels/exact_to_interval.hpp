@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "asterism/core/dyadic.hpp"
 #include "asterism/core/interval.hpp"

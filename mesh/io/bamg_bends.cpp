@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"

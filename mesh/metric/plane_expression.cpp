@@ -4,6 +4,7 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/ill_conditioned_metric.hpp"

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"

@@ -3,6 +3,7 @@
 // The predicates over arrays: one call of the batch functions, without the interpreter's lock. The
 // package's own functions, which ask in batches that can be interrupted, have their descriptions.
 #include <array>
+#include <new>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Files of a folder can be compiled as one, and those of folders that asterism_unite joins (also asterism_join): what
-two of them define without linkage has different names, or different parameters. The first command and the Python module are built so,
-the tests are not.
+two of them define without linkage has different names, or different parameters. The first and the second command build so, the developers'
+presets do not.
 
     check_united.py [SOURCE]
 """

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "asterism/core/random.hpp"
 #include "asterism/mesh/audit/audit.hpp"

@@ -3,6 +3,7 @@
 // Segments with the domain on both sides, what is open, and the numbers of regions.
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "asterism/mesh/domain/point_in_domain.hpp"
 #include "fixtures/domain_kinds.hpp"
