@@ -66,7 +66,8 @@ function(asterism_unite target)
 endfunction()
 
 # asterism_compile_cheaply(TARGET): under ASTERISM_UNITY with -O1, which takes three fifths of the time of -O3. For what
-# reads options and writes summaries: nothing in it is repeated as often as there are triangles.
+# reads options and writes summaries, in which nothing is repeated as often as there are triangles, and for programs of
+# tests, whose time is the library's.
 function(asterism_compile_cheaply target)
   if(ASTERISM_UNITY AND NOT EMSCRIPTEN)
     target_compile_options(${target} PRIVATE -O1)
@@ -77,6 +78,14 @@ endfunction()
 function(asterism_read_once target)
   if(ASTERISM_UNITY AND NOT EMSCRIPTEN)
     target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+# asterism_read_as(TARGET OTHER): under ASTERISM_UNITY what is read once for OTHER is not read for TARGET either. Their
+# options of compilation have to be the same, and no header among them may know a definition that only one has.
+function(asterism_read_as target other)
+  if(ASTERISM_UNITY AND NOT EMSCRIPTEN)
+    target_precompile_headers(${target} REUSE_FROM ${other})
   endif()
 endfunction()
 

@@ -44,7 +44,7 @@ install_packages() {
 
 # configure [OPTION...]: configures the build tree, with everything that no option leaves out.
 configure() {
-  (cd "$project" && cmake --preset release "$@" >/dev/null)
+  (cd "$project" && cmake --preset release -B "$build" "$@" >/dev/null)
 }
 
 # build_targets [TARGET...]: builds all targets when none is named.
