@@ -52,6 +52,12 @@ def check_image():
     check(copied and all((TOP / name).is_file() for name in copied), "Containerfile: copies what is not there")
 
 
+def check_image_of_action():
+    """GitHub's runner takes an image for a file by the end of its name (ActionManager.cs), and refuses all others."""
+    image = re.search(r"^  image: (\S+)$", text("action.yml"), re.M)[1]
+    check(image.endswith("Dockerfile") and text(image) == text("Containerfile"), f"action.yml: image {image}")
+
+
 def run_action(**inputs):
     """Runs the step as a forge would: inputs come from the environment, defaults from action.yml. Returns its
     status."""
@@ -132,6 +138,7 @@ def check_licences():
 
 check_citation()
 check_image()
+check_image_of_action()
 check_action()
 check_source_distribution()
 check_packages()
