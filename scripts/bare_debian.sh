@@ -10,12 +10,15 @@ make_bare_debian() {
   debootstrap --variant=minbase --include="$*" bookworm "$system" \
     "${ASTERISM_MIRROR:-http://deb.debian.org/debian}" >"$system.log" 2>&1 || { tail -3 "$system.log" >&2; return 1; }
   rm -f "$system.log"
+  chmod 755 "$system"  # mktemp's folders are closed to apt's own user
 }
 
-# in_bare_debian FOLDER COMMAND: runs the command by sh, without this system's environment.
+# in_bare_debian FOLDER COMMAND: runs the command by sh, without this system's environment. It has a /proc of its own,
+# in which programs like rustc look for where they are.
 in_bare_debian() {
   env -i HOME=/root LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-    DEBIAN_FRONTEND=noninteractive chroot "$1" sh -euc "$2"
+    DEBIAN_FRONTEND=noninteractive \
+    unshare --mount sh -euc 'mount -t proc proc "$1/proc"; exec chroot "$1" sh -euc "$2"' sh "$1" "$2"
 }
 
 # size_of_bare_debian FOLDER: prints the number of packages and the size in megabytes.
