@@ -14,9 +14,9 @@ import standard_headers
 def problems_of(path, top, build, work, compiler, allowed):
     unit = work / "unit.cpp"
     unit.write_text(f'#include "{top / path}"\n', encoding="utf-8")
-    found = compiler.dependencies(unit, ["-I", f"{build}/include", "-frounding-math"])
+    found = compiler.dependencies(unit, ["-I", f"{build}/include", "-frounding-math"], compiles=False)
     if isinstance(found, str):
-        yield f"{path} does not compile:\n{found}"
+        yield f"{path} cannot be read:\n{found}"
         return
     for used in sorted(found - allowed - {unit.resolve()}):
         if not used.is_relative_to(top) and not used.name.startswith("gmp"):

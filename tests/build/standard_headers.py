@@ -24,12 +24,13 @@ class Compiler:
     def __init__(self, command, is_c=False):
         self.command, self.is_c = command, is_c
 
-    def dependencies(self, unit, options):
-        """Returns the files opened to compile `unit`, or the compiler's error messages."""
+    def dependencies(self, unit, options, compiles=True):
+        """Returns the files opened to compile `unit`, or the compiler's error messages. Without `compiles` the unit is
+        preprocessed alone, which opens the same files in a fraction of the time."""
         standard = "-std=c11" if self.is_c else "-std=c++20"
         listing = unit.with_suffix(".d")
-        command = [self.command, standard, *options, "-fsyntax-only", "-MD", "-MF", str(listing),
-                   str(unit)]
+        reading = ["-fsyntax-only", "-MD"] if compiles else ["-M"]
+        command = [self.command, standard, *options, *reading, "-MF", str(listing), str(unit)]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             return done.stderr
@@ -42,7 +43,7 @@ class Compiler:
         guarded = [f"#if __has_include(<{name}>)\n#include <{name}>\n#endif\n"
                    for name in (C if self.is_c else CXX + INTRINSICS)]
         unit.write_text("".join(guarded), encoding="utf-8")
-        found = self.dependencies(unit, ["-w"])
+        found = self.dependencies(unit, ["-w"], compiles=False)
         if isinstance(found, str):
-            raise SystemExit(f"the standard headers do not compile:\n{found}")
+            raise SystemExit(f"the standard headers cannot be read:\n{found}")
         return found
