@@ -14,6 +14,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/data/renumbering.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/io/clockwise_triangles.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 
@@ -128,19 +129,13 @@ failure split_quadrilaterals(listed_mesh& from) {
 }
 
 void turn_over(mesh& m) {
-  std::size_t count = 0, first = 0;
-  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
-    triangle& c = m.triangles[t];
-    if (orientation(m, c[0], c[1], c[2]) != sign::negative) continue;
-    std::swap(c[1], c[2]);
-    if (count++ == 0) first = t;
-  }
-  if (count == 0) return;
+  const turned_triangles turned = turn_over_clockwise(m);
+  if (turned.count == 0) return;
   m.notes.push_back(
-      count == m.triangles.size()
-          ? fmt::format("the triangles are clockwise and turned over: {}", count)
+      turned.count == m.triangles.size()
+          ? fmt::format("the triangles are clockwise and turned over: {}", turned.count)
           : fmt::format("{} of {} triangles are clockwise and turned over, the first: triangle {}",
-                        count, m.triangles.size(), first + 1));
+                        turned.count, m.triangles.size(), turned.first + 1));
 }
 
 // Returns the triangles in groups by their least vertex, and where each group begins.

@@ -13,6 +13,7 @@
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/picture.hpp"
+#include "asterism/mesh/io/clockwise_triangles.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
@@ -186,6 +187,18 @@ mesh_marks marks_of(const keywords& given, std::size_t points) {
   return marks;
 }
 
+// Turns clockwise triangles over, as readers of files do, with a note that counts rows from 0.
+void turn_over(mesh& m) {
+  const internal::turned_triangles turned = internal::turn_over_clockwise(m);
+  if (turned.count == m.triangles.size() && turned.count > 0)
+    m.notes.push_back("the triangles are clockwise and turned over: " +
+                      std::to_string(turned.count));
+  else if (turned.count > 0)
+    m.notes.push_back(std::to_string(turned.count) + " of " + std::to_string(m.triangles.size()) +
+                      " triangles are clockwise and turned over, the first: row " +
+                      std::to_string(turned.first));
+}
+
 // Makes a mesh from elsewhere: nothing is known of how it was made.
 py_mesh from_arrays(const py::object& points, const py::object& triangles, const py::object& metric,
                     const py::dict& more) {
@@ -209,6 +222,7 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
                         std::to_string(t[0] == t[1] ? t[0] : t[2]) + " twice");
     m.triangles.push_back(t);
   }
+  turn_over(m);
   if (given.has("regions"))
     m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size(), "triangle");
   add_edges(m, given.object("edges"), given.object("edge_markers"));

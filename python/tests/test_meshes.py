@@ -266,6 +266,16 @@ def test_a_mesh_from_elsewhere():
         asterism.Mesh([(0, 0), (1, 0), (0, 1)], [(0, 1, 7)])
 
 
+def test_clockwise_triangles_are_turned_over_and_told():
+    points = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    with pytest.warns(UserWarning, match="1 of 2 triangles are clockwise and turned over, the first: row 1"):
+        one = asterism.Mesh(points, [(0, 1, 2), (0, 3, 2)], regions=[5, 7])
+    assert one.triangles.tolist() == [[0, 1, 2], [0, 2, 3]] and one.regions.tolist() == [5, 7]
+    with pytest.warns(UserWarning, match="the triangles are clockwise and turned over: 2"):
+        both = asterism.Mesh(points, [(0, 2, 1), (0, 3, 2)])
+    assert asterism.adapt(both, [0, 1, 1, 0], vertices=60).mesh.certified
+
+
 def test_pictures_and_other_packages(made):
     assert made._repr_svg_().lstrip().startswith("<?xml") and "<svg" in made.svg(ellipses=True)
     meshio = pytest.importorskip("meshio")
