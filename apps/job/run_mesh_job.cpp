@@ -188,12 +188,12 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const mesh_input&
     limits.expect(progress.sites);
     line.show(progress);
   };
-  auto made = job.guarantee ? make_guaranteed_mesh(input.shape, *input.metric.field, options, show)
-                            : make_periodic_mesh(input.shape, *input.metric.field, options,
-                                                 job.periodic, show);
+  const metric_field& field = *input.metric.field;
+  if (!job.guarantee)
+    return make_periodic_mesh(input.shape, field, options, job.periodic, show, job.no_split_across);
+  auto made = make_guaranteed_mesh(input.shape, field, options, show);
   if (!made || !job.no_split_across) return made;
-  return split_across(std::move(made).value(), input.shape, *input.metric.field, options,
-                      job.periodic);
+  return split_across(std::move(made).value(), input.shape, field, options);
 }
 
 // Makes the mesh. If that exceeds the memory limit, all memory is given back, and the

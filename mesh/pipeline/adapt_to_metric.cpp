@@ -15,7 +15,6 @@
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/kept_mesh.hpp"
 #include "asterism/mesh/pipeline/outline_chords.hpp"
-#include "asterism/mesh/pipeline/split_across.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -172,11 +171,10 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   const auto field = make_interpolated_field(background, 1);
   const mesh_options how = options_for(background, options);
   const domain& shape = for_new ? for_new->shape : done.shape;
-  auto made = make_periodic_mesh(shape, *field, how, options.periodic, progress);
+  auto made =
+      make_periodic_mesh(shape, *field, how, options.periodic, progress, options.no_split_across);
   if (!made) return made.failure();
   done.made = std::move(made).value();
-  if (options.no_split_across)
-    done.made = split_across(std::move(done.made), shape, *field, how, options.periodic);
   if (kept.is_as_good_as(done.made)) stay(kept, options, done);
   if (!done.kept && for_new) {
     done.shape = std::move(for_new->shape);

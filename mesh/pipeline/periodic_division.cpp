@@ -53,14 +53,14 @@ points_on_segment points_between(const domain& d, const mesh& m) {
 
 }  // namespace
 
-std::optional<error> divide_by_length(const metric_field& field, std::size_t most,
+std::optional<error> divide_by_length(const metric_field& field, double unit, std::size_t most,
                                       periodic_sides& sides) {
   domain line;
   for (const side_station& station : sides.stations()) line.vertices.push_back(station.first);
   for (vertex_index i = 0; i < sides.intervals().size(); ++i) line.segments.push_back({i, i + 1});
   const side_map map = sides.map();
   const auto divided =
-      divide_segments(line, finer_of_sides(field, map), longest_subsegment_of_fill, most);
+      divide_segments(line, finer_of_sides(field, map), unit * longest_subsegment_of_fill, most);
   if (!divided) return divided.failure();
   if (divided.value().of_each.empty()) return std::nullopt;
   for (std::size_t i = line.segments.size(); i-- > 0;) {

@@ -17,10 +17,10 @@
 
 namespace asterism::internal {
 
-// Divides both sides by metric length, as a fill divides segments, in a metric that is at each
-// place at least as fine as those of both sides; returns none if that takes more than `most`
-// points. Fails where the field does.
-std::optional<error> divide_by_length(const metric_field& field, std::size_t most,
+// Divides both sides by metric length, as a fill divides segments for edges as long as `unit`, in a
+// metric that is at each place at least as fine as those of both sides; leaves them as they are if
+// that takes more than `most` points. Fails where the field does.
+std::optional<error> divide_by_length(const metric_field& field, double unit, std::size_t most,
                                       periodic_sides& sides);
 
 // The domain with the stations as vertices, so that a mesh has them whatever way it is made.

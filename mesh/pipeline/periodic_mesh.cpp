@@ -2,14 +2,22 @@
 #include "asterism/mesh/pipeline/periodic_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "asterism/mesh/delivery/count_search.hpp"
+#include "asterism/mesh/delivery/domain_background.hpp"
+#include "asterism/mesh/pipeline/counted_mesh.hpp"
+#include "asterism/mesh/pipeline/kept_mesh.hpp"
 #include "asterism/mesh/pipeline/mesh_attempts.hpp"
 #include "asterism/mesh/pipeline/periodic_division.hpp"
 #include "asterism/mesh/pipeline/periodic_sides.hpp"
+#include "asterism/mesh/pipeline/split_across.hpp"
 #include "asterism/mesh/pipeline/star_refusal.hpp"
+#include "asterism/mesh/stars/work_limit.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -46,20 +54,132 @@ result<all_sides> find_sides(const domain& d, const std::vector<periodic_pair>& 
   return all;
 }
 
-// Makes meshes until one splits no segment between stations, or is not complete.
-template <class Make>
-result<mesh_outcome> make_in_rounds(const domain& d, all_sides& sides, const Make& make) {
-  for (int round = 1;; ++round) {
-    const periodic_division divided(d, sides);
-    result<mesh_outcome> made = make(divided.shape());
-    if (!made) return made;
-    const bool is_last = !made.value().complete || round == most_rounds ||
-                         divided.take_splits(made.value().result, sides) == 0;
-    if (!is_last) continue;
-    divided.restore(made.value());
-    return made;
-  }
+// Returns the metric length of edges with which the domain takes the number of vertices that is
+// wanted; none where no number is, or the metric is not given at the nodes of a mesh. A mesh is
+// fitted to the number by edges of another length than 1: sides divided in lengths of 1 would leave
+// too few vertices for the inside. Edges of length t take A / t^2 vertices for the area and B / t
+// for half the boundary; the boundary alone has 2 B / t.
+std::optional<double> edge_length_for_count(const domain& d, const metric_field& field,
+                                            const mesh_options& options) {
+  const mesh* const given = options.vertices ? background_of_domain(d, field) : nullptr;
+  if (given == nullptr) return std::nullopt;
+  const unit_counts counts = vertices_of_unit_edges(*given);
+  const auto wanted = static_cast<double>(*options.vertices);
+  const double area = counts.inside, half_boundary = std::max(0.0, counts.all - counts.inside);
+  const double length =
+      (half_boundary + std::sqrt(half_boundary * half_boundary + 4 * area * wanted)) / (2 * wanted);
+  const double for_boundary = 2 * half_boundary / wanted;
+  if (!std::isfinite(length) || !(length > 0)) return std::nullopt;
+  return std::max(length, for_boundary);
 }
+
+// Makes meshes with periodic sides of one domain, once for each way in which stars are confirmed.
+class periodic_mesher {
+ public:
+  // References must outlive the object.
+  periodic_mesher(const domain& d, const metric_field& field, const mesh_options& options,
+                  const std::vector<periodic_pair>& pairs, const progress_listener& progress,
+                  bool no_split_across)
+      : domain_(d),
+        field_(field),
+        options_(options),
+        pairs_(pairs),
+        progress_(progress),
+        no_split_across_(no_split_across),
+        unit_(edge_length_for_count(d, field, options)) {}
+
+  // Makes the mesh and judges it. Where it has more or fewer vertices than wanted, and many of them
+  // on the sides, divides these anew in longer or shorter edges, with a third of the work of a run;
+  // returns the certified mesh nearest to the number.
+  result<certified_mesh> run(star_confirmation confirmed, bool may_deliver) {
+    constexpr int most_times = 4;
+    constexpr double part_of_run = 0.3, slowest_growth = 0.25;  // as meet_vertices()
+    const double unit = unit_.value_or(1);
+    auto nearest = attempt(confirmed, may_deliver, unit, options_);
+    if (!unit_ || !nearest || !nearest.value().certified()) return nearest;
+    mesh_options bounded = options_;
+    bounded.stop =
+        options_.stop.with_work(part_of_run * units_for_run, part_of_run * run_units_for_site);
+    count_search search(static_cast<double>(*options_.vertices), slowest_growth);
+    search.take(static_cast<double>(unsplit_));
+    for (int times = 0; times < most_times && !bounded.stop.is_requested(); ++times) {
+      if (is_count_near(*options_.vertices, unsplit_) || are_few_on_sides()) break;
+      auto other = attempt(confirmed, may_deliver, unit / search.factor(), bounded);
+      if (!other || !other.value().certified()) break;
+      if (search.take(static_cast<double>(unsplit_))) nearest = std::move(other);
+    }
+    return nearest;
+  }
+
+ private:
+  // True if less than a fifth of the vertices of the last mesh are on the sides.
+  bool are_few_on_sides() const {
+    constexpr std::size_t part = 5;
+    return part * on_sides_ < unsplit_;
+  }
+
+  result<certified_mesh> attempt(star_confirmation confirmed, bool may_deliver, double length,
+                                 const mesh_options& options) {
+    auto sides = find_sides(domain_, pairs_);
+    if (!sides) return sides.failure();
+    constexpr std::size_t part = 4;  // of the sites there may be: more leaves few for the inside
+    if (options.limit_size && options.strategy == refinement_strategy::fill)
+      for (periodic_sides& one : sides.value())
+        if (auto failed = divide_by_length(field_, length, options.max_sites / part, one))
+          return *failed;
+    auto made = make_in_rounds(sides.value(), confirmed, may_deliver, options);
+    if (!made) return made.failure();
+    on_sides_ = 0;
+    for (const periodic_sides& one : sides.value()) on_sides_ += 2 * one.stations().size();
+    if (progress_) progress_({.phase = mesh_phase::auditing, .sites = made.value().sites});
+    certified_mesh judged = judge_outcome(std::move(made).value(), domain_, options);
+    if (why_not_split_) judged.claim.reason = *why_not_split_;
+    claim_periodic(pairs_, judged);
+    return judged;
+  }
+
+  // Makes meshes until one splits no segment between stations, or is not complete.
+  result<mesh_outcome> make_in_rounds(all_sides& sides, star_confirmation confirmed,
+                                      bool may_deliver, const mesh_options& options) {
+    for (int round = 1;; ++round) {
+      const periodic_division divided(domain_, sides);
+      result<mesh_outcome> made =
+          make_by_attempts(divided.shape(), field_, options, progress_, confirmed, may_deliver);
+      if (!made) return made;
+      unsplit_ = made.value().sites;
+      if (no_split_across_)
+        made = without_edges_across(std::move(made).value(), divided.shape(), options);
+      const bool is_last = !made.value().complete || round == most_rounds ||
+                           divided.take_splits(made.value().result, sides) == 0;
+      if (!is_last) continue;
+      divided.restore(made.value());
+      return made;
+    }
+  }
+
+  // Splits the inner edges that join two vertices of the boundary. The splits that stars then need
+  // may be on the sides.
+  mesh_outcome without_edges_across(mesh_outcome made, const domain& divided,
+                                    const mesh_options& options) {
+    why_not_split_.reset();
+    if (!made.complete) return made;
+    certified_mesh split =
+        split_across(judge_outcome(std::move(made), divided, options), divided, field_, options);
+    if (!split.outcome.complete) why_not_split_ = split.claim.reason;
+    return std::move(split.outcome);
+  }
+
+  const domain& domain_;
+  const metric_field& field_;
+  const mesh_options& options_;
+  const std::vector<periodic_pair>& pairs_;
+  const progress_listener& progress_;
+  const bool no_split_across_;
+  const std::optional<double> unit_;          // length of edges; none where none is to be found
+  std::size_t unsplit_ = 0;                   // vertices of the last mesh, before edges were split
+  std::size_t on_sides_ = 0;                  // of them, corners twice
+  std::optional<std::string> why_not_split_;  // of the last mesh
+};
 
 }  // namespace
 
@@ -87,31 +207,22 @@ void claim_periodic(const std::vector<periodic_pair>& pairs, certified_mesh& jud
 result<certified_mesh> make_periodic_mesh(const domain& d, const metric_field& field,
                                           const mesh_options& options,
                                           const std::vector<periodic_pair>& pairs,
-                                          const progress_listener& progress) {
-  if (pairs.empty()) return make_certified_mesh(d, field, options, progress);
+                                          const progress_listener& progress, bool no_split_across) {
+  if (pairs.empty()) {
+    auto made = make_certified_mesh(d, field, options, progress);
+    if (!made || !no_split_across) return made;
+    return split_across(std::move(made).value(), d, field, options);
+  }
   // Refuses darts: they start from the distance of the nearest vertices, and stations are near: of
   // a square with 224 sites there were 6,700 after a minute, and no end.
   if (options.strategy == refinement_strategy::poisson_darts)
     return error{"periodic sides are made by the strategies fill and voronoi, not by darts",
                  error_code::bad_option};
-  auto sides = find_sides(d, pairs);
-  if (!sides) return sides.failure();
-  constexpr std::size_t part = 4;  // of the sites there may be; more leaves too few for the inside
-  if (options.limit_size && options.strategy == refinement_strategy::fill)
-    for (periodic_sides& one : sides.value())
-      if (auto failed = divide_by_length(field, options.max_sites / part, one)) return *failed;
-  const auto judged_with = [&](star_confirmation confirmed,
-                               bool may_deliver) -> result<certified_mesh> {
-    auto made = make_in_rounds(d, sides.value(), [&](const domain& divided) {
-      return make_by_attempts(divided, field, options, progress, confirmed, may_deliver);
-    });
-    if (!made) return made.failure();
-    if (progress) progress({.phase = mesh_phase::auditing, .sites = made.value().sites});
-    certified_mesh judged = judge_outcome(std::move(made).value(), d, options);
-    claim_periodic(pairs, judged);
-    return judged;
-  };
-  return judged_until_confirmed(options, judged_with);
+  if (auto refused = check_periodic(d, pairs)) return *refused;
+  periodic_mesher mesher(d, field, options, pairs, progress, no_split_across);
+  return judged_until_confirmed(options, [&](star_confirmation confirmed, bool may_deliver) {
+    return mesher.run(confirmed, may_deliver);
+  });
 }
 
 }  // namespace asterism

@@ -28,12 +28,16 @@ namespace asterism {
 // of make_certified_mesh. Fails, too, with a sentence that names both markers, where two sides
 // cannot match: if one is no line with two ends, is part of a curve, or is not the other one
 // shifted or turned; and for darts. The certificate has the pairs, and how they match as
-// match_periodic found; a mesh in which they do not is not complete.
+// match_periodic found; a mesh in which they do not is not complete. Where a number of vertices is
+// wanted of a metric that is given at the nodes of a mesh, sides are divided in edges as long as
+// that number takes. With `no_split_across` no inner edge joins two vertices of the boundary, as
+// split_across() leaves it, with pairs or without.
 ASTERISM_EXPORT result<certified_mesh> make_periodic_mesh(const domain& d,
                                                           const metric_field& field,
                                                           const mesh_options& options,
                                                           const std::vector<periodic_pair>& pairs,
-                                                          const progress_listener& progress = {});
+                                                          const progress_listener& progress = {},
+                                                          bool no_split_across = false);
 
 // Returns an error where the sides of the domain cannot match, or a marker is of two pairs.
 ASTERISM_EXPORT std::optional<error> check_periodic(const domain& d,

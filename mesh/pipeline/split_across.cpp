@@ -151,42 +151,41 @@ class across_splitter {
   audited_mesh made_;
 };
 
-// Returns the outcome with another mesh of the same domain.
-std::optional<mesh_outcome> with_mesh(mesh_outcome after, mesh m, const domain& d,
-                                      const metric_field& field, const mesh_options& options) {
+// Replaces the mesh of the outcome by another one of the same domain. Returns false where the field
+// fails.
+bool replace_mesh(mesh_outcome& of, mesh m, const domain& d, const metric_field& field,
+                  const mesh_options& options) {
   auto compared = compare_with_wanted(m, field, options.angle_bound);
-  if (!compared) return std::nullopt;
-  after.result = std::move(m);
-  after.sites = after.result.sites.size();
-  after.triangles = after.result.triangles.size();
-  after.splits = after.result.boundary.size() - d.segments.size();
-  after.inserted = after.sites - d.vertices.size() - after.splits;
-  after.ended.sites = after.sites;
-  after.audited.reset();
-  const double length = after.delivered ? after.delivered->length_factor : 1;
-  const bool is_wanted = !after.delivered && compared.value().changed == 0;
-  after.delivered.reset();
-  if (!is_wanted) after.delivered = std::move(compared).value();
-  if (after.delivered) after.delivered->length_factor = length;
-  after.intolerable = excess_of(after, options);
-  if (after.intolerable) after.complete = false;
-  return after;
+  if (!compared) return false;
+  of.result = std::move(m);
+  of.sites = of.result.sites.size();
+  of.triangles = of.result.triangles.size();
+  of.splits = of.result.boundary.size() - d.segments.size();
+  of.inserted = of.sites - d.vertices.size() - of.splits;
+  of.ended.sites = of.sites;
+  of.audited.reset();
+  const bool is_wanted = !of.delivered && compared.value().changed == 0;
+  compared.value().length_factor = of.delivered ? of.delivered->length_factor : 1;
+  of.delivered = is_wanted ? std::nullopt : std::optional(std::move(compared).value());
+  of.intolerable = excess_of(of, options);
+  if (of.intolerable) of.complete = false;
+  return true;
 }
 
 }  // namespace
 
 certified_mesh split_across(certified_mesh made, const domain& d, const metric_field& field,
-                            const mesh_options& options, const std::vector<periodic_pair>& pairs) {
+                            const mesh_options& options) {
   if (!made.certified()) return made;
   const auto found = edges_across(made.outcome.result);
   if (found.empty()) return made;
   const double unit = made.outcome.delivered ? made.outcome.delivered->length_factor : 1;
-  if (auto without = across_splitter(d, field, options, unit).run(made.outcome.result))
-    if (auto after = with_mesh(made.outcome, *std::move(without), d, field, options))
-      if (auto judged = judge_outcome(*std::move(after), d, options); judged.certified()) {
-        if (!pairs.empty()) claim_periodic(pairs, judged);
+  if (auto without = across_splitter(d, field, options, unit).run(made.outcome.result)) {
+    mesh_outcome after = made.outcome;
+    if (replace_mesh(after, *std::move(without), d, field, options))
+      if (auto judged = judge_outcome(std::move(after), d, options); judged.certified())
         return judged;
-      }
+  }
   made.outcome.complete = made.claim.complete = false;
   made.claim.reason = fmt::format(
       "{} inner edges join two vertices of the boundary, {} and {} the first, and splitting them "

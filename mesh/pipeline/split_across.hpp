@@ -4,13 +4,10 @@
 // (mesh/audit/split_edges.hpp), and certifies the mesh that results.
 #pragma once
 
-#include <vector>
-
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
-#include "asterism/mesh/pipeline/periodic_mesh.hpp"
 
 namespace asterism::internal {
 
@@ -18,9 +15,8 @@ namespace asterism::internal {
 // repeats that until there are no such edges. The mesh is delivered in a metric that may differ
 // from `field` there, as any mesh made by local changes is. Where that does not end, or not in a
 // certified mesh, the mesh stays as it was, and the outcome is not complete and says so. A mesh
-// that is not certified stays as it is. The sides of `pairs` keep their points, and the claim of
-// their match is renewed.
+// that is not certified stays as it is. Stars may need splits of the boundary.
 certified_mesh split_across(certified_mesh made, const domain& d, const metric_field& field,
-                            const mesh_options& options, const std::vector<periodic_pair>& pairs);
+                            const mesh_options& options);
 
 }  // namespace asterism::internal

@@ -209,6 +209,61 @@ class Periodic(command.CommandTest):
         done = self.run_command("adapt", "old.mesh", "--metric", "old.sol", "--keep", "always", "-o", "plain.mesh")
         self.assertIn("stays as it is", done.stdout)
 
+    def torus(self, cells, value=lambda x, y: math.tanh(8 * math.sin(2 * math.pi * (x - y)))):
+        """A grid of the unit square, each cell cut along x = y, and values: a front along these diagonals."""
+        at = [(i / cells, j / cells) for j in range(cells + 1) for i in range(cells + 1)]
+        corners = [j * (cells + 1) + i + 1 for j in range(cells) for i in range(cells)]
+        below = cells + 1
+        triangles = [t for a in corners for t in ((a, a + 1, a + below + 1), (a, a + below + 1, a + below))]
+        last = cells * below
+        edges = [e for k in range(cells) for e in (
+            (k + 1, k + 2, 1), ((k + 1) * below, (k + 2) * below, 2), (last + k + 2, last + k + 1, 3),
+            ((k + 1) * below + 1, k * below + 1, 4))]
+        rows = lambda name, table, *more: "\n".join(  # noqa: E731
+            [name, str(len(table)), *(" ".join(map(repr, (*row, *more))) for row in table)])
+        self.write("t.mesh", "\n".join(["MeshVersionFormatted 2", "Dimension 2", rows("Vertices", at, 0),
+                                        rows("Triangles", triangles, 1), rows("Edges", edges), "End", ""]))
+        values = [value(x, y) for x, y in at]
+        self.write("t.u.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n%d\n1 1\n%s\nEnd\n"
+                   % (len(values), "\n".join(map(repr, values))))
+
+    def adapt_torus(self, wanted, *more):
+        """The new mesh's status and number of vertices; its sides match."""
+        done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", str(wanted), "--periodic",
+                                "4,2", *more, "-o", "n.mesh")
+        self.assertIn("certified", done.stdout, done.stderr)
+        self.assertIn("periodic: 4 and 2: translated exactly by (1, 0), ", done.stdout)
+        sides = self.sides("n.mesh")
+        self.assertEqual({(x + 1, y) for x, y in sides[4]}, sides[2])
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+        words = (self.folder / "n.mesh").read_text().split()
+        return done.returncode, int(words[words.index("Vertices") + 1])
+
+    def test_sides_are_divided_for_the_vertices_that_are_wanted(self):
+        """A front as thin as its metric wants would take all vertices to the sides, and more."""
+        for cells, wanted in (14, 400), (10, 1000):
+            self.torus(cells)
+            for pairs in ((), ("--periodic", "1,3")):
+                with self.subTest(cells=cells, wanted=wanted, pairs=pairs):
+                    status, got = self.adapt_torus(wanted, *pairs)
+                    self.assertEqual(status, 0)
+                    self.assertLessEqual(abs(got - wanted), 0.1 * wanted)
+
+    def test_no_edge_across_and_sides_that_match(self):
+        self.torus(14)
+        self.assertEqual(self.adapt_torus(400, "--no-split-across")[0], 0)
+        self.torus(14, lambda x, y: math.sin(2 * math.pi * x) * math.cos(2 * math.pi * y))
+        for wanted in 60, 200:
+            status, _ = self.adapt_torus(wanted, "--periodic", "1,3", "--no-split-across")
+            self.assertEqual(status, 0)
+        self.write("d.poly", SLANTED)
+        for size in "0.5", "0.3", "0.12":
+            done = self.run_command("mesh", "d.poly", "--size", size, "--metric", "expr:(1+9*y)^2;x;4", "--periodic",
+                                    "4,2", "--no-split-across", "-o", "m.mesh")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertEqual({(x + 1, y) for x, y in self.sides()[4]}, self.sides()[2])
+            self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
+
 
 if __name__ == "__main__":
     unittest.main()
