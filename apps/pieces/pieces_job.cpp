@@ -30,6 +30,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/core/version.h"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/json_values.hpp"
 #include "asterism/mesh/metric/metric_part.hpp"
 #include "asterism/mesh/pieces/piece_mesh.hpp"
 #include "asterism/mesh/pieces/verify_pieces.hpp"

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <limits>
-#include <stdexcept>
 
 #include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/certificate_writer.hpp"
 #include "asterism/mesh/io/json_places.hpp"
+#include "asterism/mesh/io/json_values.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism {
@@ -19,38 +18,6 @@ using namespace internal;
 namespace {
 
 using json = certificate_json;
-
-// Exception of the readers below, which parse_certificate catches.
-struct malformed : std::runtime_error {
-  malformed(std::string field, const std::string& what)
-      : std::runtime_error(what), name(std::move(field)) {}
-  std::string name;  // of the field
-};
-
-// Shortens texts from a file, which may be of any length, for messages.
-std::string shortened(std::string text) {
-  constexpr std::size_t longest = 60;
-  if (text.size() <= longest) return text;
-  return text.substr(0, longest) + "...";
-}
-
-std::string shown(const json& value) { return shortened(value.dump()); }
-
-// Returns a member of an object; errors name its key, as in every reader below.
-const json& member(const json& object, const std::string& key) {
-  const auto place = object.find(key);
-  if (place == object.end()) throw malformed(key, "\"" + key + "\" is missing");
-  return *place;
-}
-
-template <class T>
-T read(const json& object, const std::string& key) {
-  try {
-    return member(object, key).get<T>();
-  } catch (const json::exception&) {
-    throw malformed(key, "\"" + key + "\" is not what it should be");
-  }
-}
 
 // Reads an angle, which is null if there was no angle to judge; older certificates have a number in
 // that case.
@@ -61,95 +28,6 @@ double worst_angle_of(const json& object, const std::string& key) {
 double bound_of(const json& object, const std::string& key) {
   return member(object, key).is_null() ? std::numeric_limits<double>::infinity()
                                        : read<double>(object, key);
-}
-
-std::size_t count_of(const json& object, const std::string& key) {
-  if (!member(object, key).is_number_unsigned())
-    throw malformed(key, "\"" + key + "\" is not a count");
-  return read<std::size_t>(object, key);
-}
-
-vertex_index index_of(const json& number, const std::string& key) {
-  if (!number.is_number_unsigned() || number.get<std::uint64_t>() < 1 ||
-      number.get<std::uint64_t>() > std::numeric_limits<vertex_index>::max())
-    throw malformed(key,
-                    "\"" + key + "\" holds " + shown(number) + ", which counts nothing from 1");
-  return static_cast<vertex_index>(number.get<std::uint64_t>() - 1);
-}
-
-const json& array_of(const json& object, const std::string& key) {
-  const json& list = member(object, key);
-  if (!list.is_array()) throw malformed(key, "\"" + key + "\" is not a list");
-  return list;
-}
-
-std::vector<vertex_index> indices_of(const json& object, const std::string& key) {
-  std::vector<vertex_index> result;
-  for (const json& number : array_of(object, key)) result.push_back(index_of(number, key));
-  return result;
-}
-
-std::vector<point> points_of(const json& object, const std::string& key) {
-  std::vector<point> result;
-  for (const json& p : array_of(object, key)) {
-    if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number())
-      throw malformed(key, "\"" + key + "\" holds " + shown(p) + ", which is no point");
-    result.push_back({p[0].get<double>(), p[1].get<double>()});
-  }
-  return result;
-}
-
-segment segment_of(const json& s) {
-  const bool usable = s.is_array() && (s.size() == 3 || s.size() == 6) &&
-                      std::all_of(s.begin(), s.end(),
-                                  [](const json& number) { return number.is_number_integer(); });
-  if (!usable)
-    throw malformed("segments", "\"segments\" holds " + shown(s) + ", which is no segment");
-  segment made{index_of(s[0], "segments"), index_of(s[1], "segments"), s[2].get<int>()};
-  if (s.size() == 3) return made;
-  made.internal = s[3].get<int>() != 0;
-  made.left_region = s[4].get<int>();
-  made.right_region = s[5].get<int>();
-  return made;
-}
-
-domain_curve curve_of(const json& object, std::size_t vertices) {
-  domain_curve c;
-  const auto kind = read<std::string>(object, "kind");
-  const auto place = std::find(curve_kind_names.begin(), curve_kind_names.end(), kind);
-  if (place == curve_kind_names.end())
-    throw malformed("kind", "\"kind\" holds \"" + kind + "\", which is no kind of curve");
-  c.kind = static_cast<curve_kind>(place - curve_kind_names.begin());
-  if (c.kind == curve_kind::arc) {
-    const auto centre = read<std::array<double, 2>>(object, "centre");
-    c.centre = {centre[0], centre[1]};
-    c.clockwise = read<bool>(object, "clockwise");
-  } else {
-    const std::vector<point> control = points_of(object, "control");
-    if (control.size() != 2) throw malformed("control", "\"control\" is not two points");
-    c.control = {control[0], control[1]};
-  }
-  c.vertices = indices_of(object, "vertices");
-  for (const vertex_index v : c.vertices)
-    if (v >= vertices) throw malformed("curves", "a curve names a vertex the domain does not have");
-  c.parameters = read<std::vector<double>>(object, "parameters");
-  return c;
-}
-
-domain domain_of(const json& object) {
-  domain d;
-  d.vertices = points_of(object, "vertices");
-  for (const json& s : array_of(object, "segments")) {
-    const segment read_segment = segment_of(s);
-    if (read_segment.a >= d.vertices.size() || read_segment.b >= d.vertices.size())
-      throw malformed("segments",
-                      "segment " + shown(s) + " names a vertex the domain does not have");
-    d.segments.push_back(read_segment);
-  }
-  if (!object.contains("curves")) return d;
-  for (const json& c : array_of(object, "curves"))
-    d.curves.push_back(curve_of(c, d.vertices.size()));
-  return d;
 }
 
 tier_counters counters_of(const json& object, const std::string& key) {
@@ -163,21 +41,12 @@ tier_counters counters_of(const json& object, const std::string& key) {
   return counters;
 }
 
-std::uint64_t fingerprint_of(const json& object) {
-  const auto text = read<std::string>(object, "fingerprint");
-  std::uint64_t value = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  if (text.size() != 16 || end.ec != std::errc() || end.ptr != text.data() + text.size())
-    throw malformed("fingerprint", "\"fingerprint\" is not sixteen hexadecimal digits");
-  return value;
-}
-
 void read_mesh(const json& object, certificate& c) {
   c.sites = count_of(object, "vertices");
   c.given = count_of(object, "given");
   c.triangles = count_of(object, "triangles");
   c.boundary_subsegments = count_of(object, "boundary_edges");
-  c.fingerprint = fingerprint_of(object);
+  c.fingerprint = digest_in(object, "fingerprint");
 }
 
 // Accepts certificates written before this question existed.

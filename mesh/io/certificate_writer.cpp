@@ -2,12 +2,12 @@
 #include "asterism/mesh/io/certificate_writer.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "asterism/mesh/io/certificate_json.hpp"
+#include "asterism/mesh/io/json_values.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 
 namespace asterism {
@@ -15,13 +15,6 @@ using namespace internal;
 namespace {
 
 using json = certificate_json;
-
-std::vector<std::size_t> from_one(const std::vector<vertex_index>& numbers) {
-  std::vector<std::size_t> result;
-  result.reserve(numbers.size());
-  for (const vertex_index i : numbers) result.push_back(std::size_t{i} + 1);
-  return result;
-}
 
 json counters_json(const tier_counters& counters) {
   json result = json::object();
@@ -34,64 +27,12 @@ json counters_json(const tier_counters& counters) {
   return result;
 }
 
-json points_json(const std::vector<point>& points) {
-  json result = json::array();
-  for (const point& p : points) result.push_back({p.x, p.y});
-  return result;
-}
-
-bool tells_sides(const segment& s) {
-  return s.internal || s.left_region != 1 || s.right_region != 1;
-}
-
-// Writes three numbers; six if there is anything to state on sides and regions.
-json segment_json(const segment& s) {
-  json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
-  if (tells_sides(s))
-    for (const int more : {s.internal ? 1 : 0, s.left_region, s.right_region})
-      written.push_back(more);
-  return written;
-}
-
-json curve_json(const domain_curve& c) {
-  json written = {{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}};
-  if (c.kind == curve_kind::arc) {
-    written["centre"] = {c.centre.x, c.centre.y};
-    written["clockwise"] = c.clockwise;
-  } else {
-    written["control"] = points_json({c.control[0], c.control[1]});
-  }
-  written["vertices"] = from_one(c.vertices);
-  written["parameters"] = c.parameters;
-  return written;
-}
-
-// Writes curves only if there are any. Vertices and segments, which may be very many, are left out
-// where they are written without a JSON value for each number.
-json domain_json(const domain& d, bool with_lists) {
-  json segments = json::array(), curves = json::array();
-  if (with_lists)
-    for (const segment& s : d.segments) segments.push_back(segment_json(s));
-  for (const domain_curve& c : d.curves) curves.push_back(curve_json(c));
-  json written = {{"vertices", with_lists ? points_json(d.vertices) : json::array()},
-                  {"segments", std::move(segments)}};
-  if (!curves.empty()) written["curves"] = std::move(curves);
-  return written;
-}
-
-std::string hexadecimal(std::uint64_t value) {
-  std::array<char, 16> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  const std::string text(digits.data(), end.ptr);
-  return std::string(16 - text.size(), '0') + text;
-}
-
 json mesh_json(const certificate& c) {
   return {{"vertices", c.sites},
           {"given", c.given},
           {"triangles", c.triangles},
           {"boundary_edges", c.boundary_subsegments},
-          {"fingerprint", hexadecimal(c.fingerprint)}};
+          {"fingerprint", digest_text(c.fingerprint)}};
 }
 
 json measured_json(const certificate& c) {
@@ -226,28 +167,27 @@ json guarantee_json(const guarantee_claim& g) {
           {"times_least", g.times_least ? json(*g.times_least) : json(nullptr)}};
 }
 
-json json_with(const certificate& c, bool lists_of_domain) {
+json json_with(const certificate& c, domain_rows rows) {
   json options = json::object();
   for (const auto& [name, value] : c.options) options[name] = value;
-  json written = {
-      {"format", certificate_format},
-      {"version", c.version},
-      {"numbering", "from 1"},
-      {"asked",
-       {{"metric", c.metric},
-        {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
-        {"options", std::move(options)}}},
-      {"outcome",
-       {{"complete", c.complete},
-        {"reason", c.reason},
-        {"star_repairs", c.star_repairs},
-        {"delivered", delivered_json(c)},
-        {"decided", counters_json(c.mesher_counters)}}},
-      {"mesh", mesh_json(c)},
-      {"measured", measured_json(c)},
-      {"audit", audit_json(c)},
-      {"theorem", theorem_json(c)},
-      {"domain", c.original ? domain_json(*c.original, lists_of_domain) : json(nullptr)}};
+  json written = {{"format", certificate_format},
+                  {"version", c.version},
+                  {"numbering", "from 1"},
+                  {"asked",
+                   {{"metric", c.metric},
+                    {"angle_bound", c.angle_bound ? json(*c.angle_bound) : json(nullptr)},
+                    {"options", std::move(options)}}},
+                  {"outcome",
+                   {{"complete", c.complete},
+                    {"reason", c.reason},
+                    {"star_repairs", c.star_repairs},
+                    {"delivered", delivered_json(c)},
+                    {"decided", counters_json(c.mesher_counters)}}},
+                  {"mesh", mesh_json(c)},
+                  {"measured", measured_json(c)},
+                  {"audit", audit_json(c)},
+                  {"theorem", theorem_json(c)},
+                  {"domain", c.original ? domain_json(*c.original, rows) : json(nullptr)}};
   if (c.guarantee) written["guarantee"] = guarantee_json(*c.guarantee);
   if (c.second_order) written["second_order"] = second_order_json(*c.second_order);
   if (c.former) written["former_boundary"] = former_json(*c.former);
@@ -335,14 +275,17 @@ certificate_json internal::json_of(const std::vector<periodic_match>& matches) {
   return written;
 }
 
-certificate_json internal::json_of(const certificate& c) { return json_with(c, true); }
+certificate_json internal::json_of(const certificate& c) {
+  return json_with(c, domain_rows::as_needed);
+}
 
 void internal::write_certificate_text(const certificate& c, const byte_sink& put) {
   const bool has_lists =
       c.original && !c.original->vertices.empty() && !c.original->segments.empty();
   // Text that is not UTF-8 (a file's name may be anything) is replaced, not refused.
-  const std::string text =
-      json_with(c, !has_lists).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  const std::string text = json_with(c, has_lists ? domain_rows::left_out : domain_rows::as_needed)
+                               .dump(1, ' ', false, json::error_handler_t::replace) +
+                           "\n";
   if (has_lists)
     write_with_lists(text, *c.original, put);
   else

@@ -3,18 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
 #include <exception>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 
 #include "asterism/mesh/io/certificate_json.hpp"
 #include "asterism/mesh/io/certificate_writer.hpp"
 #include "asterism/mesh/io/json_places.hpp"
+#include "asterism/mesh/io/json_values.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -24,43 +22,8 @@ using json = nlohmann::ordered_json;
 constexpr const char* index_format = "asterism pieces 1";
 constexpr std::size_t deepest = 8;  // lists and objects in each other
 
-json points_json(const std::vector<point>& points) {
-  json all = json::array();
-  for (const point& q : points) all.push_back({q.x, q.y});
-  return all;
-}
-
 std::size_t from_one(std::uint32_t number, std::uint32_t none) {
   return number == none ? 0 : std::size_t{number} + 1;
-}
-
-json curves_json(const domain& d) {
-  json all = json::array();
-  for (const domain_curve& c : d.curves) {
-    json one = {{"kind", curve_kind_names[static_cast<std::size_t>(c.kind)]}};
-    if (c.kind == curve_kind::arc) {
-      one["centre"] = {c.centre.x, c.centre.y};
-      one["clockwise"] = c.clockwise;
-    } else {
-      one["control"] = points_json({c.control[0], c.control[1]});
-    }
-    json numbers = json::array();
-    for (const std::uint32_t v : c.vertices) numbers.push_back(std::size_t{v} + 1);
-    one["vertices"] = std::move(numbers);
-    one["parameters"] = c.parameters;
-    all.push_back(std::move(one));
-  }
-  return all;
-}
-
-json domain_json(const domain& d) {
-  json segments = json::array();
-  for (const segment& s : d.segments)
-    segments.push_back({std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker, s.internal ? 1 : 0,
-                        s.left_region, s.right_region});
-  json written = {{"vertices", points_json(d.vertices)}, {"segments", std::move(segments)}};
-  if (!d.curves.empty()) written["curves"] = curves_json(d);
-  return written;
 }
 
 json cut_json(const domain_cut& cut) {
@@ -116,16 +79,11 @@ json index_json(const pieces_index& index) {
         {"pieces_made", index.made},
         {"vertices", index.sites},
         {"triangles", index.triangles}}},
-      {"domain", domain_json(index.original)},
+      {"domain", domain_json(index.original, domain_rows::with_sides)},
       {"cut", cut_json(index.cut)},
       {"seams", seams_json(index.points, &index.digests)},
       {"pieces", std::move(pieces)}};
 }
-
-// Exception of the readers below, which parse_index and parse_rounds catch.
-struct malformed : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 std::uint32_t index_of(const json& number, std::size_t count, const char* what, bool may_be_none) {
   const std::uint32_t none = no_piece;
@@ -134,55 +92,7 @@ std::uint32_t index_of(const json& number, std::size_t count, const char* what, 
     if (value == 0 && may_be_none) return none;
     if (value >= 1 && value <= count) return static_cast<std::uint32_t>(value - 1);
   }
-  throw malformed(std::string("\"") + what + "\" names one that is not there");
-}
-
-std::vector<point> points_of(const json& list) {
-  std::vector<point> points;
-  for (const json& q : list) {
-    if (!q.is_array() || q.size() != 2) throw malformed("a point is no pair of numbers");
-    points.push_back({q.at(0).get<double>(), q.at(1).get<double>()});
-  }
-  return points;
-}
-
-domain_curve curve_of(const json& object, std::size_t vertices) {
-  domain_curve c;
-  const auto kind = object.at("kind").get<std::string>();
-  if (kind != curve_kind_names[0] && kind != curve_kind_names[1])
-    throw malformed("\"kind\" is no kind of curve");
-  c.kind = kind == curve_kind_names[0] ? curve_kind::arc : curve_kind::cubic;
-  if (c.kind == curve_kind::arc) {
-    c.centre = {object.at("centre").at(0).get<double>(), object.at("centre").at(1).get<double>()};
-    c.clockwise = object.at("clockwise").get<bool>();
-  } else {
-    const std::vector<point> control = points_of(object.at("control"));
-    if (control.size() != 2) throw malformed("\"control\" is not two points");
-    c.control = {control[0], control[1]};
-  }
-  for (const json& v : object.at("vertices"))
-    c.vertices.push_back(index_of(v, vertices, "vertices", false));
-  c.parameters = object.at("parameters").get<std::vector<double>>();
-  if (c.vertices.size() < 2 || c.vertices.size() != c.parameters.size())
-    throw malformed("a curve has not as many parameters as vertices");
-  return c;
-}
-
-domain domain_of(const json& object) {
-  domain d;
-  d.vertices = points_of(object.at("vertices"));
-  for (const json& s : object.at("segments")) {
-    if (!s.is_array() || s.size() != 6) throw malformed("a segment is no list of six numbers");
-    segment made{index_of(s[0], d.vertices.size(), "segments", false),
-                 index_of(s[1], d.vertices.size(), "segments", false), s[2].get<int>()};
-    made.internal = s[3].get<int>() != 0;
-    made.left_region = s[4].get<int>();
-    made.right_region = s[5].get<int>();
-    d.segments.push_back(made);
-  }
-  if (object.contains("curves"))
-    for (const json& c : object.at("curves")) d.curves.push_back(curve_of(c, d.vertices.size()));
-  return d;
+  throw malformed(what, std::string("\"") + what + "\" names one that is not there");
 }
 
 domain_cut cut_of(const json& object, const domain& d, std::size_t pieces) {
@@ -190,10 +100,11 @@ domain_cut cut_of(const json& object, const domain& d, std::size_t pieces) {
   cut.pieces = pieces;
   cut.given = static_cast<vertex_index>(d.vertices.size());
   cut.vertices = d.vertices;
-  for (const point& q : points_of(object.at("vertices"))) cut.vertices.push_back(q);
+  for (const point& q : points_of(object, "vertices")) cut.vertices.push_back(q);
   cut.marker = object.at("marker").get<int>();
   for (const json& e : object.at("edges")) {
-    if (!e.is_array() || e.size() != 8) throw malformed("an edge is no list of eight numbers");
+    if (!e.is_array() || e.size() != 8)
+      throw malformed("edges", "an edge is no list of eight numbers");
     cut_edge made;
     made.a = index_of(e[0], cut.vertices.size(), "edges", false);
     made.b = index_of(e[1], cut.vertices.size(), "edges", false);
@@ -212,22 +123,13 @@ domain_cut cut_of(const json& object, const domain& d, std::size_t pieces) {
   return cut;
 }
 
-std::uint64_t digest_in(const json& text) {
-  const auto digits = text.get<std::string>();
-  std::uint64_t value = 0;
-  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
-  if (digits.size() != 16 || end.ec != std::errc() || end.ptr != digits.data() + digits.size())
-    throw malformed("a digest is not sixteen hexadecimal digits");
-  return value;
-}
-
 void read_seams(const json& list, std::size_t edges, seam_points& points, seam_digests* digests) {
   points.assign(edges, {});
   if (digests != nullptr) digests->assign(edges, 0);
   for (const json& one : list) {
     const std::uint32_t e = index_of(one.at("edge"), edges, "seams", false);
-    points[e] = points_of(one.at("points"));
-    if (digests != nullptr && one.contains("digest")) (*digests)[e] = digest_in(one.at("digest"));
+    points[e] = points_of(one, "points");
+    if (digests != nullptr && one.contains("digest")) (*digests)[e] = digest_in(one, "digest");
   }
 }
 
@@ -235,8 +137,8 @@ piece_entry entry_of(const json& object) {
   piece_entry p;
   p.mesh = object.at("mesh").get<std::string>();
   p.certificate = object.at("certificate").get<std::string>();
-  p.fingerprint = digest_in(object.at("fingerprint"));
-  p.digest = digest_in(object.at("certificate_digest"));
+  p.fingerprint = digest_in(object, "fingerprint");
+  p.digest = digest_in(object, "certificate_digest");
   p.sites = object.at("vertices").get<std::size_t>();
   p.triangles = object.at("triangles").get<std::size_t>();
   if (!object.at("worst_angle").is_null()) p.worst_angle = object.at("worst_angle").get<double>();
@@ -247,7 +149,7 @@ piece_entry entry_of(const json& object) {
 
 pieces_index index_of(const json& root) {
   if (!root.is_object() || !root.contains("format") || root.at("format") != index_format)
-    throw malformed(std::string("this is not an \"") + index_format + "\"");
+    throw malformed("format", std::string("this is not an \"") + index_format + "\"");
   pieces_index index;
   index.version = root.at("version").get<std::string>();
   const json &asked = root.at("asked"), &outcome = root.at("outcome");
@@ -261,6 +163,9 @@ pieces_index index_of(const json& root) {
   index.triangles = outcome.at("triangles").get<std::size_t>();
   for (const json& p : root.at("pieces")) index.pieces.push_back(entry_of(p));
   index.original = domain_of(root.at("domain"));
+  for (const domain_curve& c : index.original.curves)
+    if (c.vertices.size() < 2 || c.vertices.size() != c.parameters.size())
+      throw malformed("curves", "a curve has not as many parameters as vertices");
   index.cut = cut_of(root.at("cut"), index.original, index.pieces.size());
   read_seams(root.at("seams"), index.cut.edges.size(), index.points, &index.digests);
   return index;
@@ -297,13 +202,6 @@ std::uint64_t digest_of(const std::string& bytes) {
   return hash;
 }
 
-std::string digest_text(std::uint64_t digest) {
-  std::array<char, 16> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), digest, 16);
-  const std::string text(digits.data(), end.ptr);
-  return std::string(16 - text.size(), '0') + text;
-}
-
 std::string index_text(const pieces_index& index) {
   return text_of(with_digest(index_json(index)));
 }
@@ -331,10 +229,9 @@ result<pieces_index> parse_index(const std::string& text, const std::string& nam
 }
 
 result<pieces_index> read_index(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return error{path.string() + ": it cannot be read", error_code::unreadable_file};
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return parse_index(text, path.string());
+  const auto text = read_text_file(path);
+  if (!text) return text.failure();
+  return parse_index(text.value(), path.string());
 }
 
 std::string name_of_piece(piece_index piece, std::size_t pieces, const std::string& ending) {

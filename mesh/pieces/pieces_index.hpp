@@ -58,8 +58,6 @@ struct pieces_index {
 
 // Returns a 64-bit FNV-1a hash of the bytes.
 std::uint64_t digest_of(const std::string& bytes);
-// Returns the number as sixteen hexadecimal digits.
-std::string digest_text(std::uint64_t digest);
 
 std::string index_text(const pieces_index& index);
 // Reads the text of a file. `name` is the file's, for messages. Refuses a text with parts that are

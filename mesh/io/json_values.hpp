@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes and reads the values that several kinds of JSON files hold: points, digests, domains.
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/io/certificate_json.hpp"
+
+namespace asterism::internal {
+
+// Exception of the readers below, which whoever parses a whole file catches.
+struct malformed : std::runtime_error {
+  malformed(std::string field, const std::string& what)
+      : std::runtime_error(what), name(std::move(field)) {}
+  std::string name;  // of the field
+};
+
+// Return a text of a file, or that of a value, for messages: shortened, as it may be of any length.
+std::string shortened(std::string text);
+std::string shown(const certificate_json& value);
+
+// Returns a member of an object; errors name its key, as in every reader below.
+const certificate_json& member(const certificate_json& object, const std::string& key);
+
+template <class T>
+T read(const certificate_json& object, const std::string& key) {
+  try {
+    return member(object, key).get<T>();
+  } catch (const certificate_json::exception&) {
+    throw malformed(key, "\"" + key + "\" is not what it should be");
+  }
+}
+
+std::size_t count_of(const certificate_json& object, const std::string& key);
+// Returns a number that counts from 1 as an index.
+vertex_index index_of(const certificate_json& number, const std::string& key);
+const certificate_json& array_of(const certificate_json& object, const std::string& key);
+std::vector<vertex_index> indices_of(const certificate_json& object, const std::string& key);
+std::vector<point> points_of(const certificate_json& object, const std::string& key);
+// Returns the number that sixteen hexadecimal digits are.
+std::uint64_t digest_in(const certificate_json& object, const std::string& key);
+// Requires of each curve no more than that its vertices are the domain's.
+domain domain_of(const certificate_json& object);
+
+// Returns the indices as numbers from 1.
+std::vector<std::size_t> from_one(const std::vector<vertex_index>& numbers);
+certificate_json points_json(const std::vector<point>& points);
+std::string digest_text(std::uint64_t digest);
+
+// True if a segment has anything to state on its sides, or on regions.
+bool tells_sides(const segment& s);
+
+// Rows of a domain's vertices and segments. A segment has three numbers, or six where it tells of
+// its sides; with_sides, always. The lists, which may be very long, are empty where left_out.
+enum class domain_rows : std::uint8_t { left_out, as_needed, with_sides };
+
+// Writes curves only if there are any.
+certificate_json domain_json(const domain& d, domain_rows rows);
+
+}  // namespace asterism::internal
