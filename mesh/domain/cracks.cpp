@@ -17,6 +17,7 @@
 #include "asterism/mesh/data/renumbering.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
+#include "asterism/mesh/support/joined_sets.hpp"
 
 namespace asterism {
 namespace {
@@ -259,14 +260,14 @@ namespace {
 class corner_fans {
  public:
   corner_fans(const mesh& m, const triangle_sides& sides, const std::vector<ends>& cracks)
-      : m_(m), parent_(3 * m.triangles.size()) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+      : m_(m), joined_(3 * m.triangles.size()) {
     for (const auto& s : sides.all()) {
       const auto [a, b] = s.ends;
       if (a > b || std::binary_search(cracks.begin(), cracks.end(), s.ends)) continue;
       const auto* const beyond = sides.find(b, a);
       if (beyond == nullptr) continue;
-      for (const vertex_index v : s.ends) join(corner(s.triangle, v), corner(beyond->triangle, v));
+      for (const vertex_index v : s.ends)
+        joined_.join(corner(s.triangle, v), corner(beyond->triangle, v));
     }
   }
 
@@ -275,20 +276,11 @@ class corner_fans {
     return 3 * std::size_t{t} + (c[0] == v ? 0 : c[1] == v ? 1 : 2);
   }
   // Returns the first corner of the fan.
-  std::size_t fan(std::size_t c) {
-    while (parent_[c] != c) c = parent_[c] = parent_[parent_[c]];
-    return c;
-  }
+  std::size_t fan(std::size_t c) { return joined_.find(c); }
 
  private:
-  void join(std::size_t c, std::size_t d) {
-    c = fan(c);
-    d = fan(d);
-    parent_[std::max(c, d)] = std::min(c, d);
-  }
-
   const mesh& m_;
-  std::vector<std::size_t> parent_;
+  joined_sets joined_;
 };
 
 std::vector<ends> edges_of_cracks(const mesh& m, const crack_markers& cracks) {

@@ -9,32 +9,13 @@
 
 #include "asterism/core/sign.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/support/joined_sets.hpp"
 
 namespace asterism::internal {
 
 namespace {
 
 std::size_t twin(std::size_t half_edge) { return half_edge ^ 1; }
-
-// Sets of small integers that are joined, and never divided.
-class joined_sets {
- public:
-  explicit joined_sets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  // Joins two sets; the lesser name becomes that of both.
-  void join(std::size_t i, std::size_t j) {
-    const auto [low, high] = std::minmax({find(i), find(j)});
-    parent_[high] = low;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 }  // namespace
 

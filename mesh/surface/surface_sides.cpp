@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/support/joined_sets.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -90,24 +91,6 @@ bool is_point(const surface_patch& p, int side) {
   return true;
 }
 
-class united {
- public:
-  explicit united(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t of(std::size_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  void unite(std::size_t a, std::size_t b) {
-    a = of(a), b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 error three_curves(const std::string& edge, const std::array<std::size_t, 3>& patches) {
   return {fmt::format("patches {}, {} and {} have edge \"{}\": only two curves may", patches[0] + 1,
                       patches[1] + 1, patches[2] + 1, without_controls(edge)),
@@ -179,22 +162,22 @@ void number_corners(side_graph& g, const std::vector<face_border>& borders) {
   const std::size_t patches = g.curve_of.size();
   std::vector<std::size_t> first(1, 0);  // corner of each patch
   for (const face_border& b : borders) first.push_back(first.back() + b.sides());
-  united corners(first.back());
+  joined_sets corners(first.back());
   for (const side_curve& c : g.curves) {
     const auto end = [&](const patch_side& s, std::size_t which) {
       return first[s.patch] + borders[s.patch].ends_of(
                                   static_cast<std::size_t>(s.side))[s.backward ? 1 - which : which];
     };
-    if (c.is_point) corners.unite(end(c.sides[0], 0), end(c.sides[0], 1));
+    if (c.is_point) corners.join(end(c.sides[0], 0), end(c.sides[0], 1));
     if (c.sides.size() < 2) continue;
-    corners.unite(end(c.sides[0], 0), end(c.sides[1], 0));
-    corners.unite(end(c.sides[0], 1), end(c.sides[1], 1));
+    corners.join(end(c.sides[0], 0), end(c.sides[1], 0));
+    corners.join(end(c.sides[0], 1), end(c.sides[1], 1));
   }
   std::map<std::size_t, std::size_t> numbers;
   g.corner_of.resize(patches);
   for (std::size_t p = 0; p < patches; ++p)
     for (std::size_t k = first[p]; k < first[p + 1]; ++k)
-      g.corner_of[p].push_back(numbers.emplace(corners.of(k), numbers.size()).first->second);
+      g.corner_of[p].push_back(numbers.emplace(corners.find(k), numbers.size()).first->second);
   g.corners = numbers.size();
 }
 
