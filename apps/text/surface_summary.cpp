@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/surface_audit/shell_numbers.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -88,25 +89,14 @@ std::string json_of(const shell_report& r, const shell_question& asked, bool com
                               {"reason", reason},
                               {"chord", asked.chord},
                               {"angle_bound", asked.angle_bound},
-                              {"no_crossings", asked.no_crossings},
-                              {"vertices", r.vertices},
-                              {"triangles", r.triangles},
-                              {"edges", r.edges},
-                              {"open_edges", r.open_edges},
-                              {"collapsed", r.collapsed},
-                              {"euler", r.euler},
-                              {"distance", r.distance},
-                              {"vertex_distance", r.vertex_distance},
-                              {"normal_tangent", r.normal_tangent},
-                              {"least_angle", r.least_angle},
-                              {"least_angle_in_space", r.least_angle_in_space},
-                              {"findings", r.findings}};
-  if (r.trims > 0) {
-    o["trims"] = r.trims;
-    o["trim_distance"] = r.trim_distance;
-    o["trim_edges"] = r.trim_edges;
-    o["trim_gap"] = r.trim_gap;
-  }
+                              {"no_crossings", asked.no_crossings}};
+  const auto add = [&](const char* key, const char* /*in words*/, auto member) {
+    o[key] = r.*member;
+  };
+  visit_numbers(add);
+  o["least_angle_in_space"] = r.least_angle_in_space;
+  o["findings"] = r.findings;
+  if (r.trims > 0) visit_trim_numbers(add);
   return o.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

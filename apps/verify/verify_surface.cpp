@@ -15,6 +15,7 @@
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/surface/unit_patches.hpp"
+#include "asterism/mesh/surface_audit/shell_numbers.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
 #include "asterism/mesh/surface_io/shell_certificate.hpp"
 #include "asterism/mesh/surface_io/space_mesh_reader.hpp"
@@ -61,20 +62,11 @@ std::vector<std::string> contradictions(const shell_report& now, const shell_cer
   };
   const shell_report& said = c.report;
   hold("certified", now.certified, said.certified);
-  hold("vertices", now.vertices, said.vertices);
-  hold("triangles", now.triangles, said.triangles);
-  hold("edges", now.edges, said.edges);
-  hold("open edges", now.open_edges, said.open_edges);
-  hold("triangles that are none in space", now.collapsed, said.collapsed);
-  hold("Euler number", now.euler, said.euler);
-  hold("distance", now.distance, said.distance);
-  hold("distance of vertices", now.vertex_distance, said.vertex_distance);
-  hold("tangent of the normals' deviation", now.normal_tangent, said.normal_tangent);
-  hold("least angle", now.least_angle, said.least_angle);
-  hold("trimming curves", now.trims, said.trims);
-  hold("distance of their chords", now.trim_distance, said.trim_distance);
-  hold("edges of two trimmed faces", now.trim_edges, said.trim_edges);
-  hold("gap along edges", now.trim_gap, said.trim_gap);
+  const auto hold_number = [&](const char* /*in files*/, const char* what, auto member) {
+    hold(what, now.*member, said.*member);
+  };
+  visit_numbers(hold_number);
+  visit_trim_numbers(hold_number);
   return all;
 }
 

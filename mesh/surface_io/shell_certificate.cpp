@@ -11,12 +11,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "asterism/core/version.h"
 #include "asterism/mesh/io/json_places.hpp"
 #include "asterism/mesh/io/text_lines.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/surface_audit/shell_numbers.hpp"
 #include "asterism/mesh/surface_io/surface_json.hpp"
 
 namespace asterism::internal {
@@ -26,20 +28,16 @@ using nlohmann::json;
 
 constexpr std::string_view beginning = "{\"kind\": \"surface\",";
 
-void append_member(std::string& text, const char* name, double x) {
-  append_number(text += fmt::format(",\n \"{}\": ", name), x);
-}
-
-void append_member(std::string& text, const char* name, std::size_t x) {
-  append_integer(text += fmt::format(",\n \"{}\": ", name), x);
-}
-
 // Writes an infinite bound as null.
-void append_bound(std::string& text, const char* name, double x) {
-  if (std::isfinite(x))
-    append_member(text, name, x);
+template <class Number>
+void append_member(std::string& text, const char* name, Number x) {
+  text += fmt::format(",\n \"{}\": ", name);
+  if constexpr (std::is_integral_v<Number>)
+    append_integer(text, x);
+  else if (std::isfinite(x))
+    append_number(text, x);
   else
-    text += fmt::format(",\n \"{}\": null", name);
+    text += "null";
 }
 
 std::string quoted(const std::string& s) {
@@ -134,8 +132,13 @@ void read_face(const json& from, shell_face& face) {
       face.border.push_back({index_of(row.at(0)), row.at(1).get<double>()});
 }
 
-double number_or_infinity(const json& from) {
-  return from.is_null() ? INFINITY : from.get<double>();
+// Reads null as an infinite bound.
+void read_number(const json& from, double& x) {
+  x = from.is_null() ? INFINITY : from.get<double>();
+}
+template <class Whole>
+void read_number(const json& from, Whole& x) {
+  x = whole_of<Whole>(from);
 }
 
 void read_report(const json& from, shell_certificate& c) {
@@ -147,21 +150,11 @@ void read_report(const json& from, shell_certificate& c) {
   // Accepts certificates written before this option existed.
   c.asked.no_crossings = from.value("no_crossings", false);
   r.certified = from.at("certified").get<bool>();
-  r.vertices = whole_of<std::size_t>(from.at("vertices"));
-  r.triangles = whole_of<std::size_t>(from.at("triangles"));
-  r.edges = whole_of<std::size_t>(from.at("edges"));
-  r.open_edges = whole_of<std::size_t>(from.at("open_edges"));
-  r.collapsed = whole_of<std::size_t>(from.at("collapsed"));
-  r.euler = whole_of<long>(from.at("euler"));
-  r.distance = from.at("distance").get<double>();
-  r.vertex_distance = from.at("vertex_distance").get<double>();
-  r.normal_tangent = number_or_infinity(from.at("normal_tangent"));
-  r.least_angle = from.at("least_angle").get<double>();
-  if (!from.contains("trims")) return;
-  r.trims = whole_of<std::size_t>(from.at("trims"));
-  r.trim_distance = number_or_infinity(from.at("trim_distance"));
-  r.trim_edges = whole_of<std::size_t>(from.at("trim_edges"));
-  r.trim_gap = number_or_infinity(from.at("trim_gap"));
+  const auto read = [&](const char* key, const char* /*in words*/, auto member) {
+    read_number(from.at(key), r.*member);
+  };
+  visit_numbers(read);
+  if (from.contains("trims")) visit_trim_numbers(read);
 }
 
 }  // namespace
@@ -177,22 +170,11 @@ std::string shell_certificate_text(const shell_certificate& c) {
   append_member(text, "chord", c.asked.chord);
   append_member(text, "angle_bound", c.asked.angle_bound);
   text += fmt::format(",\n \"no_crossings\": {}", c.asked.no_crossings);
-  append_member(text, "vertices", r.vertices);
-  append_member(text, "triangles", r.triangles);
-  append_member(text, "edges", r.edges);
-  append_member(text, "open_edges", r.open_edges);
-  append_member(text, "collapsed", r.collapsed);
-  text += fmt::format(",\n \"euler\": {}", r.euler);
-  append_member(text, "distance", r.distance);
-  append_member(text, "vertex_distance", r.vertex_distance);
-  append_bound(text, "normal_tangent", r.normal_tangent);
-  append_member(text, "least_angle", r.least_angle);
-  if (r.trims > 0) {
-    append_member(text, "trims", r.trims);
-    append_bound(text, "trim_distance", r.trim_distance);
-    append_member(text, "trim_edges", r.trim_edges);
-    append_bound(text, "trim_gap", r.trim_gap);
-  }
+  const auto append = [&](const char* key, const char* /*in words*/, auto member) {
+    append_member(text, key, r.*member);
+  };
+  visit_numbers(append);
+  if (r.trims > 0) visit_trim_numbers(append);
   text += ",\n \"surface\": " + surface_text(c.of);
   text += ",\n \"faces\": [\n";
   for (std::size_t f = 0; f < c.shell.faces.size(); ++f) {
