@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/kernels/batch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <initializer_list>
+#include <functional>
 
 #include "asterism/kernels/batch_first_pass.hpp"
 
@@ -33,19 +31,25 @@ site row(const site_columns& s, std::size_t k) {
 
 point row(const point_columns& p, std::size_t k) { return {p.x[k], p.y[k]}; }
 
-// Runs a batch: first(answers) decides the rows it can; ask(kernel, k) decides each row left.
-template <class First, class Ask>
-void run(std::span<signed char> answers, predicate which, tier_counters* decided,
-         const First& first, const Ask& ask) {
-  first(answers.data());
+signed char number_of(sign s) { return static_cast<signed char>(to_int(s)); }
+signed char number_of(bool answer) { return static_cast<signed char>(answer); }
+
+// Runs a batch: first(columns..., rows, answers) decides the rows it can; ask(kernel, arguments...)
+// decides each row left.
+template <class First, class Ask, class... Columns>
+batch_status run(std::span<signed char> answers, predicate which, tier_counters* decided,
+                 const First& first, const Ask& ask, const Columns&... columns) {
+  if (!(same_length(answers.size(), columns) && ...)) return batch_status::length_mismatch;
+  first(columns..., answers.size(), answers.data());
   const filtered_kernel by_row = decided != nullptr ? filtered_kernel(*decided) : filtered_kernel();
   std::size_t left = 0;
   for (std::size_t k = 0; k < answers.size(); ++k) {
     if (answers[k] != batch::undecided) continue;
-    answers[k] = static_cast<signed char>(ask(by_row, k));
+    answers[k] = number_of(std::invoke(ask, by_row, row(columns, k)...));
     ++left;
   }
   if (decided != nullptr) decided->at(which, tier::semi_static) += answers.size() - left;
+  return batch_status::ok;
 }
 
 }  // namespace
@@ -53,91 +57,43 @@ void run(std::span<signed char> answers, predicate which, tier_counters* decided
 batch_status batch_kernel::orientation(const point_columns& p, const point_columns& q,
                                        const point_columns& r,
                                        std::span<signed char> answers) const {
-  const std::size_t rows = answers.size();
-  if (!same_length(rows, p) || !same_length(rows, q) || !same_length(rows, r))
-    return batch_status::length_mismatch;
-  run(
-      answers, predicate::orientation, decided_,
-      [&](signed char* first) { batch::orientation(p, q, r, rows, first); },
-      [&](const filtered_kernel& kernel, std::size_t k) {
-        return to_int(kernel.orientation(row(p, k), row(q, k), row(r, k)));
-      });
-  return batch_status::ok;
+  return run(answers, predicate::orientation, decided_, batch::orientation,
+             &filtered_kernel::orientation, p, q, r);
 }
 
 batch_status batch_kernel::in_circle(const metric_columns& m, const point_columns& a,
                                      const point_columns& b, const point_columns& c,
                                      const point_columns& p, std::span<signed char> answers) const {
-  const std::size_t rows = answers.size();
-  if (!same_length(rows, m) || !same_length(rows, a) || !same_length(rows, b) ||
-      !same_length(rows, c) || !same_length(rows, p))
-    return batch_status::length_mismatch;
-  run(
-      answers, predicate::in_circle, decided_,
-      [&](signed char* first) { batch::in_circle(m, a, b, c, p, rows, first); },
-      [&](const filtered_kernel& kernel, std::size_t k) {
-        return to_int(kernel.in_circle(row(m, k), row(a, k), row(b, k), row(c, k), row(p, k)));
-      });
-  return batch_status::ok;
+  return run(
+      answers, predicate::in_circle, decided_, batch::in_circle,
+      [](const filtered_kernel& kernel, const auto&... at) { return kernel.in_circle(at...); }, m,
+      a, b, c, p);
 }
 
 batch_status batch_kernel::compare_distance(const site_columns& v, const site_columns& w,
                                             const point_columns& q,
                                             std::span<signed char> answers) const {
-  const std::size_t rows = answers.size();
-  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, q))
-    return batch_status::length_mismatch;
-  run(
-      answers, predicate::compare_distance, decided_,
-      [&](signed char* first) { batch::compare_distance(v, w, q, rows, first); },
-      [&](const filtered_kernel& kernel, std::size_t k) {
-        return to_int(kernel.compare_distance(row(v, k), row(w, k), row(q, k)));
-      });
-  return batch_status::ok;
+  return run(answers, predicate::compare_distance, decided_, batch::compare_distance,
+             &filtered_kernel::compare_distance, v, w, q);
 }
 
 batch_status batch_kernel::in_wedge(const site_columns& v, const site_columns& w,
                                     const point_columns& q, std::span<signed char> answers) const {
-  const std::size_t rows = answers.size();
-  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, q))
-    return batch_status::length_mismatch;
-  run(
-      answers, predicate::in_wedge, decided_,
-      [&](signed char* first) { batch::in_wedge(v, w, q, rows, first); },
-      [&](const filtered_kernel& kernel, std::size_t k) {
-        return kernel.in_wedge(row(v, k), row(w, k), row(q, k));
-      });
-  return batch_status::ok;
+  return run(answers, predicate::in_wedge, decided_, batch::in_wedge, &filtered_kernel::in_wedge, v,
+             w, q);
 }
 
 batch_status batch_kernel::dominates(const site_columns& v, const site_columns& w,
                                      const point_columns& p, std::span<signed char> answers) const {
-  const std::size_t rows = answers.size();
-  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, p))
-    return batch_status::length_mismatch;
-  run(
-      answers, predicate::dominates, decided_,
-      [&](signed char* first) { batch::dominates(v, w, p, rows, first); },
-      [&](const filtered_kernel& kernel, std::size_t k) {
-        return to_int(kernel.dominates(row(v, k), row(w, k), row(p, k)));
-      });
-  return batch_status::ok;
+  return run(answers, predicate::dominates, decided_, batch::dominates, &filtered_kernel::dominates,
+             v, w, p);
 }
 
 batch_status batch_kernel::edge_test(const site_columns& v, const site_columns& w,
                                      const site_columns& x, const site_columns& y,
                                      std::span<signed char> answers) const {
-  const std::size_t rows = answers.size();
-  if (!same_length(rows, v) || !same_length(rows, w) || !same_length(rows, x) ||
-      !same_length(rows, y))
-    return batch_status::length_mismatch;
-  run(
-      answers, predicate::edge_test, decided_,
-      [&](signed char* first) { batch::edge_test(v, w, x, y, rows, first); },
-      [&](const filtered_kernel& kernel, std::size_t k) {
-        return kernel.edge_test(row(v, k), row(w, k), row(x, k), row(y, k));
-      });
-  return batch_status::ok;
+  return run(answers, predicate::edge_test, decided_, batch::edge_test, &filtered_kernel::edge_test,
+             v, w, x, y);
 }
 
 }  // namespace asterism
