@@ -82,15 +82,13 @@ failure adcirc_reader::read_nodes(std::size_t nodes) {
   for (std::size_t i = 0; i < nodes; ++i) {
     if (auto failed = next_line(line, 3, "number, x, y and depth of a node")) return failed;
     if (auto failed = numbers_.add(source_, line[0])) return failed;
-    const auto x = to_number(source_, line[1], "x of a node");
-    if (!x) return x.failure();
-    const auto y = to_number(source_, line[2], "y of a node");
-    if (!y) return y.failure();
+    const auto at = to_point(source_, line[1], line[2], "a node");
+    if (!at) return at.failure();
     if (line.size() > 3) {
       const auto depth = to_number(source_, line[3], "depth of a node");
       has_depths_ = has_depths_ || !depth || depth.value() != 0;
     }
-    made_.content.sites.push_back({{x.value(), y.value()}, {1, 0, 1}});
+    made_.content.sites.push_back({at.value(), {1, 0, 1}});
   }
   return {};
 }

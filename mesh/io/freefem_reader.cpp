@@ -53,13 +53,12 @@ failure freefem_reader::read() {
 
 failure freefem_reader::read_vertices(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    const auto x = to_number(source_, source_.next(), "x of a vertex");
-    if (!x) return x.failure();
-    const auto y = to_number(source_, source_.next(), "y of a vertex");
-    if (!y) return y.failure();
+    const word x = source_.next(), y = source_.next();
+    const auto at = to_point(source_, x, y, "a vertex");
+    if (!at) return at.failure();
     const auto reference = label("label of a vertex");
     if (!reference) return reference.failure();
-    made_.content.sites.push_back({{x.value(), y.value()}, {1, 0, 1}});
+    made_.content.sites.push_back({at.value(), {1, 0, 1}});
     made_.content.references.push_back(reference.value());
   }
   return {};

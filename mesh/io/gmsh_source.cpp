@@ -92,17 +92,16 @@ failure gmsh_source::add_node(const word& tag) {
 }
 
 failure gmsh_source::read_position(site& s) {
-  const auto x = to_number(source_, source_.next(), "x of a node");
-  if (!x.ok()) return x.failure();
-  const auto y = to_number(source_, source_.next(), "y of a node");
-  if (!y.ok()) return y.failure();
+  const word x = source_.next(), y = source_.next();
+  const auto at = to_point(source_, x, y, "a node");
+  if (!at) return at.failure();
   const word w = source_.next();
   const auto z = to_number(source_, w, "z of a node");
   if (!z.ok()) return z.failure();
   if (z.value() != 0)
     file_.heights.push_back(
         {static_cast<vertex_index>(&s - file_.content.sites.data()), w.line, z.value()});
-  s = {{x.value(), y.value()}, {1, 0, 1}};
+  s = {at.value(), {1, 0, 1}};
   return {};
 }
 

@@ -65,17 +65,15 @@ class medit_reader {
   failure read_elements(const element_section& kind);
   void add_element(const element_section& kind, const std::array<vertex_index, 4>& corners,
                    int reference, std::size_t line);
-  failure read_required();
-  failure read_corners();
+  // Reads the vertices of a list of marked ones; corners are checked, and not used.
+  failure read_marked(std::string_view keyword, std::string_view meaning,
+                      std::vector<vertex_index>& marked);
   failure read_required_edges();
   failure read_parts(std::string_view keyword);
   failure refuse_solids(const word& keyword);
 
   // Reads the count of a section that may occur once.
   result<std::size_t> read_count(std::string_view keyword);
-  result<double> read_number(std::string_view meaning) {
-    return to_number(source_, source_.next(), meaning);
-  }
   result<int> read_reference(std::string_view meaning) {
     return made_.wide.read(source_, source_.next(), meaning);
   }
@@ -165,8 +163,9 @@ failure medit_reader::read_section(const word& keyword) {
   if (keyword.text == "Vertices") return read_vertices();
   for (const element_section& kind : element_sections)
     if (keyword.text == kind.keyword) return read_elements(kind);
-  if (keyword.text == "RequiredVertices") return read_required();
-  if (keyword.text == "Corners") return read_corners();
+  if (keyword.text == "RequiredVertices")
+    return read_marked(keyword.text, "required vertex", made_.marks.required_vertices);
+  if (keyword.text == "Corners") return read_marked(keyword.text, "corner", made_.marks.corners);
   if (keyword.text == "RequiredEdges") return read_required_edges();
   if (keyword.text == "SubDomain" || keyword.text == "SubDomainFromGeom")
     return read_parts(keyword.text);
@@ -213,10 +212,9 @@ failure medit_reader::read_vertices() {
   if (!count.ok()) return count.failure();
   m_.sites.reserve(count.value());
   for (std::size_t i = 0; i < count.value(); ++i) {
-    const auto x = read_number("x of a vertex");
-    if (!x.ok()) return x.failure();
-    const auto y = read_number("y of a vertex");
-    if (!y.ok()) return y.failure();
+    const word x = source_.next(), y = source_.next();
+    const auto at = to_point(source_, x, y, "a vertex");
+    if (!at.ok()) return at.failure();
     if (dimension_ == 3) {
       const word w = source_.next();
       const auto z = to_number(source_, w, "z of a vertex");
@@ -226,7 +224,7 @@ failure medit_reader::read_vertices() {
     }
     const auto reference = read_reference("reference of a vertex");
     if (!reference.ok()) return reference.failure();
-    m_.sites.push_back({{x.value(), y.value()}, {}});
+    m_.sites.push_back({at.value(), {}});
     m_.references.push_back(reference.value());
   }
   return {};
@@ -268,25 +266,14 @@ void medit_reader::add_element(const element_section& kind,
   m_.regions.push_back(reference);
 }
 
-failure medit_reader::read_required() {
-  const auto count = read_count("RequiredVertices");
+failure medit_reader::read_marked(std::string_view keyword, std::string_view meaning,
+                                  std::vector<vertex_index>& marked) {
+  const auto count = read_count(keyword);
   if (!count.ok()) return count.failure();
   for (std::size_t i = 0; i < count.value(); ++i) {
-    const auto v = read_vertex("required vertex");
+    const auto v = read_vertex(meaning);
     if (!v.ok()) return v.failure();
-    made_.marks.required_vertices.push_back(v.value());
-  }
-  return {};
-}
-
-// Reads corners, checks them, and does not use them.
-failure medit_reader::read_corners() {
-  const auto count = read_count("Corners");
-  if (!count.ok()) return count.failure();
-  for (std::size_t i = 0; i < count.value(); ++i) {
-    const auto v = read_vertex("corner");
-    if (!v.ok()) return v.failure();
-    made_.marks.corners.push_back(v.value());
+    marked.push_back(v.value());
   }
   return {};
 }

@@ -104,12 +104,9 @@ class curve_reader {
   }
 
   failure read_point(const words& record, std::size_t at, std::string_view what, point& p) const {
-    const std::string name(what);
-    const auto x = to_number(source_, record[at], "x of " + name);
-    if (!x.ok()) return x.failure();
-    const auto y = to_number(source_, record[at + 1], "y of " + name);
-    if (!y.ok()) return y.failure();
-    p = {x.value(), y.value()};
+    const auto read = to_point(source_, record[at], record[at + 1], what);
+    if (!read.ok()) return read.failure();
+    p = read.value();
     return std::nullopt;
   }
 

@@ -113,15 +113,13 @@ failure sms_reader::read_node(const words& line) {
   if (line.size() < 4)
     return source_.failure(line.front().line, "number, x, y and z of a node wanted");
   if (auto failed = numbers_.add(source_, line[1])) return failed;
-  const auto x = to_number(source_, line[2], "x of a node");
-  if (!x) return x.failure();
-  const auto y = to_number(source_, line[3], "y of a node");
-  if (!y) return y.failure();
+  const auto at = to_point(source_, line[2], line[3], "a node");
+  if (!at) return at.failure();
   if (line.size() > 4) {
     const auto z = to_number(source_, line[4], "z of a node");
     has_heights_ = has_heights_ || !z || z.value() != 0;
   }
-  made_.content.sites.push_back({{x.value(), y.value()}, {1, 0, 1}});
+  made_.content.sites.push_back({at.value(), {1, 0, 1}});
   return {};
 }
 

@@ -184,11 +184,9 @@ failure su2_reader::read_points(std::size_t count) {
     if (line.size() < 2)
       return source_.failure(source_.line(), line.empty() ? "the file ends within NPOIN="
                                                           : "x and y of a point wanted");
-    const auto x = to_number(source_, line[0], "x of a point");
-    if (!x) return x.failure();
-    const auto y = to_number(source_, line[1], "y of a point");
-    if (!y) return y.failure();
-    made_.content.sites.push_back({{x.value(), y.value()}, {1, 0, 1}});
+    const auto at = to_point(source_, line[0], line[1], "a point");
+    if (!at) return at.failure();
+    made_.content.sites.push_back({at.value(), {1, 0, 1}});
   }
   return {};
 }

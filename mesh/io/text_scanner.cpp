@@ -116,6 +116,15 @@ result<double> to_number(const text_scanner& source, const word& w, std::string_
                         value.failure().code);
 }
 
+result<point> to_point(const text_scanner& source, const word& x, const word& y,
+                       std::string_view of) {
+  const auto first = to_number(source, x, "x of " + std::string(of));
+  if (!first) return first.failure();
+  const auto second = to_number(source, y, "y of " + std::string(of));
+  if (!second) return second.failure();
+  return point{first.value(), second.value()};
+}
+
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning) {
   if (w.empty()) return source.failure(w.line, std::string(meaning) + ": the file ends here");
   std::string_view digits = w.text;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "asterism/core/result.hpp"
+#include "asterism/core/site.hpp"
 
 namespace asterism::internal {
 
@@ -72,6 +73,9 @@ class text_scanner {
 // Returns the value of a word, or the error `file:line: <meaning>: ...`. Exponents may be
 // Fortran's: 1.5D-3, 1.5d-3, and 1.5-103, which has no room for the letter.
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
+// Reads x and y, whose meanings are "x of" and "y of" what they are of.
+result<point> to_point(const text_scanner& source, const word& x, const word& y,
+                       std::string_view of);
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);
 // Reads a marker or reference, an int.
 result<int> to_marker(const text_scanner& source, const word& w, std::string_view meaning);
