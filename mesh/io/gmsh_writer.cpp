@@ -58,12 +58,6 @@ class gmsh_writer {
   void line(Integers... numbers) {
     append_words(text_, numbers...);
   }
-  template <class First, class... Rest>
-  static void append_words(std::string& text, First first, Rest... rest) {
-    append_integer(text, first);
-    ((text += ' ', append_integer(text, rest)), ...);
-    text += '\n';
-  }
   void append_point(std::string& text, std::size_t v) const {
     append_number(text, m_.sites[v].position.x);
     text += ' ';

@@ -13,13 +13,6 @@
 namespace asterism::internal {
 namespace {
 
-template <class First, class... Rest>
-void append_words(std::string& text, First first, Rest... rest) {
-  append_integer(text, first);
-  ((text += ' ', append_integer(text, rest)), ...);
-  text += '\n';
-}
-
 void append_point(std::string& text, const point& p) {
   append_number(text, p.x);
   text += ' ';

@@ -28,6 +28,14 @@ void append_integer(std::string& text, Integer n) {
   text.append(digits.data(), end.ptr);
 }
 
+// Appends a line of integers.
+template <class First, class... Rest>
+void append_words(std::string& text, First first, Rest... rest) {
+  append_integer(text, first);
+  ((text += ' ', append_integer(text, rest)), ...);
+  text += '\n';
+}
+
 inline constexpr std::size_t lines_of_a_part = 2048;
 
 // Calls take(part) with the text that line(i, text) appends, for i in [0, count), part by part in

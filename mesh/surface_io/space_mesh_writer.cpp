@@ -16,13 +16,6 @@ void append_point(std::string& text, const space_point& p) {
   append_number(text += ' ', p.z);
 }
 
-template <class First, class... Rest>
-void append_words(std::string& text, First first, Rest... rest) {
-  append_integer(text, first);
-  ((text += ' ', append_integer(text, rest)), ...);
-  text += '\n';
-}
-
 std::uint32_t face_of(const space_mesh& m, std::size_t t) {
   return m.faces.empty() ? 1 : m.faces[t] + 1;
 }
