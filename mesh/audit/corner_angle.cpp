@@ -26,6 +26,26 @@ corner_terms<Number> terms(const audit_context& context, const corner& c,
   return {dot(a, m * b), m.determinant() * area * area};
 }
 
+// The square of a cotangent, exactly and with a bound that holds of it.
+struct exact_square {
+  const bounded& filter;
+  const rational& value;
+};
+
+// True if the corner's cotangent, as the vertex measures it, is positive and its square greater.
+bool has_greater_cotangent(const audit_context& context, audit_tally& tally, const corner& c,
+                           vertex_index perspective, const exact_square& square) {
+  ++tally.part.decisions;
+  const auto quick = terms<bounded>(context, c, perspective);
+  if (quick.left.certainly_negative()) return false;
+  const bounded spare = square.filter * quick.right - quick.left * quick.left;
+  if (spare.certainly_positive()) return false;
+  if (spare.certainly_negative() && quick.left.certainly_positive()) return true;
+  ++tally.part.exact_decisions;
+  const auto exact = terms<rational>(context, c, perspective);
+  return exact.left > 0 && exact.left * exact.left > square.value * exact.right;
+}
+
 }  // namespace
 
 squared_cotangent make_squared_cotangent(double degrees) {
@@ -49,28 +69,12 @@ squared_cotangent make_squared_cotangent(double degrees) {
 
 bool is_proven_wide(const audit_context& context, audit_tally& tally, const corner& c,
                     vertex_index perspective, const squared_cotangent& bound) {
-  ++tally.part.decisions;
-  const auto quick = terms<bounded>(context, c, perspective);
-  if (quick.left.certainly_negative()) return true;
-  const bounded spare = bound.filter * quick.right - quick.left * quick.left;
-  if (spare.certainly_positive()) return true;
-  if (spare.certainly_negative() && quick.left.certainly_positive()) return false;
-  ++tally.part.exact_decisions;
-  const auto exact = terms<rational>(context, c, perspective);
-  return exact.left <= 0 || exact.left * exact.left <= bound.low * exact.right;
+  return !has_greater_cotangent(context, tally, c, perspective, {bound.filter, bound.low});
 }
 
 bool is_proven_narrow(const audit_context& context, audit_tally& tally, const corner& c,
                       vertex_index perspective, const squared_cotangent& bound) {
-  ++tally.part.decisions;
-  const auto quick = terms<bounded>(context, c, perspective);
-  if (quick.left.certainly_negative()) return false;
-  const bounded spare = bound.filter * quick.right - quick.left * quick.left;
-  if (spare.certainly_positive()) return false;
-  if (spare.certainly_negative() && quick.left.certainly_positive()) return true;
-  ++tally.part.exact_decisions;
-  const auto exact = terms<rational>(context, c, perspective);
-  return exact.left > 0 && exact.left * exact.left > bound.high * exact.right;
+  return has_greater_cotangent(context, tally, c, perspective, {bound.filter, bound.high});
 }
 
 double angle_in_degrees(const audit_context& context, const corner& c, vertex_index perspective) {

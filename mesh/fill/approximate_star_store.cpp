@@ -150,20 +150,10 @@ void approximate_star_store::note_disagreeing(vertex_index v,
 }
 
 void approximate_star_store::follow_moves(const std::vector<vertex_index>& order) {
-  parallel_chunks(order.size(), stars_a_chunk,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    std::vector<vertex_index> candidates;
-                    std::uint64_t looked_at = 0;
-                    for (std::size_t i = begin; i < end; ++i) {
-                      if (is_enough(i)) break;
-                      const vertex_index v = order[i];
-                      candidates.clear();
-                      add_neighbours(stars_[v], candidates);
-                      looked_at += candidates.size();
-                      stars_[v] = build_approximate_star(sites_->all(), v, candidates);
-                    }
-                    work_->count_candidates(looked_at);
-                  });
+  make_anew({order, std::vector<std::uint32_t>(order.size() + 1, 0), {}},
+            [&](vertex_index v, const std::vector<vertex_index>& candidates) {
+              return build_approximate_star(sites_->all(), v, candidates);
+            });
   make_anew(sort_by_star(new_neighbours(order), 0, stars_.size()),
             [&](vertex_index v, const std::vector<vertex_index>& candidates) {
               return build_approximate_star(sites_->all(), v, candidates, stars_[v]);

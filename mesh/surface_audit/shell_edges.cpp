@@ -120,6 +120,22 @@ std::optional<int> face_sides::of_rectangle(const point& a, const point& b) cons
   return std::nullopt;
 }
 
+// Calls visit(f, t, k, side_of) for each edge of a plane face's triangles, that from corner k of
+// triangle t of face f; side_of() returns the side that the edge is on, if it is on any.
+template <class Visit>
+void visit_sides(const surface& s, const surface_shell& shell,
+                 const std::vector<shell_triangle>& triangles, const Visit& visit) {
+  std::size_t at = 0;
+  for (std::size_t f = 0; f < shell.faces.size(); ++f) {
+    const face_sides sides(s.patches[shell.faces[f].patch], shell.faces[f]);
+    for (const triangle& corners : shell.faces[f].plane.triangles) {
+      const shell_triangle& t = triangles[at++];
+      for (std::size_t k = 0; k < 3; ++k)
+        visit(f, t, k, [&] { return sides.of(corners[k], corners[(k + 1) % 3]); });
+    }
+  }
+}
+
 // Returns the edges of plane triangles on sides of a single patch, in the shell's orientation.
 // Edges of triangles collapsed in space count: where one lies between the shell and such a side,
 // its two edges are the same one in space.
@@ -127,21 +143,14 @@ std::set<shell_edge> edges_at_open_sides(const surface& s, const surface_shell& 
                                          const std::vector<shell_triangle>& triangles,
                                          const side_facts& facts) {
   std::set<shell_edge> edges;
-  std::size_t at = 0;
-  for (std::size_t f = 0; f < shell.faces.size(); ++f) {
-    const face_sides sides(s.patches[shell.faces[f].patch], shell.faces[f]);
-    for (const triangle& corners : shell.faces[f].plane.triangles) {
-      const shell_triangle& t = triangles[at++];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t next = (k + 1) % 3;
-        const auto side = sides.of(corners[k], corners[next]);
-        if (!side || facts.shared.contains({f, *side})) continue;
-        shell_edge e{t.vertex[k], t.vertex[next]};
-        if (shell.faces[f].reversed) std::swap(e.first, e.second);
-        edges.insert(e);
-      }
-    }
-  }
+  visit_sides(s, shell, triangles,
+              [&](std::size_t f, const shell_triangle& t, std::size_t k, const auto& side_of) {
+                const auto side = side_of();
+                if (!side || facts.shared.contains({f, *side})) return;
+                shell_edge e{t.vertex[k], t.vertex[(k + 1) % 3]};
+                if (shell.faces[f].reversed) std::swap(e.first, e.second);
+                edges.insert(e);
+              });
   return edges;
 }
 
@@ -195,22 +204,16 @@ void audit_edges(const surface& s, const surface_shell& shell,
   if (unused > 0)
     note_finding(report, asked, fmt::format("{} vertices are in no triangle", unused));
   // Checks that a collapsed triangle is at a side that is one point.
-  std::size_t at = 0;
-  for (std::size_t f = 0; f < shell.faces.size(); ++f) {
-    const face_sides sides(s.patches[shell.faces[f].patch], shell.faces[f]);
-    for (const triangle& corners : shell.faces[f].plane.triangles) {
-      const shell_triangle& t = triangles[at++];
-      for (std::size_t k = 0; t.collapsed && k < 3; ++k) {
-        if (t.vertex[k] != t.vertex[(k + 1) % 3]) continue;
-        const auto side = sides.of(corners[k], corners[(k + 1) % 3]);
-        if (!side || !facts.points.contains({f, *side}))
-          note_finding(report, asked,
-                       fmt::format("face {}: a triangle has vertex {} twice, which is at no side "
-                                   "that is one point",
-                                   f + 1, t.vertex[k] + 1));
-      }
-    }
-  }
+  visit_sides(s, shell, triangles,
+              [&](std::size_t f, const shell_triangle& t, std::size_t k, const auto& side_of) {
+                if (!t.collapsed || t.vertex[k] != t.vertex[(k + 1) % 3]) return;
+                const auto side = side_of();
+                if (!side || !facts.points.contains({f, *side}))
+                  note_finding(report, asked,
+                               fmt::format("face {}: a triangle has vertex {} twice, which is at "
+                                           "no side that is one point",
+                                           f + 1, t.vertex[k] + 1));
+              });
 }
 
 }  // namespace asterism::internal
