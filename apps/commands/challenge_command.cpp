@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -97,12 +99,6 @@ result<std::filesystem::path> check_report(const std::filesystem::path& path) {
   return internal::check_writable(path);
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 int list_classes() {
   for (const input_class& c : input_classes()) std::cout << c.name << ": " << c.text << '\n';
   return done;
@@ -122,8 +118,8 @@ int challenge_and_report(const challenge_options& options, const challenge_plan&
   if (!outcome) return complain(outcome.failure(), refused);
   std::cout << text_report(outcome.value());
   if (!options.report.empty()) {
-    const report_heading heading = {joined(plan.command), plan.records, plan.limits,
-                                    ASTERISM_VERSION_TEXT};
+    const report_heading heading = {fmt::format("{}", fmt::join(plan.command, " ")), plan.records,
+                                    plan.limits, ASTERISM_VERSION_TEXT};
     const auto text = options.report.extension() == ".md"
                           ? markdown_report(outcome.value(), heading)
                           : html_report(outcome.value(), heading);

@@ -17,9 +17,7 @@ using namespace internal;
 namespace {
 
 std::string list_of(const std::vector<int>& regions) {
-  std::string text;
-  for (const int r : regions) text += (text.empty() ? "" : ", ") + std::to_string(r);
-  return text;
+  return fmt::format("{}", fmt::join(regions, ", "));
 }
 
 }  // namespace
