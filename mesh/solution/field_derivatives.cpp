@@ -38,13 +38,25 @@ struct one_field {
   std::vector<metric_tensor> moduli;
 };
 
+// Returns the mean of moduli of which the metric is made. A relative error is adaptmesh's measure,
+// which takes the plain mean. Second derivatives of a field that was computed in linear elements
+// are the true ones with noise, and a peak of theirs is mostly noise: the plain mean removes most
+// of it, and has 2 to 5 % less error of the solution (docs/results/adaptation.md).
+std::vector<metric_tensor> moduli_of(const mesh& m, const mesh_links& links,
+                                     const std::vector<metric_tensor>& hessian, bool is_computed,
+                                     const solution_metric_options& options) {
+  if (options.hessian != hessian_method::green) return hessian;
+  if (options.relative || is_computed) return mean_moduli(m, links, hessian);
+  return mean_moduli_with_peaks(m, links, hessian, power_averaged(options.norm));
+}
+
 result<one_field> derivatives_of(const mesh& m, const mesh_links& links,
-                                 const std::vector<double>& values, hessian_method method) {
-  auto hessian = recover_hessian(m, values, method);
+                                 const std::vector<double>& values, bool is_computed,
+                                 const solution_metric_options& options) {
+  auto hessian = recover_hessian(m, values, options.hessian);
   if (!hessian) return hessian.failure();
   one_field made{std::move(hessian).value(), {}};
-  made.moduli = method == hessian_method::green ? mean_moduli(m, links, made.recovered.at)
-                                                : made.recovered.at;
+  made.moduli = moduli_of(m, links, made.recovered.at, is_computed, options);
   return made;
 }
 
@@ -65,11 +77,12 @@ void take_own(const glued_mesh& glued, std::size_t own, one_field& found) {
 }
 
 result<one_field> glued_derivatives_of(const glued_mesh& glued, const mesh_links& links,
-                                       const std::vector<double>& values, hessian_method method) {
+                                       const std::vector<double>& values, bool is_computed,
+                                       const solution_metric_options& options) {
   std::vector<double> continued;
   continued.reserve(glued.origin.size());
   for (const vertex_index v : glued.origin) continued.push_back(values[v]);
-  auto found = derivatives_of(glued.continued, links, continued, method);
+  auto found = derivatives_of(glued.continued, links, continued, is_computed, options);
   if (found) take_own(glued, values.size(), found.value());
   return found;
 }
@@ -80,17 +93,21 @@ result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links&
                                                 const std::vector<nodal_values>& fields,
                                                 const solution_metric_options& options,
                                                 const glued_mesh* glued) {
-  const hessian_method method = options.hessian;
   const std::optional<mesh_links> beyond =
       glued != nullptr ? std::optional<mesh_links>(std::in_place, glued->continued) : std::nullopt;
+  // True if it matters whether a field was computed: for the aspect, or for the mean.
+  const bool is_judged = options.aspect == no_aspect_named ||
+                         (options.hessian == hessian_method::green && !options.relative);
   field_derivatives found;
   for (const nodal_values* f : by_name(fields)) {
-    const bool is_glued = beyond && f->values.size() == m.sites.size();
-    auto one = is_glued ? glued_derivatives_of(*glued, *beyond, f->values, method)
-                        : derivatives_of(m, links, f->values, method);
+    const bool is_whole = f->values.size() == m.sites.size();  // else its recovery says so
+    const auto bound = is_judged && is_whole ? aspect_bound(m, links, f->values) : std::nullopt;
+    const bool is_computed = bound.has_value();
+    auto one = beyond && is_whole
+                   ? glued_derivatives_of(*glued, *beyond, f->values, is_computed, options)
+                   : derivatives_of(m, links, f->values, is_computed, options);
     if (!one) return one.failure().at("field " + f->name);
-    if (options.aspect == no_aspect_named)
-      found.aspects.push_back(aspect_bound(m, links, f->values));
+    if (options.aspect == no_aspect_named) found.aspects.push_back(bound);
     found.names.push_back(f->name);
     found.noise += one.value().recovered.noise;
     found.at_boundary += one.value().recovered.at_boundary;

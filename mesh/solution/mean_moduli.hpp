@@ -3,6 +3,7 @@
 // Averages the moduli of second derivatives over the triangles around each vertex.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "asterism/core/site.hpp"
@@ -10,6 +11,12 @@
 #include "asterism/mesh/search/mesh_links.hpp"
 
 namespace asterism::internal {
+
+// Returns the power of moduli that is averaged for the L^p norm, p / (2p + 1), or 1/2 for the
+// maximum norm. Across a layer the optimal metric has sizes in proportion to |H|^(-p/(2p+1)). So
+// that mean is one of vertices on a length, of which the patch then gets as many as its triangles
+// want. A mean of |H| itself would give it too many, by the greatest of them.
+double power_averaged(std::optional<double> norm);
 
 // Returns, for each vertex, the mean of |H| over the triangles at it, by area, where |H| of a
 // triangle is the mean of its corners', and has the moduli of H's eigenvalues. The error of a
@@ -20,5 +27,14 @@ namespace asterism::internal {
 // weaken a layer at a wall, and a corner.
 std::vector<metric_tensor> mean_moduli(const mesh& m, const mesh_links& links,
                                        const std::vector<metric_tensor>& hessian);
+
+// Returns, for each vertex inside, the least |H| that is at least its own and a mean of the same
+// kind, of |H|^power and then taken to the power 1/power, in both of their common directions. At a
+// peak of |H|, as where a solution is singular, the mean alone would hide from the next mesh what
+// this one begins to resolve, and refinement would stop. Requires a power above 0, finite. Chosen
+// by experiment (docs/results/adaptation.md).
+std::vector<metric_tensor> mean_moduli_with_peaks(const mesh& m, const mesh_links& links,
+                                                  const std::vector<metric_tensor>& hessian,
+                                                  double power);
 
 }  // namespace asterism::internal

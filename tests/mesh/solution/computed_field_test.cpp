@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
+#include "asterism/mesh/solution/field_derivatives.hpp"
+#include "asterism/mesh/solution/mean_moduli.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 #include "asterism/tests/mesh/solution/made_metric.hpp"
@@ -213,4 +215,34 @@ TEST_CASE("layers of a solution bound aspects where none is named, and the steps
   CHECK(std::count(named.value().report.steps.begin(), named.value().report.steps.end(),
                    "layers 14") == 0);
   CHECK(greatest_aspect(named.value().tensors) > 15);
+}
+
+TEST_CASE("peaks of second derivatives count where a function has them, not where they are noise") {
+  const mesh m = irregular(32);
+  const mesh_links links(m);
+  const auto is_made_by = [&](const nodal_values& values, const solution_metric_options& options,
+                              const auto& mean) {
+    const auto found = recovered_derivatives(m, links, {values}, options, nullptr);
+    REQUIRE(found.ok());
+    const auto& [recovered, moduli] =
+        std::pair(found.value().recovered[0], found.value().moduli[0]);
+    const auto expected = mean(recovered);
+    bool is_same = true;
+    for (std::size_t v = 0; v < moduli.size(); ++v)
+      is_same = is_same && identical(moduli[v], expected[v]);
+    return is_same;
+  };
+  const auto plain = [&](const auto& h) { return mean_moduli(m, links, h); };
+  const auto peaks = [&](const auto& h) { return mean_moduli_with_peaks(m, links, h, 0.4); };
+  const nodal_values computed{"u", linear_elements(m, 0.1, 1).solve()},
+      function = field(m, "u", [](const point&q) { return std::tanh(10 * (q.x - q.y * q.y)); });
+  solution_metric_options options;
+  for (const double aspect : {no_aspect_named, 100.0}) {
+    options.aspect = aspect;
+    CHECK(is_made_by(computed, options, plain));
+    CHECK(!is_made_by(computed, options, peaks));
+    CHECK(is_made_by(function, options, peaks));
+  }
+  options.relative = true;
+  CHECK(is_made_by(function, options, plain));
 }

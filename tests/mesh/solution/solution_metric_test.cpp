@@ -322,7 +322,7 @@ TEST_CASE("a layer at the boundary is not averaged away") {
   std::vector<metric_tensor> hessian(m.sites.size(), {1, 0, 1});
   for (vertex_index v = 0; v < hessian.size(); ++v)
     if (links.on_boundary(v)) hessian[v] = {100, 0, 1};
-  const auto means = mean_moduli(m, links, hessian);
+  const auto means = mean_moduli_with_peaks(m, links, hessian, 0.4);
   for (vertex_index v = 0; v < hessian.size(); ++v)
     if (links.on_boundary(v)) {
       CHECK(means[v].m11 == Approx(100));
@@ -335,11 +335,57 @@ TEST_CASE("moduli of derivatives are averaged, so that halves of a wave do not c
   const mesh_links links(m);
   std::vector<metric_tensor> hessian(m.sites.size(), {3, 0, -2});
   for (std::size_t v = 0; v < hessian.size(); v += 2) hessian[v] = {-3, 0, 2};
-  for (const metric_tensor& t : mean_moduli(m, links, hessian)) {
+  for (const metric_tensor& t : mean_moduli_with_peaks(m, links, hessian, 0.4)) {
     CHECK(t.m11 == Approx(3));
     CHECK(std::abs(t.m12) < 1e-12);
     CHECK(t.m22 == Approx(2));
   }
+}
+
+TEST_CASE("the mean over a patch is one of the vertices that its triangles want") {
+  // A layer across x, second derivatives 1 and 32 by turns. Sizes follow |H|^-0.4 in the norm of 2,
+  // so that vertices on a length are in proportion to 1 and 4; a mean of |H| itself would give
+  // nearly as many as 32 alone wants.
+  const mesh m = tests::sample_mesh(12);
+  const mesh_links links(m);
+  std::vector<metric_tensor> hessian(m.sites.size());
+  for (std::size_t v = 0; v < hessian.size(); ++v) hessian[v] = {v % 2 == 0 ? 1.0 : -32.0, 0, 0};
+  const auto means = mean_moduli_with_peaks(m, links, hessian, power_averaged(2));
+  std::size_t looked_at = 0;
+  for (vertex_index v = 0; v < hessian.size(); ++v) {
+    if (links.on_boundary(v) || v % 2 != 0) continue;
+    double whole = 0, sum = 0;
+    for (const incidence& at : links.around(v))
+      for (const vertex_index w : m.triangles[at.triangle]) {
+        const double area = doubled_area(m, m.triangles[at.triangle]);
+        whole += area;
+        sum += area * (w % 2 == 0 ? 1 : 4);
+      }
+    CHECK(means[v].m11 == Approx(std::pow(sum / whole, 2.5)));
+    CHECK(std::abs(means[v].m12) < 1e-9);
+    CHECK(std::abs(means[v].m22) < 1e-9);
+    ++looked_at;
+  }
+  CHECK(looked_at > 20);
+}
+
+TEST_CASE("a peak of second derivatives is not averaged away") {
+  // 1000 at one vertex inside, turned, and 1 all around: the vertex keeps what it has across and
+  // along, and its neighbours get more than they have.
+  const mesh m = tests::sample_mesh(6);
+  const mesh_links links(m);
+  vertex_index peak = 0;
+  while (links.on_boundary(peak)) ++peak;
+  std::vector<metric_tensor> hessian(m.sites.size(), {1, 0, 1});
+  hessian[peak] = {500.5, 499.5, 500.5};
+  const auto means = mean_moduli_with_peaks(m, links, hessian, power_averaged(2));
+  CHECK(means[peak].m11 >= 500);
+  CHECK(means[peak].m12 >= 498);
+  CHECK(means[peak].m11 + means[peak].m22 == Approx(1001).epsilon(0.01));
+  for (const vertex_index w : links.neighbours(peak))
+    if (!links.on_boundary(w)) CHECK(means[w].m11 > 1.01);
+  CHECK(power_averaged(1) == Approx(1.0 / 3));
+  CHECK(power_averaged({}) == Approx(0.5));
 }
 
 TEST_CASE("the report lists the steps in the order they were done") {
