@@ -17,7 +17,7 @@ TOP = pathlib.Path(__file__).resolve().parents[1]
 PREDICATES = ["orientation", "in_circle", "compare_distance", "edge_test"]
 METRICS = ["uniform", "swirl-12", "swirl-60", "tilted-100", "circle-shock"]
 
-PAGE = """# What the borders cost
+PAGE = """# Cost of calls from C and Python
 
 Written by `scripts/bench-interfaces` on {date}: {machine}, release build, one thread, load {load}. Times are
 of the processor, the least of {repeats} interleaved repeats. Other work on the machine raises them by a third;
@@ -28,18 +28,19 @@ ratios suffer less.
 Random questions of a smooth metric, four sites near each other; nanoseconds a question.
 
 {c}
-A C function checks what C++ takes on trust: that every number is finite, every metric positive definite, and
-no two sites of a question in one place. It does so in doubles, and exactly only where these are in doubt. That
-and the copy of the arguments is the difference. `asterism_ask` gets its arguments by pointers, and counts the
-tier that decided. A batch of C copies its rows into columns, which several questions share a register for.
+A C function checks preconditions that C++ functions assume: every number is finite, every metric is positive
+definite, and no two sites of a question have the same position. It does so in doubles, and exactly only where
+doubles do not decide. The checks and the copy of the arguments are the difference. `asterism_ask` takes its
+arguments by pointers, and counts the tier that decided. A batch in C copies its rows into columns, so that one
+register holds several questions.
 
 Edge tests here have their sites in any order and four metrics; those of a mesh generator, which knows its
 neighbours' order, are many times cheaper ([performance](../results/performance.md)).
 
 ## numpy
 
-The same questions as arrays; nanoseconds a row. A call from Python costs {call} ns whatever it asks, so a
-single question is worth little there.
+The same questions as arrays; nanoseconds a row. A call from Python takes {call} ns for any predicate, so
+single questions are slow there.
 
 {numpy}
 {bamg}"""

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The naive stars of the thesis's section 3.1 going wrong: four sites, of which c and d each warp all four into
-the plane where their own metric is round, triangulate there, and keep their star. They disagree about the edge
-cd. The insertion test of section 3.3, asked of the same four, has one answer.
+"""Shows naive stars (the thesis's section 3.1) that disagree. Sites c and d of four each map all four to the plane
+in which their own metric is the identity, triangulate there, and keep their star. The edge cd is in one of these
+stars only. The insertion test of section 3.3 gives the same answer from both sites.
 
 naive_stars.py ASTERISM [PICTURE.svg]"""
 import math

@@ -174,7 +174,7 @@ std::string shortest_use(const CLI::App& app) {
   return "usage: asterism " + app.get_name() + arguments + options + " ...";
 }
 
-// "; --repair-domain stands alone" where a flag has a value behind it that was not expected.
+// Returns text such as "; --repair-domain stands alone" if a flag is followed by an unexpected value.
 std::string flag_with_value(const CLI::App& app, const std::vector<std::string>& words,
                             const CLI::ParseError& failure) {
   if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr) return "";

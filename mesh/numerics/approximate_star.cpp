@@ -305,8 +305,8 @@ class star_directions {
     return wide ? past || not_beyond : past && not_beyond;
   }
 
-  // Bisects the neighbours until one is left: the last one, counter-clockwise from the first, that
-  // d is not before. Stars where metrics vary wildly have hundreds.
+  // Finds the last neighbour, counter-clockwise from the first, that is not after d, by bisection:
+  // stars in metrics with fast variation have hundreds of neighbours.
   std::size_t last_not_beyond(const displacement<double>& d) const {
     const auto first = (*this)[0];
     const auto in_first_half = [&first](const displacement<double>& e) {

@@ -21,7 +21,7 @@ const proof_exception* meeting_of(exceptions_of_proof exceptions, std::uint32_t 
   return found;
 }
 
-// The gap that a meeting's row is of, and the site beyond it.
+// Holds the gap of a row of kind `meeting`, and the site beyond the edge of its two neighbours.
 struct meeting_gap {
   gap_sites sites;
   const site& beyond;

@@ -43,7 +43,7 @@ py::object with_counts(py::object answers, const asterism_batch_report& report, 
   return py::make_tuple(std::move(answers), std::move(tiers));
 }
 
-// call(count, rows, answers, report) is the batch function.
+// Answers each row of the tables by call(count, rows, answers, report), a batch function.
 template <class Call>
 py::object answer(const std::vector<number_table>& tables, bool counts, const Call& call) {
   const std::size_t rows = common_rows(tables);

@@ -101,7 +101,7 @@ def standard_problems(path: pathlib.Path, homes: dict[str, set[str]]) -> list[st
 
 
 def layer(path: pathlib.Path) -> int:
-    """The place of its folder from bottom to top; what is not in the list, tests, may include everything."""
+    """Returns the number of the file's layer, 0 at the bottom. Tests, in no layer, may include every layer."""
     folder = path.parent.as_posix()
     return sources.LAYERS.index(folder) if folder in sources.LAYERS else len(sources.LAYERS)
 

@@ -129,7 +129,7 @@ TEST_CASE("thin: circumradius and angles are those of the triangle as the metric
 }
 
 TEST_CASE("thin: no good triangle is taken for low") {
-  // Before, in doubles, error terms exceeded the sides from 1e7 on, and every angle counted as low.
+  // From aspect 1e7 on, error bounds in doubles exceed both sides of the comparison.
   const angle_requirement twenty(20);
   for (const double aspect : aspects)
     for (const double degrees : {10.0, 45.0, 80.0}) {
