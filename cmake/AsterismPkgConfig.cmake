@@ -22,7 +22,11 @@ function(asterism_pkg_config pc_name library pc_description)
   install(FILES ${PROJECT_BINARY_DIR}/${pc_name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
+# The standard library that the compiler was found to link, which C programs have to name.
 set(of_predicates -lstdc++ -lm)
+if("c++" IN_LIST CMAKE_CXX_IMPLICIT_LINK_LIBRARIES)
+  set(of_predicates -lc++ -lm)
+endif()
 if(ASTERISM_EXACT STREQUAL "gmp")
   list(PREPEND of_predicates -lgmp)
 endif()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Installs the build tree, moves it, and compiles a C program with the flags of pkg-config, once
 against the shared and once against the static library; and folders that were named from the root on
-are in the files for pkg-config as they were named.  pkg_config.py BUILD SOURCE WORK CC"""
+are in the files for pkg-config as they were named, as is clang's own standard library.  pkg_config.py BUILD SOURCE WORK CC"""
 import os
 import pathlib
 import shutil
@@ -28,11 +28,23 @@ def flags(prefix, package, *options):
     return run("pkg-config", *options, package, env=environment).split()
 
 
+def configured(source, folder, *options):
+    """Returns the lines of the predicates' file for pkg-config, as a configuration with these options writes it."""
+    run("cmake", "-S", source, "-B", folder, "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF", *options)
+    return (folder / "asterism-predicates.pc").read_text(encoding="utf-8").splitlines()
+
+
 def check_folders_from_the_root(source, work):
-    run("cmake", "-S", source, "-B", work / "rooted", "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF",
-        "-DCMAKE_INSTALL_LIBDIR=/elsewhere/lib", "-DCMAKE_INSTALL_INCLUDEDIR=/headers")
-    lines = (work / "rooted/asterism-predicates.pc").read_text(encoding="utf-8").splitlines()
+    lines = configured(source, work / "rooted", "-DCMAKE_INSTALL_LIBDIR=/elsewhere/lib", "-DCMAKE_INSTALL_INCLUDEDIR=/headers")
     assert "libdir=/elsewhere/lib" in lines and "includedir=/headers" in lines, lines
+
+
+def check_standard_library(source, work):
+    if shutil.which("clang++") is None or not list(pathlib.Path("/usr/lib").glob("llvm-*/include/c++/v1")):
+        print("not asked: clang with its own standard library is not there")
+        return
+    lines = configured(source, work / "clang", "-DCMAKE_CXX_COMPILER=clang++", "-DCMAKE_CXX_FLAGS=-stdlib=libc++")
+    assert any("-lc++" in line for line in lines) and not any("-lstdc++" in line for line in lines), lines
 
 
 def main():
@@ -57,6 +69,7 @@ def main():
     assert "libasterism" not in run("readelf", "-d", work / "static")
 
     check_folders_from_the_root(source, work)
+    check_standard_library(source, work)
     return 0
 
 
