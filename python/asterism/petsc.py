@@ -201,7 +201,7 @@ def _part_of(dm: Any, given: Dict[str, Any]) -> _Part:
     place = np.array([section.getOffset(v) for v in range(*vertices)], dtype=np.int64) // 2
     own = np.ones(len(corners), dtype=bool)
     if dm.comm.size > 1:
-        leaves = dm.getPointSF().getGraph()[1]
+        leaves = _shared_points(dm)
         ghosts = leaves[(leaves >= cells[0]) & (leaves < cells[1])] - cells[0]
         own[ghosts] = False
     labels = []
@@ -210,6 +210,20 @@ def _part_of(dm: Any, given: Dict[str, Any]) -> _Part:
             labels += _stratum(dm, name, own, edge_vertices - vertices[0])
     count = vertices[1] - vertices[0]
     return _Part(at[place].reshape(-1, 2), corners[own], labels, _rows_of(given, count))
+
+
+def _shared_points(dm: Any) -> Any:
+    """Returns the points that other processes own; none of a mesh that was never distributed, whose graph is not
+    set: petsc4py makes an array of -1 entries of it then."""
+    try:
+        return dm.getPointSF().getGraph()[1]
+    except ValueError:
+        return np.zeros(0, dtype=np.int64)
+
+
+def _said(use: str, name: str) -> str:
+    """Returns what a field is called in messages."""
+    return name or {"u": "values", "carried": "carry"}.get(use, use)
 
 
 def _stratum(dm: Any, name: str, own: Any, edge_vertices: Any) -> List[Any]:
@@ -234,7 +248,7 @@ def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
             continue
         for name, of in (fields.items() if isinstance(fields, Mapping) else [("", fields)]):
             of = np.array(of.array_r) if hasattr(of, "array_r") else of
-            array = doubles(f"{use} {name}".strip(), of)
+            array = doubles(_said(use, name), of)
             if array.ndim == 1 and count and array.size % count == 0 and array.size // count > 1:
                 array = array.reshape(count, -1)
             if use == "metric":
@@ -242,8 +256,11 @@ def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
                 array = tensor_rows(use, array, count) if count else np.zeros((0, 3))
                 array = np.tile(array, (count, 1)) if array.ndim == 1 else array
             if array.ndim == 0 or len(array) != count:
-                raise InputError(f"{use} {name}: rows for the {count} local vertices are wanted, not an array of the "
-                                 f"shape {array.shape}".replace(" :", ":"))
+                raise InputError(f"{_said(use, name)}: rows for the {count} local vertices are wanted, not an array of "
+                                 f"the shape {array.shape}")
+            finite = np.isfinite(array.reshape(count, -1)).all(axis=1) if count else np.ones(0, dtype=bool)
+            if not finite.all():
+                raise InputError(f"{_said(use, name)}: row {int(np.argmin(finite))} is not finite")
             rows[f"{use}/{name}"] = array
     return rows
 
@@ -303,7 +320,7 @@ def _whole_rows(parts: List[_Part], order: Any, is_new: Any, number: Any) -> Dic
         together = np.concatenate([part.rows[name] for part in parts])
         rows[name] = together[order][is_new]
         if not np.array_equal(rows[name][number], together, equal_nan=True):
-            raise InputError(f"{name.replace('/', ' ').strip()}: a vertex that processes share has several values; bring "
+            raise InputError(f"{_said(*name.split('/', 1))}: a vertex that processes share has several values; bring "
                              "ghosts up to date (dm.globalToLocal)")
     return rows
 

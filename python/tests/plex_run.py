@@ -16,7 +16,7 @@ MPI = COMM.tompi4py()
 N = 14
 
 
-def square():
+def square(is_distributed=True):
     """Returns a grid of the unit square with labels of every kind, distributed by PETSc itself."""
     cells, points = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2))
     if MPI.rank == 0:
@@ -29,7 +29,8 @@ def square():
         dm.createLabel(name)
     if MPI.rank == 0:
         label_all(dm, points)
-    dm.distribute(overlap=1 if "overlap" in sys.argv else 0)
+    if is_distributed:
+        dm.distribute(overlap=1 if "overlap" in sys.argv else 0)
     return dm
 
 
@@ -81,8 +82,8 @@ def whole(dm):
     return asterism.petsc._whole_of(parts) if MPI.rank == 0 else None
 
 
-def run_adapt():
-    dm = square()
+def run_adapt(is_distributed=True):
+    dm = square(is_distributed)
     for _ in range(2):
         at = coordinates(dm)
         made = asterism.petsc.adapt(dm, values=front(at), carry={"x": at[:, 0], "v": at}, vertices=700,
@@ -97,6 +98,11 @@ def run_adapt():
         assert made.asterism.certified
         return {"digest": digest(found), "mesh": hashlib.sha256(made.asterism.sites.tobytes()).hexdigest(),
                 "vertices": len(found.points), "share": share, "reached": made.report["reached"], **measures(found)}
+
+
+def run_undistributed():
+    """All of the mesh is on the first process; others have none of it."""
+    return run_adapt(False)
 
 
 def run_metric():
@@ -120,6 +126,7 @@ def run_errors():
     told = []
     for arguments in ({"metric": np.ones((2, 3))} if MPI.rank == last else {"metric": (1, 0, 1)},
                       {"values": front(at), "vertices": -1}, {"values": np.full(len(at), float(MPI.rank + 1)) + at[:, 0] * MPI.rank},
+                      {"values": {"T": front(at) / (MPI.rank != last)}, "vertices": 300},
                       {"values": front(at), "progress": lambda state: 1 / 0, "vertices": 3000, "keep": "never"}):
         try:
             asterism.petsc.adapt(dm, **arguments)
@@ -140,6 +147,8 @@ def run_page():
 
 
 if __name__ == "__main__":
-    told = {"adapt": run_adapt, "metric": run_metric, "errors": run_errors, "page": run_page}[sys.argv[1]]()
+    jobs = {"adapt": run_adapt, "undistributed": run_undistributed, "metric": run_metric, "errors": run_errors,
+            "page": run_page}
+    told = jobs[sys.argv[1]]()
     if MPI.rank == 0:
         print(json.dumps(told))

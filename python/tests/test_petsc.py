@@ -48,6 +48,10 @@ def test_the_same_mesh_on_any_number_of_processes():
     assert overlapped["digest"] == alone["digest"]
 
 
+def test_a_mesh_that_is_on_one_process_alone():
+    assert run(3, "undistributed")["digest"] == run(1, "adapt")["digest"]
+
+
 def test_a_metric_as_rows_and_as_a_vector():
     alone, several = run(1, "metric"), run(3, "metric")
     assert alone["digest"] == alone["same"] == several["digest"] == several["same"]
@@ -56,10 +60,11 @@ def test_a_metric_as_rows_and_as_a_vector():
 def test_an_error_on_one_process_is_one_on_all():
     told = run(3, "errors")["told"]
     assert told[0] == told[1] == told[2]
-    first, second, third, fourth = told[0]
+    first, second, third, fourth, fifth = told[0]
     assert first.startswith("InputError: metric") and "(process 2)" in first
     assert second.startswith("InputError: vertices") and "several values" in third
-    assert fourth.startswith("ZeroDivisionError")
+    assert fourth.startswith("InputError: T: row ") and "is not finite (process 2)" in fourth
+    assert fifth.startswith("ZeroDivisionError")
 
 
 def test_the_page_of_the_manual_runs():
