@@ -65,7 +65,7 @@ def page(raw, cache, plot_link):
         "## Which tier decides\n", tables.tiers(shares),
         "## Close to degeneracy\n",
         "Share of wrong answers of plain doubles, and time a question, against the relative distance from the place"
-        " where the answer changes. The filtered kernel's answers are all right.\n",
+        " where the answer changes. All answers of the filtered kernel are right.\n",
         f"![error rate and time against closeness]({plot_link})\n",
         "## The whole job\n", tables.whole(whole)]
     return wrapped("\n".join(parts))

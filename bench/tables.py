@@ -41,10 +41,10 @@ def goals(timed):
     exact = timed["edge_test"]["uniform"]["exact"].median
     note = ("Ratios of medians; in brackets, lower quartile over upper to upper over lower. The exact tier alone takes"
             f" {duration(exact)} for an edge test with random smooth metrics. With equal metrics an edge test is an"
-            " in-circle test that also looks at which sides x and y are on: EPICK asked the same is the row \"with"
-            " orientations\"; \"alone\" asks less. The double kernel's `edge_test` is written for clarity and looks at every section"
-            " of the arc, so the first ratio of that predicate says little; the row \"at two vertices alone\" is the"
-            " comparison with an edge test in doubles made to be quick.\n\n")
+            " in-circle test and the orientations of x and y: the row \"with orientations\" has EPICK with the same"
+            " tests, \"alone\" without orientations. The double kernel's `edge_test` is written for clarity and tests"
+            " every section of the arc, so the first ratio of that predicate is not useful; the row \"at two vertices"
+            " alone\" compares with a fast edge test in doubles.\n\n")
     return note + table(["", "measured", "at most", "reached", "aim"], rows)
 
 
@@ -137,10 +137,10 @@ def with_doubles(runs):
         return sum(all(o[kernel].get(n) == o["exact"].get(n) for n in size) for o in outcomes)
 
     return (f"Of {len(runs)} jobs the auditor certifies {certified('filtered')} with the filtered kernel and"
-            f" {certified('double')} with doubles; as many sites and triangles as with exact arithmetic come out in"
-            f" {like_exact('filtered')} and {like_exact('double')}. A wrong sign makes stars disagree where they should"
-            " not, or hides that they do; the mesher believes it and inserts other sites, which ends well by luck, or"
-            " does not end: then the auditor names what is wrong, or the limit on sites is the end.")
+            f" {certified('double')} with doubles; {like_exact('filtered')} and {like_exact('double')} have as many sites"
+            " and triangles as with exact arithmetic. A wrong sign makes stars disagree that agree, or hides a"
+            " disagreement; then the mesher inserts other sites. The mesh may be certified by chance; otherwise the"
+            " auditor names the fault, or the run ends at the limit on sites.")
 
 
 def whole(runs):
@@ -156,7 +156,7 @@ def whole(runs):
         refused += [f"- {number}, {kernel}: {verdict(found)}"
                     for kernel, found in zip(kernels, outcomes) if verdict(found)]
     return ("The square at 20 degrees with the command's own strategy, in the metric named. Each kernel meshes with its own"
-            " answers; the auditor, exact and sharing no code with the mesher, judges what comes out.\n\n"
+            " answers; the auditor, exact and sharing no code with the mesher, judges the meshes.\n\n"
             + with_doubles(runs) + "\n\n" + names
             + "\n\nMedian times; in brackets, over that of the filtered kernel. Sites and triangles with the double, the"
             " filtered and the exact kernel:\n\n"

@@ -103,10 +103,9 @@ def page(measured):
              " delivered, how many tensors differ by more than a tenth; a star where the run did not end complete."
              " `bench/constants/constants.py` lists constants, values and jobs.\n\n"
              "A value is kept where none of the others is better on all of its jobs by more than a fiftieth in sites"
-             " or quality, or by a degree, and worse in none of these. (Sites are no merit where a count was asked"
-             " for.) Where rows are nearly equal the constant matters little: it is there to bound the work, and any"
-             " of the values"
-             " would do.\n")
+             " or quality, or by a degree, and worse in none of these. (Sites are not compared in jobs with a number of"
+             " vertices.) Where rows are nearly equal the constant only bounds the work, and any of the values is"
+             " suitable.\n")
     groups = [g for g in GROUPS if any(c.group == g and c.name in measured for c in CONSTANTS)]
     return wrapped("\n".join([intro] + [section(g, measured) for g in groups]))
 

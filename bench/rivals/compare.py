@@ -153,7 +153,7 @@ def introduction(bamg):
     here = pathlib.Path(__file__).parent
     package = first_line("dpkg-query", "-W", "-f", "${Package} ${Version}", "freefem++")
     return "\n".join([
-        "# Beside BAMG\n",
+        "# Comparison with BAMG\n",
         "Written by `scripts/bench-rivals`; [bench/README.md](../../bench/README.md) says how. The square [-1,1]^2, the"
         " same metric for both, scaled so that unit edges give the number of triangles wanted; lengths are multiplied by"
         " the factor in the table where a program's count would be off by more than 20 percent. Files are read and"
@@ -162,8 +162,8 @@ def introduction(bamg):
         " until the count changed by less than 2 percent; *only the last of these calls is measured*, and neither the"
         " calls before it nor the evaluation of the metric. The time of Asterism is that of the whole command: exact"
         " predicates, metric by formula, audit and certificate.\n",
-        "Unit edges: share with length from 1/sqrt 2 to sqrt 2. Worst angle: as seen from all three vertices, in"
-        " brackets away from corners that no mesh can give 20 degrees; below 20: triangles away from them."
+        "Unit edges: share with length from 1/sqrt 2 to sqrt 2. Worst angle: in the metrics of all three vertices,"
+        " in brackets away from corners that no mesh can give 20 degrees; below 20: triangles away from them."
         " Both meshes are judged with the metric as given at their vertices.\n",
         f"- BAMG: `{bamg}` of Debian's {package}. Asterism at"
         f" {first_line('git', '-C', str(here), 'rev-parse', '--short', 'HEAD')}, {datetime.date.today().isoformat()}.",
