@@ -54,7 +54,11 @@ void add_help_command(CLI::App& program, command& chosen) {
   app->callback([&program, name, &chosen] {
     chosen = [&program, name]() -> int {
       if (name->empty()) {
-        std::cout << wrapped(program.help("", CLI::AppFormatMode::All), help_columns());
+        // Asks the formatter: help() of a program is that of the command which was parsed, this
+        // one.
+        const std::string all = program.get_formatter()->make_help(&program, program.get_name(),
+                                                                   CLI::AppFormatMode::Normal);
+        std::cout << wrapped(all, help_columns());
         return done;
       }
       for (const CLI::App* other : program.get_subcommands([](const CLI::App*) { return true; }))
@@ -62,7 +66,8 @@ void add_help_command(CLI::App& program, command& chosen) {
           std::cout << wrapped(other->help(program.get_name()), help_columns());
           return done;
         }
-      return complain({no_such_command(program, *name)}, refused);
+      std::cerr << "asterism: " << no_such_command(program, *name) << '\n';
+      return refused;
     };
   });
 }

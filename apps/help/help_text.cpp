@@ -59,10 +59,14 @@ void append_wrapped(std::string& out, std::string_view line, std::size_t columns
   const std::size_t indent = indent_of(line);
   std::size_t room = columns;  // less the indent from the second line on
   while (line.size() > room) {
-    const std::size_t end = line.rfind(' ', room);
-    if (end == std::string_view::npos || line.find_first_not_of(' ') > end) break;
+    std::size_t end = line.rfind(' ', room);
+    std::size_t next = end + 1;
+    if (end == std::string_view::npos || line.find_first_not_of(' ') > end) {
+      end = next = line.rfind(',', room - 1) + 1;  // of a list without blanks: {bash,zsh,fish}
+      if (end == 0) break;
+    }
     out.append(line.substr(0, end)).append("\n").append(indent, ' ');
-    line.remove_prefix(end + 1);
+    line.remove_prefix(next);
     room = columns - indent;
   }
   out.append(line).append("\n");

@@ -4,11 +4,13 @@ own options, `info` and `--json` say what the files and certificates say, hints 
 import itertools
 import json
 import os
+import pathlib
 import pty
 import re
 import select
 import shutil
 import subprocess
+import sys
 import unittest
 
 import command
@@ -256,6 +258,7 @@ class Help(command.CommandTest):
                 prose = [line for line in done.stdout.splitlines() if not line.startswith(("  asterism ", "Usage:"))]
                 most = max(len(line) for line in prose)
                 self.assertLessEqual(most, int(columns), [line for line in prose if len(line) == most])
+        self.assertEqual(self.run_command("help").stdout, self.run_command("--help").stdout)
         said = self.run_command("help", "mesh").stdout
         for heading in ("What is wanted:", "Domain:", "Files and words:", "Limits:", "Examples:"):
             self.assertIn("\n" + heading + "\n", said)
@@ -264,6 +267,15 @@ class Help(command.CommandTest):
         done = self.run_command("help", "mehs")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn("did you mean mesh?", done.stderr)
+
+    def test_the_manual_lists_what_help_lists(self):
+        script = pathlib.Path(__file__).resolve().parents[2] / "scripts/make-options-page"
+        done = subprocess.run([sys.executable, script, command.PROGRAM, "--check"], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_list_without_blanks_is_broken_too(self):
+        done = self.run_command("help", "man", environment={"COLUMNS": "60"})
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 60)
 
     def test_a_mesh_that_is_not_certified_may_be_repaired(self):
         self.run_command("mesh", "square", "--size", "0.3", "-o", "m.mesh")
