@@ -104,7 +104,7 @@ int run_with_all(const std::vector<std::string>& words) {
   if (!message && !words.empty() && takes_files(find_command(words[0])))
     message = misused_stream(words);
   if (message) {
-    std::cerr << "asterism: " << without_controls(*message) << '\n';
+    std::cerr << "asterism: " << *message << '\n';
     return refused;
   }
   try {
@@ -118,7 +118,7 @@ int run_with_all(const std::vector<std::string>& words) {
     return done;
   } catch (const CLI::ParseError& failure) {
     if (failure.get_exit_code() == 0) return program.exit(failure);  // --help, --version
-    std::cerr << "asterism: " << without_controls(usage_message(program, words, failure)) << '\n';
+    std::cerr << "asterism: " << usage_message(program, words, failure) << '\n';
     return refused;
   }
   return conclude(chosen);

@@ -7,6 +7,7 @@
 
 #include "asterism/apps/base/terminal.hpp"
 #include "asterism/core/result.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 
@@ -14,9 +15,9 @@ namespace asterism::apps {
 // written.
 enum exit_status : int { done = 0, not_reached = 1, refused = 2 };
 
-// Writes the failure to standard error and returns the status.
+// Writes the failure to standard error, in one line, and returns the status.
 inline int complain(const error& failure, exit_status status) {
-  std::cerr << in_colour("asterism:", ink::red, 2) << ' ' << without_controls(failure.message)
+  std::cerr << in_colour("asterism:", ink::red, 2) << ' ' << internal::one_line(failure.message)
             << '\n';
   return status;
 }

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-#include "asterism/apps/base/terminal.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 
@@ -11,7 +11,7 @@ std::optional<error> say_notes(const std::vector<std::string>& notes, const note
   if (how.strict && !notes.empty()) return error{"--strict: " + notes.front()};
   if (how.quiet) return std::nullopt;
   for (const std::string& note : notes)
-    std::cerr << "asterism: note: " << without_controls(note) << '\n';
+    std::cerr << "asterism: note: " << internal::one_line(note) << '\n';
   return std::nullopt;
 }
 

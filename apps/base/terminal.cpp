@@ -24,12 +24,4 @@ std::string in_colour(const std::string& text, ink colour, int stream) {
   return std::string("\033[1;") + code + "m" + text + "\033[0m";
 }
 
-std::string without_controls(std::string text) {
-  for (char& c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if ((code < 0x20 && c != '\n' && c != '\t') || code == 0x7f) c = '?';
-  }
-  return text;
-}
-
 }  // namespace asterism::apps

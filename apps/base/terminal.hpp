@@ -14,8 +14,4 @@ enum class ink { red, green, yellow };
 // Source: https://no-color.org.
 std::string in_colour(const std::string& text, ink colour, int stream);
 
-// Returns the text with a question mark for each control character but tab and end of line: names
-// of files and words of their contents may hold any byte, and a terminal obeys some.
-std::string without_controls(std::string text);
-
 }  // namespace asterism::apps

@@ -11,6 +11,7 @@
 #include "asterism/apps/base/commands.hpp"
 #include "asterism/apps/base/complain.hpp"
 #include "asterism/apps/job/file_facts.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -43,8 +44,11 @@ int run_info(const info_options& options) {
     return done;
   }
   for (const auto& [name, value] : facts.value())
-    std::visit([&](const auto& known) { std::cout << fmt::format("{:<22} {}\n", name, known); },
-               value);
+    std::visit(
+        [&](const auto& known) {
+          std::cout << internal::printable(fmt::format("{:<22} {}", name, known)) << '\n';
+        },
+        value);
   return done;
 }
 

@@ -24,6 +24,7 @@
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -112,7 +113,7 @@ std::optional<error> check_files(const metric_job& job) {
   if (auto failed = check_distinct({}, once)) return failed;
   if (auto failed = check_distinct(read, written)) return failed;
   for (const fs::path& place : written)
-    if (auto failed = check_place(place)) return failed;
+    if (auto free = check_writable(place); !free) return free.failure();
   return std::nullopt;
 }
 
@@ -144,8 +145,8 @@ result<bool> write_metric(const fs::path& output, const mesh& made, const std::s
 void summarize(const metric_job& job, const metric_series& made) {
   std::cout << "metric: " << internal::text_of(made.report) << '\n';
   for (std::size_t k = 0; k < made.complexities.size(); ++k)
-    std::cout << fmt::format("window {}, {}: complexity {:.6g}\n", k + 1, job.series[k],
-                             made.complexities[k]);
+    std::cout << fmt::format("window {}, {}: complexity {:.6g}\n", k + 1,
+                             internal::printable(job.series[k]), made.complexities[k]);
 }
 
 int run_metric(metric_job job) {

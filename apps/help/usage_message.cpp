@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "asterism/apps/help/foreign_names.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
+using internal::one_line;
 namespace {
 
 // Returns the number of letters that must be changed, added, removed or exchanged with their
@@ -188,11 +190,53 @@ std::string flag_with_value(const CLI::App& app, const std::vector<std::string>&
   return "";
 }
 
+// Returns the end of a message about a word that no argument takes: after a file of an option that
+// is given once for each.
+std::string once_for_each(const CLI::App& app, const std::vector<std::string>& words,
+                          const CLI::ParseError& failure) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr) return "";
+  const std::string text = std::string(failure.what()) + " ";
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    const CLI::Option* const option = app.get_option_no_throw(words[i]);
+    const bool repeats = option != nullptr && words[i][0] == '-' && option->get_expected_max() > 1;
+    if (repeats && text.find(" " + words[i + 2] + " ") != std::string::npos)
+      return "; " + words[i] + " takes one each time: " + words[i] + " " + words[i + 1] + " " +
+             words[i] + " " + words[i + 2];
+  }
+  return "";
+}
+
+// Returns the first option that was given another option for its value; empty if there is none.
+std::string without_value(const CLI::App& app, const std::vector<std::string>& words) {
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    if (words[i].size() < 2 || words[i][0] != '-' || words[i + 1].size() < 2 ||
+        words[i + 1][0] != '-')
+      continue;
+    const CLI::Option* const option = app.get_option_no_throw(words[i]);
+    const bool takes_value = option != nullptr && option->get_type_size_max() > 0;
+    if (takes_value && app.get_option_no_throw(words[i + 1]) != nullptr)
+      return words[i] + ": there is no " + option->get_type_name() + " behind it, but the option " +
+             words[i + 1];
+  }
+  return "";
+}
+
+// Returns the end of a message about an option that is the name of an argument without one.
+std::string is_positional(const CLI::App& app, const std::string& word) {
+  std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional() && option->get_name(true) == name)
+      return "; " + name + " is named without an option";
+  return "";
+}
+
 std::string no_such_option(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> known = options_of(app);
-  const std::string hint = hint_for(word, known);
+  std::string hint = hint_for(word, known);
+  if (hint.empty()) hint = is_positional(app, word);
   const std::string instead = hint.empty() ? meant(word, known) : hint;
-  return app.get_name() + " has no option " + word + instead +
+  return app.get_name() + " has no option " + one_line(word) + instead +
          (instead.empty() ? "\n" + shortest_use(app) : "") + "\n'asterism " + app.get_name() +
          " --help' lists the options.";
 }
@@ -206,7 +250,7 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
     if (!words.empty() && words[0] == one->get_name()) app = one;
   if (app == nullptr) {
     const std::string help = "\n'asterism --help' lists the commands.";
-    if (words.empty() || words[0][0] == '-') return failure.what() + help;
+    if (words.empty() || words[0][0] == '-') return one_line(failure.what()) + help;
     return no_such_command(program, words[0]);
   }
   const std::string help = "\n'asterism " + app->get_name() + " --help' lists the options.";
@@ -215,10 +259,13 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   // Looks for a required argument that may have been given under a wrong name.
   const bool may_be_name = dynamic_cast<const CLI::ExtrasError*>(&failure) != nullptr ||
                            dynamic_cast<const CLI::RequiredError*>(&failure) != nullptr;
-  if (!may_be_name) return plain_text(*app, words, failure) + help;
+  if (!may_be_name) return one_line(plain_text(*app, words, failure)) + help;
+  const std::string begun = unknown.empty() ? without_value(*app, words) : "";
+  if (!begun.empty()) return begun + help;
   if (unknown.empty())
-    return failure.what() + flag_with_value(*app, words, failure) + "\n" + shortest_use(*app) +
-           help;
+    return one_line(failure.what() + flag_with_value(*app, words, failure) +
+                    once_for_each(*app, words, failure)) +
+           "\n" + shortest_use(*app) + help;
   return no_such_option(*app, unknown);
 }
 
@@ -238,7 +285,7 @@ std::string no_such_command(const CLI::App& program, const std::string& word) {
   for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(one->get_name());
   const std::string instead = meant_instead(word);
-  return "there is no command '" + word + "'" +
+  return "there is no command '" + one_line(word) + "'" +
          (instead.empty() ? meant(word, commands) : instead) +
          "\n'asterism --help' lists the commands.";
 }

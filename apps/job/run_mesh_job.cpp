@@ -40,6 +40,7 @@
 #include "asterism/mesh/pipeline/guaranteed_mesh.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/pipeline/split_across.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -272,7 +273,7 @@ int run_within_limits(const mesh_job& asked) {
   if (job.tells()) write_files_written(std::cout, written_files(files, proof), start);
   const int status = proof.conclude(conclude(job, made.value()));
   const std::string next = status == done ? "" : next_step(job, input.value(), made.value());
-  if (!next.empty() && !job.quiet) std::cerr << "asterism: try " << next << '\n';
+  if (!next.empty() && !job.quiet) std::cerr << "asterism: try " << printable(next) << '\n';
   if (job.json) std::cout << summary_json(made.value(), status, written_files(files, proof), next);
   return status;
 }

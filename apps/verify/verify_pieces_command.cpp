@@ -30,6 +30,7 @@
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/pieces/verify_pieces.hpp"
 #include "asterism/mesh/pipeline/outcome_claims.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -187,10 +188,10 @@ int tell(const verify_options& options, const pieces_index& index, const pieces_
               << '\n';
     return status;
   }
-  for (const std::string& fault : faults) std::cout << fault << '\n';
+  for (const std::string& fault : faults) std::cout << one_line(fault) << '\n';
   std::cout << (verified ? in_colour("certified", ink::green, 1)
                          : in_colour("REFUSED", ink::red, 1))
-            << ": " << text_of_pieces(index) << "; " << scope << '\n';
+            << ": " << text_of_pieces(index) << "; " << one_line(scope) << '\n';
   return status;
 }
 

@@ -14,6 +14,7 @@
 #include "asterism/apps/verify/surface_input.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 #include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_numbers.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
@@ -81,8 +82,9 @@ int tell(const verify_options& options, const shell_certificate& c, const shell_
     std::cout << json_of(all, c.asked, c.complete, c.reason, status);
     return status;
   }
-  for (const std::string& sentence : against) std::cout << "certificate: " << sentence << '\n';
-  for (const std::string& sentence : found.findings) std::cout << sentence << '\n';
+  for (const std::string& sentence : against)
+    std::cout << "certificate: " << one_line(sentence) << '\n';
+  for (const std::string& sentence : found.findings) std::cout << one_line(sentence) << '\n';
   std::cout << (verified ? in_colour("certified", ink::green, 1) + ": "
                          : in_colour("REFUSED", ink::red, 1) + ": ")
             << text_of(found, c.asked) << '\n';

@@ -7,6 +7,7 @@ import functools
 import inspect
 import os
 import sys
+import unicodedata
 import warnings
 from typing import Any, Callable, Dict, Iterable, List, Tuple, Type, TypeVar, cast
 
@@ -34,6 +35,19 @@ _OTHER_NAMES: Dict[str, Tuple[str, ...]] = {
     "segments": ("edges",), "tags": ("markers",), "labels": ("markers", "regions"), "references": ("markers",),
     "filename": ("path",), "file": ("path",), "method": ("how",), "tolerance": ("chord", "chord_tolerance"),
 }
+
+
+# As the command line shows messages (mesh/support/one_line.hpp): of words of more characters than the first number, the
+# first and the last ones stay.
+_LONGEST_WORD, _KEPT_BEFORE, _KEPT_AFTER = 240, 100, 60
+_DIRECTIONS = "\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
+
+
+def one_line(text: str) -> str:
+    """A message that holds names and parts of files, as one line that a terminal shows as it is."""
+    safe = "".join("?" if unicodedata.category(c) in ("Cc", "Zl", "Zp", "Cs") or c in _DIRECTIONS else c for c in text)
+    return " ".join(word if len(word) <= _LONGEST_WORD else f"{word[:_KEPT_BEFORE]}...{word[-_KEPT_AFTER:]}"
+                    for word in safe.split(" "))
 
 
 class CallError(InputError, TypeError):
@@ -95,7 +109,10 @@ def told(function: Function) -> Function:
             why = _why(name, signature, arguments, more) if at is not None and at.tb_next is None else ""
             if not why:
                 raise
-        raise CallError(why)
+        except InputError as wrong:
+            wrong.args = tuple(one_line(part) if isinstance(part, str) else part for part in wrong.args)
+            raise
+        raise CallError(one_line(why))
 
     return cast(Function, call)
 
@@ -120,4 +137,4 @@ def warn(message: str, category: Type[Warning] = UserWarning) -> None:
     while frame.f_back is not None and os.path.abspath(frame.f_code.co_filename).startswith(_PACKAGE):
         frame = frame.f_back
         level += 1
-    warnings.warn(message, category, stacklevel=level)
+    warnings.warn(one_line(message), category, stacklevel=level)

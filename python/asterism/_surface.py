@@ -33,6 +33,9 @@ class Surface:
         if not isinstance(text, str):
             raise InputError(f"text: a text of JSON is wanted, not {type(text).__name__}; Surface.bezier() and "
                              "Surface.bspline() take control points")
+        if not text.lstrip().startswith("{"):
+            raise InputError(f"text: a text of JSON is wanted, not {text!r}; Surface.named() takes the name of a "
+                             "built-in one, Surface.read() that of a file")
         self._text = _asterism._surface_checked(text)
 
     @classmethod

@@ -170,3 +170,17 @@ def test_meshio_writes_what_gmsh_reads_where_the_format_is_named(made, tmp_path)
     again = meshio.read(tmp_path / "x.msh", file_format="gmsh")
     assert len(again.points) == len(made.points)
     assert sum(len(cells.data) for cells in again.cells if cells.type == "triangle") == len(made.triangles)
+
+
+def test_names_reach_a_terminal_as_one_line():
+    for name, shown in (("a\x1b[31m\nb\u202e.mesh", "a?[31m?b?.mesh"), ("y" * 3000, "y" * 100 + "..." + "y" * 59 + ":")):
+        with pytest.raises(asterism.InputError) as told:
+            asterism.read(name)
+        assert shown in str(told.value)
+        assert str(told.value).isprintable() and len(str(told.value)) < 300
+
+
+def test_a_surface_of_a_name_is_told_how_it_is_made():
+    for name in ("torus", "hull.json"):
+        with pytest.raises(asterism.InputError, match=r"Surface\.named\(\).*Surface\.read\(\)"):
+            asterism.Surface(name)

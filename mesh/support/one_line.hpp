@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes text from files, names and arguments safe to show to people.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace asterism::internal {
+
+// Returns the text with `?` for each character that a terminal obeys or that breaks or reorders a
+// line: controls and delete (of ASCII, and U+0080 to U+009F), separators of lines and paragraphs,
+// marks of direction. A byte that is no UTF-8 stays, unless a terminal of eight bits obeys it.
+std::string printable(std::string_view text);
+
+// Returns the text as printable() does, with its long words cut: of a word of more than 240 bytes
+// the first 100 and the last 60 stay, and an ellipsis between them. Names of files rarely are as
+// long, and both ends tell which is meant.
+std::string one_line(std::string_view text);
+
+}  // namespace asterism::internal
