@@ -213,7 +213,7 @@ std::optional<error> convert_domain(const convert_job& job, const places& where,
                      ": --order and --metric are of meshes, and a .poly file is of a domain",
                  error_code::bad_option};
   if (auto refused = check_output_differs(where)) return refused;
-  if (auto refused = check_place(where.out)) return refused;
+  if (auto place = check_writable(where.out); !place) return place.failure();
   const auto plain = plain_domain(where.in.string(), {job.quiet, job.strict}, job.repair);
   if (!plain) return plain.failure();
   made.files.push_back({where.out, poly_text(plain.value())});

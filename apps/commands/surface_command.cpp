@@ -25,6 +25,7 @@
 #include "asterism/mesh/draw/space_picture.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 #include "asterism/mesh/surface/surface_mesher.hpp"
 #include "asterism/mesh/surface/unit_patches.hpp"
 #include "asterism/mesh/surface_audit/shell_triangles.hpp"
@@ -74,7 +75,7 @@ std::optional<error> check_files(const surface_job& job) {
   std::vector<fs::path> used = job.outputs;
   if (!job.certificate.empty()) used.push_back(job.certificate);
   for (const fs::path& path : used)
-    if (auto wrong = check_place(path)) return wrong;
+    if (auto place = check_writable(path); !place) return place.failure();
   for (const fs::path& path : job.outputs) {
     if (has_ending(path.string(), ".html")) continue;
     if (picture_format_of(path)) {
@@ -141,8 +142,8 @@ void tell(const surface_job& job, const shell_certificate& claim, int status) {
     return;
   }
   if (job.quiet) return;
-  if (!claim.complete) std::cout << "not reached: " << claim.reason << '\n';
-  for (const std::string& finding : claim.report.findings) std::cout << finding << '\n';
+  if (!claim.complete) std::cout << "not reached: " << one_line(claim.reason) << '\n';
+  for (const std::string& finding : claim.report.findings) std::cout << one_line(finding) << '\n';
   std::cout << (status == done ? in_colour("certified", ink::green, 1) + ": "
                                : in_colour("not certified", ink::yellow, 1) + ": ")
             << text_of(claim.report, claim.asked) << '\n';

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/run/places.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 
@@ -14,35 +11,6 @@
 namespace asterism::apps {
 using namespace internal;
 namespace fs = std::filesystem;
-
-namespace {
-
-// True if a file can be created there: a file system may forbid what the permissions of the folder
-// allow.
-bool takes_files(const fs::path& folder) {
-  std::string name = (folder / ".asterism-XXXXXX").string();
-  const int made = mkstemp(name.data());
-  if (made < 0) return false;
-  close(made);
-  unlink(name.c_str());
-  return true;
-}
-
-}  // namespace
-
-std::optional<error> check_place(const fs::path& path) {
-  std::error_code ignored;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ignored))
-    return error{path.string() + ": there is no directory " + folder.string(),
-                 error_code::unwritable_file};
-  if (access(folder.c_str(), W_OK | X_OK) != 0 || !takes_files(folder))
-    return error{path.string() + ": directory " + folder.string() + " is not writable",
-                 error_code::unwritable_file};
-  if (!path.has_filename() || (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)))
-    return error{path.string() + ": not a regular file", error_code::unwritable_file};
-  return std::nullopt;
-}
 
 std::vector<fs::path> files_read_with(const fs::path& mesh) {
   std::vector<fs::path> files = {mesh};

@@ -11,9 +11,6 @@
 
 namespace asterism::apps {
 
-// Returns the reason why no regular file could be created or replaced there; empty if one could.
-std::optional<error> check_place(const std::filesystem::path& path);
-
 // Returns the files that are read for `mesh`: the file itself, and for Medit's formats the metric
 // beside it, if there is one.
 std::vector<std::filesystem::path> files_read_with(const std::filesystem::path& mesh);

@@ -47,7 +47,7 @@ std::optional<error> check_files(const run_files& files, const std::vector<fs::p
   if (auto failure = check_distinct(read, written)) return failure;
   for (const fs::path& file : {files.proof, files.certificate})
     if (!file.empty())
-      if (auto failure = check_place(file)) return failure;
+      if (auto place = check_writable(file); !place) return place.failure();
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -157,6 +158,21 @@ result<std::vector<fs::path>> write_files(const std::vector<output_file>& files)
   return pending.put_in_place();
 }
 
+namespace {
+
+// True if a file can be created there: a file system may forbid what the permissions of the folder
+// allow.
+bool takes_files(const fs::path& folder) {
+  std::string name = (folder / ".asterism-XXXXXX").string();
+  const int made = ::mkstemp(name.data());
+  if (made < 0) return false;
+  ::close(made);
+  ::unlink(name.c_str());
+  return true;
+}
+
+}  // namespace
+
 result<fs::path> check_writable(const fs::path& named) {
   const fs::path path = place_of(named);
   std::error_code status;
@@ -167,7 +183,7 @@ result<fs::path> check_writable(const fs::path& named) {
     return error{path.string() + ": there is no directory " + directory.string(),
                  error_code::unwritable_file};
   errno = 0;
-  if (::access(directory.c_str(), W_OK | X_OK) != 0)
+  if (::access(directory.c_str(), W_OK | X_OK) != 0 || !takes_files(directory))
     return system_failure(path, "the directory " + directory.string() + " cannot be written to");
   if (fs::exists(path, status) && !fs::is_regular_file(path, status))
     return error{path.string() + ": exists and is not a regular file", error_code::unwritable_file};

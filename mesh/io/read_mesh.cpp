@@ -90,20 +90,19 @@ bool is_mesh_file(std::string_view name) {
   return kind != nullptr && kind->read != nullptr;
 }
 
+std::string kind_hint(const std::filesystem::path& path) {
+  if (is_mesh_file(path.string())) return "";
+  const std::string known = what_it_is(path.string());
+  std::error_code ignored;
+  if (!known.empty() || !std::filesystem::exists(path, ignored)) return known;
+  return "; read as Medit's .mesh, as its name ends in none of " + endings_of(is_mesh_kind, "and");
+}
+
 result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                  const medit_read_options& options) {
   const file_kind& kind = kind_to_read(path);
   auto read = kind.read(path, options);
-  if (!read && !is_mesh_file(path.string())) {
-    const std::string known = what_it_is(path.string());
-    std::error_code ignored;
-    if (!known.empty() || !std::filesystem::exists(path, ignored))
-      return error{read.failure().message + known, read.failure().code};
-    return error{read.failure().message + "; read as Medit's .mesh, as its name ends in none of " +
-                     endings_of(is_mesh_kind, "and"),
-                 read.failure().code};
-  }
-  if (!read) return read.failure();
+  if (!read) return error{read.failure().message + kind_hint(path), read.failure().code};
   listed_mesh& m = read.value();
   const bool has_own_metric = !is_of_medit(kind) && !m.content.triangles.empty();
   if (has_own_metric && !options.solution.empty())

@@ -51,6 +51,11 @@ ASTERISM_EXPORT void take_back_note_of_corners(mesh_file& read);
 // .2dm or .stl. It may be one of edges alone, which are a domain.
 ASTERISM_EXPORT bool is_mesh_file(std::string_view name);
 
+// Returns the end of a message about a file that cannot be read as a mesh: what its name shows it
+// to be, or that it was read as Medit's format, whose name it does not have; empty for a mesh's
+// name.
+ASTERISM_EXPORT std::string kind_hint(const std::filesystem::path& path);
+
 // True if a file of this name has numbers at the vertices of a mesh that can be its metric: .sol,
 // .solb or .mtr.
 ASTERISM_EXPORT bool is_metric_file(std::string_view name);
