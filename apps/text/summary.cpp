@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <map>
 #include <ostream>
 #include <string>
@@ -15,7 +14,7 @@
 #include "asterism/apps/options/second_order_text.hpp"
 #include "asterism/apps/text/verdict_text.hpp"
 #include "asterism/core/elementary.hpp"
-#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -41,15 +40,27 @@ std::string verdict_of(const certified_mesh& made) {
   return in_colour("NOT certified", ink::red, 1) + ", incomplete";
 }
 
-// Returns how many edges have a metric length near 1, and where most have not, their mean length: a
-// domain whose sides are shorter than the size has none, and yet the mesh is as coarse as it can
-// be.
+// Returns, where most edges have no metric length near 1, their mean length: a domain whose sides
+// are shorter than the size has none, and yet the mesh is as coarse as it can be; and a metric that
+// no size was asked in has lengths of its own.
+std::string mean_length_text(double part, double mean) {
+  return part < 0.5 && mean > 0 ? fmt::format(" (mean length in the metric {:.3g}, not 1)", mean)
+                                : "";
+}
+
+// Returns how many edges have a metric length near 1.
 std::string unit_edges_text(double part, const std::map<std::string, double>& measured) {
-  std::string text = fmt::format("{:.2f}% unit edges", part * 100);
   const auto mean = measured.find("mean_length");
-  if (part < 0.5 && mean != measured.end())
-    text += fmt::format(" (mean length in the metric {:.3g}, not 1)", mean->second);
-  return text;
+  return fmt::format("{:.2f}% unit edges", part * 100) +
+         mean_length_text(part, mean == measured.end() ? 0 : mean->second);
+}
+
+// Returns a change of lengths by the logarithm of its factor: small ones in percent, of which times
+// show no digit.
+std::string change_text(double logarithm) {
+  const double factor = elementary::exp(logarithm);
+  if (factor >= 2) return fmt::format("{:.3g} times", factor);
+  return fmt::format("{:.2g} %", 100 * (factor - 1));
 }
 
 }  // namespace
@@ -65,7 +76,8 @@ std::string text_of(const domain_repairs& done) {
 
 std::string text_of(const gradation_report& done) {
   std::string text = std::to_string(done.changed) + " of " + std::to_string(done.nodes) +
-                     " nodes changed, density at most times " + number_text(done.largest_growth);
+                     " nodes changed, density at most times " +
+                     fmt::format("{:.4g}", done.largest_growth);
   // Leaves out sizes of cells for a gradation on the nodes of a mesh, which has none.
   if (done.largest_cell > 0)
     text += fmt::format(", cells from {:.4g} to {:.4g}", done.smallest_cell, done.largest_cell);
@@ -112,11 +124,12 @@ std::string cracks_text(const crack_markers& cracks) {
 std::string text_of(const delivered_report& done) {
   return fmt::format(
       "{:.1f} % of the sites have lengths changed by more than 10 %, median {:.1f} %, 90 % below "
-      "{:.1f} %, greatest {:.3g} times; complexity {:.6g} of {:.6g} wanted; {} triangles are below "
-      "the bound in the metric wanted",
+      "{:.1f} %, greatest {}; complexity {:.6g} of {:.6g} wanted; {} {} below the bound in the "
+      "metric wanted",
       100 * done.beyond_tenth, 100 * (elementary::exp(done.median) - 1),
-      100 * (elementary::exp(done.ninetieth) - 1), elementary::exp(done.greatest),
-      done.complexity_delivered, done.complexity_wanted, done.low_wanted.size());
+      100 * (elementary::exp(done.ninetieth) - 1), change_text(done.greatest),
+      done.complexity_delivered, done.complexity_wanted, done.low_wanted.size(),
+      done.low_wanted.size() == 1 ? "triangle is" : "triangles are");
 }
 
 void write_summary(std::ostream& out, const certified_mesh& made,
@@ -145,9 +158,19 @@ void write_files_written(std::ostream& out, const std::vector<std::filesystem::p
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   out << "written in " << fmt::format("{:.2f}", taken.count()) << " seconds: ";
   for (std::size_t i = 0; i < files.size(); ++i)
-    out << (i == 0 ? "" : ", ") << without_controls(files[i].string());
+    out << (i == 0 ? "" : ", ") << printable(files[i].string());
   out << '\n';
 }
+
+namespace {
+
+std::string unit_part_text(const certify_report& report) {
+  if (report.edges == 0) return "";
+  const double part = static_cast<double>(report.unit_edges) / static_cast<double>(report.edges);
+  return fmt::format(" ({:.1f}%)", 100 * part) + mean_length_text(part, report.mean_length);
+}
+
+}  // namespace
 
 void write_report(std::ostream& out, const certify_report& report, const mesh& m,
                   double angle_bound, bool all_findings) {
@@ -173,10 +196,7 @@ void write_report(std::ostream& out, const certify_report& report, const mesh& m
       << report.below_bound << " (exempt: " << report.audit.exempt_triangles.size()
       << ", collateral: " << report.audit.collateral_triangles.size() << ")\n"
       << "edges of metric length 0.71 to 1.41: " << report.unit_edges << " of " << report.edges
-      << std::fixed << std::setprecision(1) << " ("
-      << 100.0 * static_cast<double>(report.unit_edges) / static_cast<double>(report.edges)
-      << "%)\n"
-      << std::defaultfloat;
+      << unit_part_text(report) << '\n';
   if (report.audit.voronoi != voronoi_verdict::not_asked)
     out << "dual of the Voronoi diagram: "
         << voronoi_verdict_names[static_cast<std::size_t>(report.audit.voronoi)] << '\n';

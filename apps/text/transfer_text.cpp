@@ -6,6 +6,7 @@
 #include <map>
 
 #include "asterism/apps/base/other_names.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -14,6 +15,15 @@ const std::map<std::string, transfer_method> transfer_methods = {
     {"interpolate", transfer_method::interpolate},
     {"project", transfer_method::project},
     {"bounded", transfer_method::bounded}};
+
+// Says how far integrals differ that look alike in nine digits.
+std::string difference_text(const transferred_component& c) {
+  const double difference = c.integral_after - c.integral_before;
+  if (difference == 0) return ", the same";
+  const bool looks_alike =
+      fmt::format("{:.9g}", c.integral_before) == fmt::format("{:.9g}", c.integral_after);
+  return looks_alike ? fmt::format(", differing by {:.2g}", difference) : "";
+}
 
 }  // namespace
 
@@ -40,10 +50,10 @@ std::string text_of(const transfer_report& r) {
   text += '\n';
   for (const transferred_component& c : r.components)
     text += fmt::format(
-        "field {}: integral {:.17g} before, {:.17g} after; from {:.6g} to {:.6g} "
+        "field {}: integral {:.9g} before, {:.9g} after{}; from {:.6g} to {:.6g} "
         "before, {:.6g} to {:.6g} after\n",
-        c.name, c.integral_before, c.integral_after, c.least_before, c.greatest_before,
-        c.least_after, c.greatest_after);
+        internal::one_line(c.name), c.integral_before, c.integral_after, difference_text(c),
+        c.least_before, c.greatest_before, c.least_after, c.greatest_after);
   return text;
 }
 

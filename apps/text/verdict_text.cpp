@@ -5,8 +5,82 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "asterism/core/number_text.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
+using namespace internal;
+namespace {
+
+// A number in a sentence, or the text before one.
+struct sentence_part {
+  std::string text;
+  std::optional<double> number = std::nullopt;
+};
+
+bool is_of_number(char c) {
+  return (c >= '0' && c <= '9') || c == '.' || c == 'e' || c == '-' || c == '+';
+}
+
+std::vector<sentence_part> parts_of(std::string_view sentence) {
+  std::vector<sentence_part> parts;
+  std::size_t done = 0;
+  for (std::size_t at = 0; at < sentence.size();) {
+    const bool begins_word = at == 0 || sentence[at - 1] == ' ' || sentence[at - 1] == '(';
+    std::size_t end = at;
+    while (begins_word && end < sentence.size() && is_of_number(sentence[end])) ++end;
+    const std::string word(sentence.substr(at, end - at));
+    if (const auto number = parse_number(word)) {
+      parts.push_back({std::string(sentence.substr(done, at - done))});
+      parts.push_back({word, number.value()});
+      done = end;
+    }
+    at = std::max(end, at + 1);
+  }
+  parts.push_back({std::string(sentence.substr(done))});
+  return parts;
+}
+
+// Leaves out the place of a vertex that the sentence has told already.
+std::string with_places_once(std::string sentence) {
+  std::set<std::string> told;
+  const std::string_view mark = "vertex ";
+  for (std::size_t at = sentence.find(mark); at != std::string::npos;
+       at = sentence.find(mark, at + 1)) {
+    const std::size_t open = sentence.find(" (", at);
+    const std::size_t after = sentence.find_first_not_of("0123456789", at + mark.size());
+    if (open == std::string::npos || open != after) continue;
+    const std::size_t close = sentence.find(')', open);
+    if (close != std::string::npos && !told.insert(sentence.substr(at, open - at)).second)
+      sentence.erase(open, close + 1 - open);
+  }
+  return sentence;
+}
+
+// Returns a finding's sentence with the digits that people read: six of each number, unless another
+// number of the sentence has the same six, and the place of each vertex once. Certificates and
+// --json have all of it.
+std::string short_witness(const std::string& witness) {
+  std::vector<sentence_part> parts = parts_of(with_places_once(one_line(witness)));
+  std::map<std::string, std::set<double>> alike;
+  for (const sentence_part& part : parts)
+    if (part.number) alike[fmt::format("{:.6g}", *part.number)].insert(*part.number);
+  std::string text;
+  for (const sentence_part& part : parts) {
+    const std::string rounded = part.number ? fmt::format("{:.6g}", *part.number) : "";
+    const bool is_shorter = part.number && rounded.size() < part.text.size();
+    text += is_shorter && alike[rounded].size() == 1 ? rounded : part.text;
+  }
+  return text;
+}
+
+}  // namespace
 
 std::size_t findings_kept(bool all) {
   return all ? std::numeric_limits<std::size_t>::max() : audit_options{}.findings_kept;
@@ -17,7 +91,7 @@ void write_findings(std::ostream& out, const audit_report& report) {
   for (const audit_finding& f : report.findings) {
     const auto kind = static_cast<std::size_t>(f.kind);
     ++told[kind];
-    out << finding_kind_names[kind] << ": " << f.witness << '\n';
+    out << finding_kind_names[kind] << ": " << short_witness(f.witness) << '\n';
   }
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     if (report.found[kind] > told[kind])

@@ -136,9 +136,12 @@ void measure_edges(const mesh& m, certify_report& report) {
   for (const auto& s : sides.all()) {
     const auto [a, b] = s.ends;
     if (a > b && sides.find(b, a) != nullptr) continue;
+    const double length = edge_length(m.sites[a], m.sites[b]);
     ++report.edges;
-    report.unit_edges += is_unit_length(edge_length(m.sites[a], m.sites[b])) ? 1 : 0;
+    report.unit_edges += is_unit_length(length) ? 1 : 0;
+    report.mean_length += length;
   }
+  if (report.edges > 0) report.mean_length /= static_cast<double>(report.edges);
 }
 
 }  // namespace

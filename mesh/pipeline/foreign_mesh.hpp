@@ -73,6 +73,7 @@ struct certify_report {
   // collateral ones included; inverted and flat triangles have no angles.
   std::size_t below_bound = 0;
   std::size_t edges = 0, unit_edges = 0;
+  double mean_length = 0;            // of the edges, in the metric; 0: there are none
   std::vector<region_area> regions;  // empty where there is but region 1
   // Measurements for the theorem on nets; set for a certified mesh.
   std::optional<theorem_hypotheses> theorem;
