@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -88,6 +88,16 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
 def implied_metric(mesh: Mesh) -> npt.NDArray[np.float64]:
     """The metric (n, 3) that the mesh was made in, as far as its edges tell."""
     return _asterism._implied_metric(_mesh_made(mesh))
+
+
+@overload
+def transfer(mesh: Mesh, values: Mapping[str, npt.ArrayLike], to: Mesh, how: str = ...) -> Dict[str, ReportedArray]:
+    ...
+
+
+@overload
+def transfer(mesh: Mesh, values: npt.ArrayLike, to: Mesh, how: str = ...) -> ReportedArray:
+    ...
 
 
 @told

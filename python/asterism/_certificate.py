@@ -18,6 +18,14 @@ class Finding(NamedTuple):
 class Certificate:
     """The auditor's answer about a mesh. Attributes are the entries of `data`, and of the objects in it."""
 
+    certified: bool
+    complete: bool
+    reason: str
+    worst_angle: float
+    angle_bound: float
+    sites: int
+    triangles: int
+
     def __init__(self, text: str) -> None:
         self.text = text
         self.data: Dict[str, Any] = json.loads(text)
