@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,9 +16,11 @@
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/other_kind.hpp"
+#include "asterism/mesh/io/text_scanner.hpp"
 #include "asterism/mesh/proof/check_proof.hpp"
 #include "asterism/mesh/proof/check_tolerance.hpp"
 #include "asterism/mesh/proof/proof_reader.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -75,12 +75,11 @@ std::optional<error> check_kind(const check_options& options) {
   return std::nullopt;
 }
 
-result<std::string> bytes_of_file(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof())
-    return error{path.string() + ": cannot be read; --proof of 'asterism mesh' writes a proof",
-                 error_code::unreadable_file};
+result<std::string> bytes_of_proof(const fs::path& path) {
+  auto bytes = read_text_file(path);
+  if (!bytes)
+    return error{bytes.failure().message + "; --proof of 'asterism mesh' writes a proof",
+                 bytes.failure().code};
   return bytes;
 }
 
@@ -98,7 +97,7 @@ result<std::optional<domain>> read_shape(const check_options& options) {
 }
 
 int refuse(const error& why) {
-  std::cout << "NOT proved: " << why.message << '\n';
+  std::cout << "NOT proved: " << one_line(why.message) << '\n';
   return not_reached;
 }
 
@@ -141,7 +140,7 @@ int run_check(const check_options& options) {
   if (!subject) return complain(subject.failure(), refused);
   const auto shape = read_shape(options);
   if (!shape) return complain(shape.failure(), refused);
-  const auto bytes = bytes_of_file(options.proof);
+  const auto bytes = bytes_of_proof(options.proof);
   if (!bytes) return complain(bytes.failure(), refused);
   const auto proof = read_proof(bytes.value(), subject.value());
   if (!proof) return refuse(proof.failure().at(options.proof.string()));
@@ -154,10 +153,9 @@ int run_check(const check_options& options) {
       return refuse(*failure);
   std::cout << fmt::format(
       "proved: {} sites, {} triangles, no angle below {:g} degrees but the domain's own; domain "
-      "{}; "
-      "metric {}\n",
+      "{}; metric {}\n",
       subject.value().sites.size(), subject.value().triangles.size(), options.angle_bound,
-      domain_text(options, shape.value()), metric_text(options));
+      printable(domain_text(options, shape.value())), printable(metric_text(options)));
   return done;
 }
 

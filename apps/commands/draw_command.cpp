@@ -33,6 +33,7 @@ struct draw_options {
   std::string colours;   // what they tell; empty: nothing
   picture_options style;
   bool has_style = false;  // width, dots or ellipses are wanted
+  bool quiet = false;
 };
 
 constexpr const char* draw_examples =
@@ -199,7 +200,7 @@ int run_draw(const draw_options& options) {
   const held_signals held;
   const auto written = internal::write_files(rendered.value());
   if (!written) return complain(written.failure(), not_reached);
-  write_files_written(std::cout, {options.picture}, start);
+  if (!options.quiet) write_files_written(std::cout, {options.picture}, start);
   return done;
 }
 
@@ -231,6 +232,7 @@ void add_draw_command(CLI::App& program, command& chosen) {
       [options](std::uint64_t n) { options->style.width = static_cast<int>(n); },
       "In pixels, or points (default 1000)")
       ->type_name("N");
+  app->add_flag("--quiet", options->quiet, "No names of files");
   app->footer(draw_examples);
   app->callback([app, options, &chosen] {
     for (const char* const name : {"--width", "--ellipses", "--no-sites"})

@@ -15,7 +15,7 @@ struct foreign_option {
 };
 
 // Names of options in other meshers, and the options here that mean the same.
-inline constexpr std::array<foreign_option, 72> foreign_options = {{
+inline constexpr std::array<foreign_option, 84> foreign_options = {{
     {"hmax", "--size", "the length of an edge of metric length 1"},
     {"hsiz", "--size", "the length of an edge of metric length 1"},
     {"clmax", "--size", "the length of an edge of metric length 1"},
@@ -25,6 +25,8 @@ inline constexpr std::array<foreign_option, 72> foreign_options = {{
     {"min-angle", "--angle-bound", "the least angle in degrees, in the metric"},
     {"minangle", "--angle-bound", "the least angle in degrees, in the metric"},
     {"ar", "--corner-angle", "beyond which the boundary has a corner"},
+    {"ar", "-o", "the file to write; every corner of the domain is kept"},
+    {"nr", "-o", "the file to write; every corner of the domain is kept"},
     {"nbvx", "--max-sites", "the greatest number of vertices"},
     {"err", "--error", "the interpolation error wanted"},
     {"out", "-o", "the file to write"},
@@ -54,8 +56,18 @@ inline constexpr std::array<foreign_option, 72> foreign_options = {{
     {"tol", "--chord", "the greatest distance, of the surface from the mesh and back"},
     {"deflection", "--chord", "the greatest distance, of the surface from the mesh and back"},
     {"hausd", "--chord", "the greatest distance, of the surface from the mesh and back"},
+    {"hausd", "--chord-tolerance", "the greatest distance of curves from their chords"},
+    {"deflection", "--chord-tolerance", "the greatest distance of curves from their chords"},
+    {"a", "--hmax", "about the longest edge; a triangle of it has 0.433 of its square as area"},
+    {"lc", "--hmax", "about the longest edge"},
+    {"clmax", "--hmax", "about the longest edge"},
     {"error", "--chord", "the greatest distance, of the surface from the mesh and back"},
     {"max", "--at-most", "the distance that is to be proved"},
+    {"tolerance", "--at-most", "the distance that is to be proved"},
+    {"bound", "--angle-bound", "the least angle in degrees, in the metric"},
+    {"metric", "--chord", "the greatest distance; sizes follow from it and the curvature"},
+    {"o", "--json", "all that is found, to standard output: `--json > FILE`"},
+    {"output", "--json", "all that is found, to standard output: `--json > FILE`"},
     {"chord", "--at-most", "the distance that is to be proved"},
     {"size", "--width", "of the picture, in pixels"},
     {"resolution", "--width", "of the picture, in pixels"},

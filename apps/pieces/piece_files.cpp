@@ -13,6 +13,7 @@
 #include "asterism/apps/run/held_signals.hpp"
 #include "asterism/apps/text/summary.hpp"
 #include "asterism/apps/text/verdict_text.hpp"
+#include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
@@ -63,6 +64,12 @@ std::optional<error> check_piece_places(const mesh_job& job) {
   const fs::path& folder = job.outputs[0];
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return std::nullopt;
+  if (folder.has_filename() && kind_of_file(folder.string()) != nullptr)
+    return error{folder.string() +
+                     ": with --pieces a folder is wanted, which a name like this would "
+                     "hide; " +
+                     fs::path(folder).replace_extension().string() + "/ is one",
+                 error_code::bad_option};
   if (fs::exists(folder, ignored))
     return error{folder.string() + ": with --pieces a folder is wanted, and this is none",
                  error_code::unwritable_file};

@@ -28,8 +28,12 @@ result<surface> find_surface(const std::string& name) {
   if (!has_ending(name, ".json")) {
     std::string names;
     for (const std::string& known : built_in_surface_names()) names += known + ", ";
-    return error{"surface " + name + ": " + names + "or a .json file of patches is wanted",
-                 error_code::bad_option};
+    const bool is_mesh = has_ending(name, ".obj") || has_ending(name, ".stl") ||
+                         has_ending(name, ".ply") || has_ending(name, ".mesh");
+    return error{
+        "surface " + name + ": " + names + "or a .json file of patches is wanted" +
+            (is_mesh ? "; a mesh is held against one by `asterism deviation MESH SURFACE`" : ""),
+        error_code::bad_option};
   }
   return read_surface(name);
 }

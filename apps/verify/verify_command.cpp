@@ -35,10 +35,10 @@
 #include "asterism/mesh/claims/measured_claims.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit.hpp"
-#include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/outcome_claims.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
 using namespace internal;
@@ -153,13 +153,13 @@ void write_verdict(const judgement& judged, const std::string& scope) {
                 : unasked ? in_colour("no bound asked for: not certified", ink::yellow, 1) + ": "
                           : in_colour("REFUSED", ink::red, 1) + ": ")
             << audit.sites << " sites, " << audit.triangles << " triangles, " << angles_text(audit)
-            << scope << '\n';
+            << one_line(scope) << '\n';
   for (const std::string& contradiction : verdict.contradictions)
-    std::cout << "certificate: " << contradiction << '\n';
+    std::cout << "certificate: " << one_line(contradiction) << '\n';
   for (const std::string& refusal : judged.metric.refusals)
-    std::cout << "metric: " << refusal << '\n';
+    std::cout << "metric: " << one_line(refusal) << '\n';
   for (const std::string& refusal : judged.side_refusals)
-    std::cout << "periodic: " << refusal << '\n';
+    std::cout << "periodic: " << one_line(refusal) << '\n';
   write_findings(std::cout, audit);
 }
 
@@ -299,7 +299,7 @@ result<asked_domain> find_shape(const verify_options& options, judged_mesh& subj
 error with_way_out(const error& refusal, const fs::path& mesh) {
   const std::string name = mesh.string();
   std::error_code ignored;
-  if (!is_mesh_file(name)) return {refusal.message + what_it_is(name), refusal.code};
+  if (!is_mesh_file(name)) return {refusal.message + kind_hint(mesh), refusal.code};
   const bool is_medit = has_ending(name, ".mesh") || has_ending(name, ".meshb");
   if (!is_medit || fs::exists(solution_path(mesh), ignored)) return refusal;
   const auto plain = read_mesh_file(mesh, {.identity_without_solution = true});

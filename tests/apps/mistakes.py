@@ -11,6 +11,7 @@ import unittest
 
 import command
 import more_mistakes
+import newer_mistakes
 
 PART = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4 1 4\n0\n"
 FILES = {
@@ -262,7 +263,7 @@ MISTAKES = [
     ("adapt a.mesh --solution u.sol --vertices 100 --error 0.1 -o x.mesh", "--error|--vertices"),
     ("adapt a.mesh --solution u.sol --vertices 100 --complexity 50 -o x.mesh", "--complexity|--vertices"),
 ]
-MISTAKES += more_mistakes.MISTAKES
+MISTAKES += more_mistakes.MISTAKES + newer_mistakes.MISTAKES
 MOST_UNANSWERED = 0
 
 
@@ -285,7 +286,7 @@ class Mistakes(command.CommandTest):
         self.write("short.sol", f"{NO_MESH}SolAtVertices 3\n1 1\n1\n2\n3\nEnd\n")
 
     def test_each_is_told_what_to_do(self):
-        self.assertGreaterEqual(len(MISTAKES), 295)
+        self.assertGreaterEqual(len(MISTAKES), 390)
         self.assertEqual(len({line for line, _ in MISTAKES}), len(MISTAKES))
         self.prepare()
         before, wrong = self.files(), []
