@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Gray and Scott's reaction and diffusion of two substances, a mesh for each stretch of time, brought along so
-that what there is of each stays.
+"""Gray and Scott's reaction and diffusion of two substances, with a new mesh after each stretch of time. Transfers
+keep the integral of each substance.
 
   u' = D_u lap u - u v^2 + F (1 - u),   v' = D_v lap v + u v^2 - (F + k) v   on the unit square, no flux
 

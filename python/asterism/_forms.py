@@ -33,7 +33,7 @@ def doubles(name: str, values: Any) -> Doubles:
 
 
 def tensor_rows(name: str, values: Any, count: Optional[int] = None) -> Doubles:
-    """Tensors (n, 3), or one (3,) for all, of what may stand for them.
+    """Returns tensors (n, 3), or one (3,) for all, from any form accepted for them.
 
     A number is a size h, and so is each of (n,) or (n, 1): the tensor 1/h^2 in all directions.
     (2, 2) and (n, 2, 2) are symmetric matrices. (3,) is a tensor, also where there are three points:

@@ -69,9 +69,9 @@ def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None,
     """The next mesh of a DMPlex, as asterism.adapt() makes it, distributed along a space-filling curve.
 
     metric: one in any form that tensors have, or a Vec as dm.metricCreate() makes it; or values: fields, or a
-    dict of them, of which the metric is made. carry: fields that come along. All are arrays with a row for each
-    local vertex, in the order of the dm, ghosts among them, or local Vecs of such rows. overlap: of the new
-    distribution. wishes: the other arguments of asterism.adapt().
+    dict of them, from which the metric is made. carry: fields to transfer that do not affect the metric. All are
+    arrays with a row for each local vertex, in the order of the dm, ghosts among them, or local Vecs of such rows.
+    overlap: of the new distribution. wishes: the other arguments of asterism.adapt().
     Labels stay: on cells and edges as they are, on vertices where they are those of labelled edges and cells, or
     else with the vertices, which are kept. Every process calls this; one that fails, or is interrupted, ends the
     call on all of them with its error.
