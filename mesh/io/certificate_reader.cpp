@@ -22,12 +22,12 @@ using json = certificate_json;
 // Reads an angle, which is null if there was no angle to judge; older certificates have a number in
 // that case.
 double worst_angle_of(const json& object, const std::string& key) {
-  return member(object, key).is_null() ? no_angle_to_judge : read<double>(object, key);
+  return member(object, key).is_null() ? no_angle_to_judge : value_of<double>(object, key);
 }
 
 double bound_of(const json& object, const std::string& key) {
   return member(object, key).is_null() ? std::numeric_limits<double>::infinity()
-                                       : read<double>(object, key);
+                                       : value_of<double>(object, key);
 }
 
 tier_counters counters_of(const json& object, const std::string& key) {
@@ -52,7 +52,7 @@ void read_mesh(const json& object, certificate& c) {
 // Accepts certificates written before this question existed.
 voronoi_verdict voronoi_of(const json& object) {
   if (!object.contains("voronoi")) return voronoi_verdict::not_asked;
-  const auto text = read<std::string>(object, "voronoi");
+  const auto text = value_of<std::string>(object, "voronoi");
   const auto place = std::find(voronoi_verdict_names.begin(), voronoi_verdict_names.end(), text);
   if (place == voronoi_verdict_names.end())
     throw malformed("voronoi", "\"voronoi\" holds \"" + text + "\", which is no verdict");
@@ -64,13 +64,13 @@ std::optional<delivered_report> delivered_of(const json& outcome) {
   const json& object = outcome["delivered"];
   delivered_report r;
   r.changed = count_of(object, "vertices_changed");
-  r.beyond_tenth = read<double>(object, "beyond_tenth");
-  r.median = read<double>(object, "median");
-  r.ninetieth = read<double>(object, "ninetieth");
-  r.greatest = read<double>(object, "greatest");
-  r.complexity_wanted = read<double>(object, "complexity_wanted");
-  r.complexity_delivered = read<double>(object, "complexity_delivered");
-  r.length_factor = read<double>(object, "length_factor");
+  r.beyond_tenth = value_of<double>(object, "beyond_tenth");
+  r.median = value_of<double>(object, "median");
+  r.ninetieth = value_of<double>(object, "ninetieth");
+  r.greatest = value_of<double>(object, "greatest");
+  r.complexity_wanted = value_of<double>(object, "complexity_wanted");
+  r.complexity_delivered = value_of<double>(object, "complexity_delivered");
+  r.length_factor = value_of<double>(object, "length_factor");
   r.worst_angle_wanted = worst_angle_of(object, "worst_angle_as_wanted");
   r.low_wanted = indices_of(object, "low_triangles_as_wanted");
   return r;
@@ -79,10 +79,10 @@ std::optional<delivered_report> delivered_of(const json& outcome) {
 std::optional<theorem_hypotheses> theorem_of(const json& object) {
   if (object.is_null()) return std::nullopt;
   theorem_hypotheses h;
-  h.applies = read<bool>(object, "theorem_applies");
-  h.reason = read<std::string>(object, "reason");
+  h.applies = value_of<bool>(object, "theorem_applies");
+  h.reason = value_of<std::string>(object, "reason");
   h.sigma_eps = bound_of(object, "sigma_eps");
-  h.proved_angle = read<double>(object, "proved_angle");
+  h.proved_angle = value_of<double>(object, "proved_angle");
   h.covering_radius = bound_of(object, "covering_radius");
   h.spacing = bound_of(object, "spacing");
   h.longest_subsegment = bound_of(object, "longest_subsegment");
@@ -93,21 +93,22 @@ std::optional<theorem_hypotheses> theorem_of(const json& object) {
 
 guarantee_claim guarantee_of(const json& object) {
   guarantee_claim g;
-  g.size_factor = read<double>(object, "size_factor");
+  g.size_factor = value_of<double>(object, "size_factor");
   g.field_variation = bound_of(object, "field_variation");
   if (!member(object, "field_variation_bound").is_null())
-    g.field_variation_bound = read<double>(object, "field_variation_bound");
-  if (read<std::string>(object, "field") != (g.field_variation_bound ? "bounded" : "sampled"))
+    g.field_variation_bound = value_of<double>(object, "field_variation_bound");
+  if (value_of<std::string>(object, "field") != (g.field_variation_bound ? "bounded" : "sampled"))
     throw malformed("field", "\"field\" does not go with \"field_variation_bound\"");
   g.sigma = bound_of(object, "sigma");
   g.eps = bound_of(object, "eps");
-  if (!member(object, "times_least").is_null()) g.times_least = read<double>(object, "times_least");
+  if (!member(object, "times_least").is_null())
+    g.times_least = value_of<double>(object, "times_least");
   return g;
 }
 
 region_area region_of(const json& object) {
   region_area r;
-  r.number = read<int>(object, "region");
+  r.number = value_of<int>(object, "region");
   if (object.contains("area_before")) r.before = bound_of(object, "area_before");
   if (object.contains("area_of_domain")) r.domain = bound_of(object, "area_of_domain");
   r.mesh = bound_of(object, "area");
@@ -117,7 +118,7 @@ region_area region_of(const json& object) {
 // Reads the former boundary along the segments of a domain.
 former_boundary former_of(const json& object, std::size_t segments) {
   former_boundary former;
-  if (!member(object, "allowed").is_null()) former.allowed = read<double>(object, "allowed");
+  if (!member(object, "allowed").is_null()) former.allowed = value_of<double>(object, "allowed");
   former.between.resize(segments);
   for (const json& one : array_of(object, "segments")) {
     const vertex_index s = index_of(member(one, "segment"), "segment");
@@ -139,25 +140,25 @@ periodic_pair pair_of(const json& object, const std::string& key) {
 periodic_match match_of(const json& object) {
   periodic_match match;
   match.sides = pair_of(member(object, "sides"), "sides");
-  const auto kind = read<std::string>(object, "kind");
+  const auto kind = value_of<std::string>(object, "kind");
   const auto place = std::find(periodic_kind_names.begin(), periodic_kind_names.end(), kind);
   if (place == periodic_kind_names.end())
     throw malformed("kind", "\"kind\" holds \"" + kind + "\", which is no way for sides to match");
   match.kind = static_cast<periodic_kind>(place - periodic_kind_names.begin());
-  match.turn = read<double>(object, "turn");
-  const auto shift = read<std::array<double, 2>>(object, "shift");
+  match.turn = value_of<double>(object, "turn");
+  const auto shift = value_of<std::array<double, 2>>(object, "shift");
   match.shift = {shift[0], shift[1]};
   match.vertices = count_of(object, "vertices");
-  match.greatest_offset = read<double>(object, "greatest_offset");
+  match.greatest_offset = value_of<double>(object, "greatest_offset");
   match.metrics_apart = bound_of(object, "metrics_apart");
   return match;
 }
 
 void read_audit(const json& object, certificate& c) {
-  c.certified = read<bool>(object, "certified");
-  c.domain_checked = read<bool>(object, "domain_checked");
-  c.angles_checked = read<bool>(object, "angles_checked");
-  c.stars_checked = read<bool>(object, "stars_checked");
+  c.certified = value_of<bool>(object, "certified");
+  c.domain_checked = value_of<bool>(object, "domain_checked");
+  c.angles_checked = value_of<bool>(object, "angles_checked");
+  c.stars_checked = value_of<bool>(object, "stars_checked");
   c.voronoi = voronoi_of(object);
   c.worst_angle = worst_angle_of(object, "worst_angle");
   c.worst_collateral = worst_angle_of(object, "worst_collateral_angle");
@@ -167,10 +168,11 @@ void read_audit(const json& object, certificate& c) {
   c.collateral_triangles = indices_of(object, "collateral_triangles");
   c.low_triangles = indices_of(object, "low_triangles");
   const json& deviation = member(object, "largest_boundary_deviation");
-  c.largest_deviation = deviation.is_null() ? std::numeric_limits<double>::infinity()
-                                            : read<double>(object, "largest_boundary_deviation");
-  c.found = read<std::map<std::string, std::size_t>>(object, "findings");
-  c.witnesses = read<std::vector<std::string>>(object, "witnesses");
+  c.largest_deviation = deviation.is_null()
+                            ? std::numeric_limits<double>::infinity()
+                            : value_of<double>(object, "largest_boundary_deviation");
+  c.found = value_of<std::map<std::string, std::size_t>>(object, "findings");
+  c.witnesses = value_of<std::vector<std::string>>(object, "witnesses");
   c.audit_counters = counters_of(object, "decided");
   if (object.contains("regions"))
     for (const json& r : array_of(object, "regions")) c.regions.push_back(region_of(r));
@@ -194,7 +196,7 @@ second_order_report second_order_of(const json& object) {
   r.curved_sides = count_of(object, "curved_sides");
   r.on_curves = count_of(object, "on_curves");
   r.kept_straight = count_of(object, "kept_straight");
-  r.least_jacobian = read<double>(object, "least_jacobian");
+  r.least_jacobian = value_of<double>(object, "least_jacobian");
   return r;
 }
 
@@ -203,22 +205,24 @@ certificate certificate_of(const json& root) {
   if (!is_named || root["format"].get<std::string>() != certificate_format)
     throw malformed("format", "this is not an \"" + std::string(certificate_format) + "\"");
   certificate c;
-  c.version = read<std::string>(root, "version");
+  c.version = value_of<std::string>(root, "version");
   const json& asked = member(root, "asked");
-  c.metric = read<std::string>(asked, "metric");
-  if (!member(asked, "angle_bound").is_null()) c.angle_bound = read<double>(asked, "angle_bound");
-  c.options = read<std::map<std::string, std::string>>(asked, "options");
+  c.metric = value_of<std::string>(asked, "metric");
+  if (!member(asked, "angle_bound").is_null())
+    c.angle_bound = value_of<double>(asked, "angle_bound");
+  c.options = value_of<std::map<std::string, std::string>>(asked, "options");
   if (asked.contains("periodic_sides"))
     for (const json& one : array_of(asked, "periodic_sides"))
       c.periodic_asked.push_back(pair_of(one, "periodic_sides"));
   const json& outcome = member(root, "outcome");
-  c.complete = read<bool>(outcome, "complete");
-  c.reason = read<std::string>(outcome, "reason");
+  c.complete = value_of<bool>(outcome, "complete");
+  c.reason = value_of<std::string>(outcome, "reason");
   c.mesher_counters = counters_of(outcome, "decided");
   c.star_repairs = outcome.contains("star_repairs") ? count_of(outcome, "star_repairs") : 0;
   c.delivered = delivered_of(outcome);
   read_mesh(member(root, "mesh"), c);
-  if (root.contains("measured")) c.measured = read<std::map<std::string, double>>(root, "measured");
+  if (root.contains("measured"))
+    c.measured = value_of<std::map<std::string, double>>(root, "measured");
   read_audit(member(root, "audit"), c);
   c.theorem = theorem_of(member(root, "theorem"));
   if (root.contains("guarantee")) c.guarantee = guarantee_of(member(root, "guarantee"));

@@ -50,15 +50,15 @@ segment segment_of(const json& s) {
 
 domain_curve curve_of(const json& object, std::size_t vertices) {
   domain_curve c;
-  const auto kind = read<std::string>(object, "kind");
+  const auto kind = value_of<std::string>(object, "kind");
   const auto place = std::find(curve_kind_names.begin(), curve_kind_names.end(), kind);
   if (place == curve_kind_names.end())
     throw malformed("kind", "\"kind\" holds \"" + kind + "\", which is no kind of curve");
   c.kind = static_cast<curve_kind>(place - curve_kind_names.begin());
   if (c.kind == curve_kind::arc) {
-    const auto centre = read<std::array<double, 2>>(object, "centre");
+    const auto centre = value_of<std::array<double, 2>>(object, "centre");
     c.centre = {centre[0], centre[1]};
-    c.clockwise = read<bool>(object, "clockwise");
+    c.clockwise = value_of<bool>(object, "clockwise");
   } else {
     const std::vector<point> control = points_of(object, "control");
     if (control.size() != 2) throw malformed("control", "\"control\" is not two points");
@@ -67,7 +67,7 @@ domain_curve curve_of(const json& object, std::size_t vertices) {
   c.vertices = indices_of(object, "vertices");
   for (const vertex_index v : c.vertices)
     if (v >= vertices) throw malformed("curves", "a curve names a vertex the domain does not have");
-  c.parameters = read<std::vector<double>>(object, "parameters");
+  c.parameters = value_of<std::vector<double>>(object, "parameters");
   return c;
 }
 
@@ -90,7 +90,7 @@ const json& member(const json& object, const std::string& key) {
 std::size_t count_of(const json& object, const std::string& key) {
   if (!member(object, key).is_number_unsigned())
     throw malformed(key, "\"" + key + "\" is not a count");
-  return read<std::size_t>(object, key);
+  return value_of<std::size_t>(object, key);
 }
 
 vertex_index index_of(const json& number, const std::string& key) {
@@ -124,7 +124,7 @@ std::vector<point> points_of(const json& object, const std::string& key) {
 }
 
 std::uint64_t digest_in(const json& object, const std::string& key) {
-  const auto text = read<std::string>(object, key);
+  const auto text = value_of<std::string>(object, key);
   std::uint64_t value = 0;
   const auto end = std::from_chars(text.data(), text.data() + text.size(), value, 16);
   if (text.size() != 16 || end.ec != std::errc() || end.ptr != text.data() + text.size())

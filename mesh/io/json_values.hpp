@@ -29,7 +29,7 @@ std::string shown(const certificate_json& value);
 const certificate_json& member(const certificate_json& object, const std::string& key);
 
 template <class T>
-T read(const certificate_json& object, const std::string& key) {
+T value_of(const certificate_json& object, const std::string& key) {
   try {
     return member(object, key).get<T>();
   } catch (const certificate_json::exception&) {
