@@ -473,22 +473,6 @@ double site_tree::share_of(const node& n, const centre& stars) {
   return 1 / (2 * (1 + (sigma_squared > 1 ? sigma_squared : 1)) * up);
 }
 
-// Uses |d|^2 m22 >= det m dx^2, and likewise dy. Both sides pass at most six roundings; the error
-// of the determinant is below 2^-50 of the product it is a difference of.
-bool site_tree::is_beside(const node& n, const centre& v, double far_squared) {
-  const metric_tensor& m = v.metric;
-  const auto apart = [](double low, double high) { return low > 0 ? low : high < 0 ? high : 0; };
-  const double dx = apart(n.low.x - v.high.x, n.high.x - v.low.x),
-               dy = apart(n.low.y - v.high.y, n.high.y - v.low.y);
-  const double product = m.m11 * m.m22, square = m.m12 * m.m12;
-  const double determinant = product - square - step * product;
-  const double far = far_squared * up * up * up;
-  const bool in_range =
-      m.m11 > 0x1p-300 && m.m22 > 0x1p-300 && m.m11 + m.m22 < 0x1p300 && determinant > 0;
-  return in_range &&
-         (determinant * (dx * dx) > far * m.m22 || determinant * (dy * dy) > far * m.m11);
-}
-
 // Bounds the rounding errors: each monomial passes at most six roundings.
 bool site_tree::is_farther(const point& d, const metric_tensor& m, double far_squared) {
   const double xx = m.m11 * d.x * d.x, yy = m.m22 * d.y * d.y, xy = 2 * (m.m12 * d.x * d.y);

@@ -193,9 +193,6 @@ class site_tree {
   // Returns the square of a distance from v beyond which no site of the node matters, whatever its
   // direction, though nearer ones may not either; infinite where none is known.
   static double far_squared(const node& n, const centre& v);
-  // True if the node's whole box is certainly farther from the one star v than the root of
-  // far_squared, by its extent along one axis.
-  static bool is_beside(const node& n, const centre& v, double far_squared);
   // True if the squared length of d in the metric m is certainly more than `far_squared`.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
   // Calls visit(argument). Returns false if visit returns false, and true if it returns nothing.
@@ -248,7 +245,6 @@ template <class Visit>
 bool site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
                            const Visit& visit) const {
   const double far = far_squared(n, v);
-  if (is_beside(n, v, far)) return true;
   for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
     if (!lengths_.empty() && is_beyond(d, lengths_[i], v)) continue;
