@@ -6,7 +6,7 @@ read it; a build that is not united shows it, and takes three times as long.
     check_includes.py [SOURCE]
 
 It reads words, not C++. So it does not see what has no std:: before it, operators, members, what several headers declare,
-and a name that the file or one of its headers declares as something else.
+names of one word, and one that the file or a header of its declares as something else.
 """
 from __future__ import annotations
 
@@ -107,11 +107,13 @@ def layer(path: pathlib.Path) -> int:
 
 
 def own_homes(headers: list[pathlib.Path]) -> dict[str, pathlib.Path]:
-    """Types and functions that one header declares alone, at the start of a line."""
+    """Types and functions that one header declares alone, at the start of a line. Names of several words: one word alone
+    is easily a name of something else as well."""
     homes: dict[str, set[pathlib.Path]] = collections.defaultdict(set)
     for path in headers:
         for name in {*_TYPE.findall(code(path)), *_FUNCTION.findall(code(path))}:
             homes[name].add(path)
+    homes = {name: paths for name, paths in homes.items() if "_" in name}
     return {name: next(iter(paths)) for name, paths in homes.items() if len(paths) == 1}
 
 
