@@ -47,7 +47,7 @@ def main():
     top, work, cmake = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), sys.argv[3]
     work.mkdir(parents=True, exist_ok=True)
     trace = work / "trace.json"
-    subprocess.run([cmake, "-S", top, "-B", work / "build", "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF",
+    subprocess.run([cmake, "-G", "Ninja", "-S", top, "-B", work / "build", "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF",
                     "-DBUILD_SHARED_LIBS=ON", "--trace", "--trace-format=json-v1", f"--trace-redirect={trace}"],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     found, files = set(), set()

@@ -21,7 +21,7 @@ wrapper.chmod(0o755)
     "cmake_minimum_required(VERSION 3.16)\nproject(host CXX)\n"
     f'list(PREPEND CMAKE_MODULE_PATH "{source}/cmake")\ninclude(AsterismMpi)\nasterism_find_mpi()\n'
     'message(STATUS "MPI_CXX_FOUND: ${MPI_CXX_FOUND}")\n')
-done = subprocess.run([cmake, "-S", binary, "-B", binary / "build"], capture_output=True, text=True, check=False,
+done = subprocess.run([cmake, "-G", "Ninja", "-S", binary, "-B", binary / "build"], capture_output=True, text=True, check=False,
                       env={**os.environ, "PATH": f"{binary / 'programs'}:{os.environ['PATH']}"})
 said = done.stdout + done.stderr
 if done.returncode != 0 or f"No MPI: {wrapper} does not find mpi.h" not in said or "MPI_CXX_FOUND: \n" not in said:

@@ -30,7 +30,7 @@ def flags(prefix, package, *options):
 
 def configured(source, folder, *options):
     """Returns the lines of the predicates' file for pkg-config, as a configuration with these options writes it."""
-    run("cmake", "-S", source, "-B", folder, "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF", *options)
+    run("cmake", "-G", "Ninja", "-S", source, "-B", folder, "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF", *options)
     return (folder / "asterism-predicates.pc").read_text(encoding="utf-8").splitlines()
 
 
