@@ -138,15 +138,6 @@ struct insertion_question {
       : arc(v, w, turn_scale), at_x(arc, x), at_y(arc, y) {}
   insertion_question(const insertion_question&) = delete;
   insertion_question& operator=(const insertion_question&) = delete;
-
-  // Lists the functions at whose zeros sections are cut, together with the arc's own e, h and a.
-  template <class Visitor>
-  void visit_critical_functions(Visitor&& visit) const {
-    visit(at_x.equidistance());
-    visit(at_y.equidistance());
-    at_x.visit_other_critical_functions(visit);
-    at_y.visit_other_critical_functions(visit);
-  }
 };
 
 // Four equal metrics m: the arc is a whole line and domination is being nearer, so only a pair x, y

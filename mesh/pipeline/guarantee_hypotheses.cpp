@@ -32,7 +32,7 @@ struct narrow_corner {
 // A segment at a vertex, by its direction away from it.
 struct segment_end {
   double direction = 0;
-  bool domain_before = true, domain_behind = true;  // clockwise of it, and counter-clockwise
+  bool domain_behind = true;  // counter-clockwise of it
 };
 
 narrow_corner narrowest(std::vector<segment_end> ends) {
@@ -53,18 +53,18 @@ narrow_corner narrowest(std::vector<segment_end> ends) {
 result<std::vector<std::vector<segment_end>>> ends_of_segments(const domain& d,
                                                                const metric_field& field) {
   std::vector<std::vector<segment_end>> ends(d.vertices.size());
-  const auto add = [&](vertex_index at, vertex_index to, bool left, bool right) {
+  const auto add = [&](vertex_index at, vertex_index to, bool left) {
     const auto metric = field.at(d.vertices[at]);
     if (!metric) return std::optional(metric.failure());
     const point u{d.vertices[to].x - d.vertices[at].x, d.vertices[to].y - d.vertices[at].y};
-    ends[at].push_back({direction_in(metric.value(), u), right, left});
+    ends[at].push_back({direction_in(metric.value(), u), left});
     return std::optional<error>();
   };
   for (const segment& s : d.segments) {
     // Decides by orientation: the domain is on the left of a segment, and on its right too where it
     // is internal.
-    if (auto failure = add(s.a, s.b, true, s.internal)) return *failure;
-    if (auto failure = add(s.b, s.a, s.internal, true)) return *failure;
+    if (auto failure = add(s.a, s.b, true)) return *failure;
+    if (auto failure = add(s.b, s.a, s.internal)) return *failure;
   }
   return ends;
 }

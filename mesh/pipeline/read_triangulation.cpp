@@ -33,12 +33,6 @@ result<mesh_file> read_plain_mesh_file(const std::string& path) {
   return read;
 }
 
-result<mesh> read_plain_triangulation(const std::string& path) {
-  auto read = read_plain_mesh_file(path);
-  if (!read) return read.failure();
-  return std::move(read.value().content);
-}
-
 result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted) {
   medit_read_options how;
   how.identity_without_solution = !metric_wanted;

@@ -17,10 +17,9 @@ namespace asterism::internal {
 // not there. Refuses a mesh that the auditor finds to be no triangulation.
 result<adopted_mesh> read_triangulation(const std::string& path, bool metric_wanted);
 
-// Reads a mesh without its metric, sites and triangles as they are in the file. Its notes include
-// those of the file's reader. Refuses a mesh that is no triangulation.
-result<mesh> read_plain_triangulation(const std::string& path);
-// Reads the mesh as above, with the marks, names and fields of its file.
+// Reads a mesh without its metric, sites and triangles as they are in the file, with the marks,
+// names and fields of its file. Its notes include those of the file's reader. Refuses a mesh that
+// is no triangulation.
 result<mesh_file> read_plain_mesh_file(const std::string& path);
 
 // True if this name is that of a file with a metric at the vertices of a mesh.
