@@ -26,9 +26,8 @@ void charge(const audit_context& context) {
       work_weights::audit_finding_text * static_cast<double>(report.findings.size()));
 }
 
-// Runs all checks that the options call for, one point after the other.
-void check_all(audit_context& context) {
-  const audit_options& options = context.options;
+// Checks points 0 to 2; returns false where the mesh is no triangulation.
+bool check_covering(audit_context& context) {
   audit_report& report = context.report;
   check_values(context);
   check_orientations(context);
@@ -40,10 +39,17 @@ void check_all(audit_context& context) {
     check_winding(context);
     check_fans(context);
   }
-  const bool triangulation = report.total_found() == 0;
+  return report.total_found() == 0;
+}
+
+// Runs all checks that the options call for, one point after the other.
+void check_all(audit_context& context) {
+  const audit_options& options = context.options;
+  audit_report& report = context.report;
+  const bool triangulation = check_covering(context);
   if (options.original != nullptr) check_domain_kept(context);
   check_regions(context);
-  check_angles(context);
+  audit_detail::check_angles(context);
   check_something_judged(context);
   if (options.check_stars && triangulation) check_stars(context);
   const bool are_open = context.memory != nullptr && !context.memory->open.empty();
@@ -118,6 +124,27 @@ const audit_report& auditor::check_numbers() {
   report_ = {};
   audit_context context(*subject_, asked_, report_);
   check_values(context);
+  return report_;
+}
+
+const audit_report& auditor::check_triangulation() {
+  report_ = counts_of(*subject_);
+  audit_context context(*subject_, asked_, report_);
+  check_covering(context);
+  check_regions(context);
+  report_.certified = report_.total_found() == 0;
+  charge(context);
+  return report_;
+}
+
+const audit_report& auditor::check_angles() {
+  report_ = counts_of(*subject_);
+  audit_context context(*subject_, asked_, report_);
+  check_values(context);
+  check_orientations(context);
+  check_edges(context);
+  audit_detail::check_angles(context);
+  charge(context);
   return report_;
 }
 

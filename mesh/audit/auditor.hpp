@@ -73,6 +73,11 @@ class auditor {
 
   // Checks the numbers of the mesh alone: points and tensors, indices and repetitions.
   const audit_report& check_numbers();
+  // Checks alone that the mesh is a triangulation with its regions: no angles, and no stars. The
+  // report says certified if it is one.
+  const audit_report& check_triangulation();
+  // Checks angles alone, of a mesh that is a triangulation.
+  const audit_report& check_angles();
 
   // Tries the filters of edge_test on the open questions for which `is_asked` is true, in order.
   // Closes those answered in the mesh's favour. Calls `refuse` for all others, which includes gaps

@@ -11,7 +11,7 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/nodal_gradation.hpp"
-#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/parallel.hpp"
@@ -127,9 +127,8 @@ result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& 
   audit_options options;
   options.angle_bound = angle_bound;
   options.find_exempt_corners = true;
-  options.check_stars = false;
   options.findings_kept = 0;
-  const audit_report found = audit(as_wanted, options);
+  const audit_report found = auditor(as_wanted, options).check_angles();
   report.worst_angle_wanted = found.worst().degrees;
   report.low_wanted = found.refused_triangles();
   return report;

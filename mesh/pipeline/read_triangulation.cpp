@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 
@@ -14,9 +14,7 @@ namespace asterism::internal {
 result<adopted_mesh> checked_triangulation(mesh read, const std::string& path, slit_rule slits) {
   auto adopted = adopt_mesh(std::move(read), region_edges::segments, slits);
   if (!adopted) return error{path + ": " + adopted.failure().message};
-  audit_options options;
-  options.check_stars = false;
-  const audit_report found = audit(adopted.value().subject, options);
+  const audit_report found = auditor(adopted.value().subject, {}).check_triangulation();
   if (!found.certified)
     return error{path + " is no triangulation: " + found.findings.at(0).witness};
   return adopted;

@@ -241,3 +241,38 @@ TEST_CASE("a gap of which no reach is known is left open where there are many si
   CHECK(with_few == 0);
   CHECK(found > 0);
 }
+
+TEST_CASE("parts of an audit find what the whole of it finds") {
+  const std::uint64_t seed = 11;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  std::size_t low = 0, refused = 0;
+  for (int round = 0; round < 60; ++round) {
+    CAPTURE(round);
+    patch p = make_turned_patch(random);
+    const auto some = [&](std::size_t count) {
+      return static_cast<std::size_t>(random.real(0, static_cast<double>(count)));
+    };
+    if (round % 4 == 1) p.m.triangles.erase(p.m.triangles.begin() + some(p.m.triangles.size()));
+    if (round % 4 == 2) std::swap(p.m.triangles[some(p.m.triangles.size())][0], p.m.boundary[0].a);
+    if (round % 4 == 3) p.m.sites[some(p.m.sites.size())].position.x += 2;
+    audit_options asked;
+    asked.check_stars = false;
+    asked.findings_kept = std::numeric_limits<std::size_t>::max();
+    const audit_report without_angles = audit(p.m, asked);
+    const audit_report covering = auditor(p.m, asked).check_triangulation();
+    CHECK(covering.certified == without_angles.certified);
+    CHECK(covering.found == without_angles.found);
+    asked.angle_bound = 20;
+    asked.find_exempt_corners = true;
+    const audit_report whole = audit(p.m, asked);
+    const audit_report angles = auditor(p.m, asked).check_angles();
+    CHECK(angles.worst().degrees == whole.worst().degrees);
+    CHECK(angles.refused_triangles() == whole.refused_triangles());
+    CHECK(angles.exempt_corners == whole.exempt_corners);
+    low += whole.refused_triangles().size();
+    refused += !covering.certified;
+  }
+  CHECK(low > 1000);
+  CHECK(refused >= 30);
+}
