@@ -420,12 +420,12 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       app, "--metric-tolerance", reals_from_zero,
       [&job](double x) { job.options.refinement.metric_tolerance = x; },
       "Greatest distance of the metric delivered from the one wanted, ln of a ratio of lengths; 0: "
-      "no tensor is changed (default: any, and told)")
+      "no tensor is changed (default: any, reported)")
       ->type_name("T");
   app.add_option_function<std::string>(
          "--keep", [&job](const std::string& word) { job.options.keep = keep_rules.at(word); },
-         "Whether MESH may stay. auto (default): where it is as good as a new one; never; always: "
-         "wherever it is certified in the metric")
+         "Whether MESH may be kept. auto (default): if it is as good as a new one; never; always: "
+         "if it is certified in the metric")
       ->check(CLI::IsMember(keep_rules))
       ->type_name("WHEN");
   add_count(
@@ -464,7 +464,7 @@ void add_adapt_command(CLI::App& program, command& chosen) {
       ->type_name("FILE");
   auto* const carry =
       app->add_option("--carry", job->request.carried,
-                      "Fields at the vertices that come along and have no part in the "
+                      "Fields at the vertices, transferred to the new mesh without a part in the "
                       "metric: .sol, .bb or .vtu")
           ->type_name("FILE");
   auto* const carried =

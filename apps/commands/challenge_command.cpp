@@ -167,13 +167,14 @@ void add_limits(CLI::App& app, challenge_options& options) {
       ->type_name("SECONDS");
   add_real(
       app, "--max-seconds", positive_reals, [&options](double s) { options.limits.whole = s; },
-      "The run ends after this time, and what is left counts as not asked (default 3600)")
+      "The run ends after this time; remaining records count as not asked (default 3600)")
       ->type_name("S");
 }
 
 void add_choices(CLI::App& app, challenge_options& options) {
-  app.add_option("--predicate", options.predicates,
-                 "Ask this one; may be given several times (default: all the program knows)")
+  app.add_option(
+         "--predicate", options.predicates,
+         "Test this predicate; may be given several times (default: all that the program knows)")
       ->type_name("NAME")
       ->allow_extra_args(false);
   app.add_option("--classes", options.classes,
@@ -199,14 +200,14 @@ void add_choices(CLI::App& app, challenge_options& options) {
 
 void add_challenge_command(CLI::App& program, command& chosen) {
   auto* const app = program.add_subcommand(
-      "challenge", "Hold another program's predicates against the exact ones");
+      "challenge", "Compare another program's predicates with the exact ones");
   const auto options = std::make_shared<challenge_options>();
   add_choices(*app, *options);
   add_limits(*app, *options);
   app->add_option("-o,--output", options->report, "Write a report, .md or .html")
       ->type_name("REPORT");
   app->add_option("--records", options->record_file,
-                  "Ask nobody; write the records and their answers to a file")
+                  "Run no program; write the records and their answers to a file")
       ->type_name("FILE");
   app->add_flag("--allow-undecided", options->undecided_passes,
                 "'?' passes for right in the exit status");

@@ -184,7 +184,8 @@ std::optional<error> put_to_standard_output(const output_file& file) {
 std::optional<error> check_output_differs(const places& where) {
   std::error_code ignored;
   if (!fs::equivalent(where.in, where.out, ignored)) return std::nullopt;
-  return error{where.out.string() + ": is what is read", error_code::bad_option};
+  return error{where.out.string() + ": is the file to read; name another one to write",
+               error_code::bad_option};
 }
 
 // Checks names and places before anything is read.
@@ -333,7 +334,7 @@ void add_convert_command(CLI::App& program, command& chosen) {
       "Where OUT is a .poly file: write the domain as 'asterism mesh --repair-domain' repairs it");
   add_real(
       *app, "--repair-distance", positive_reals, [job](double x) { job->repair.distance = x; },
-      "How near is joined (default: the least that suffices)")
+      "Distance within which points are joined (default: the least that suffices)")
       ->type_name("D")
       ->needs(repair);
   app->add_flag("--strict", job->strict, "Refuse what would be changed or left out, with a note");

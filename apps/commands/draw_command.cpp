@@ -220,7 +220,7 @@ void add_draw_command(CLI::App& program, command& chosen) {
                   "Fields on the mesh, from another file; one for each mesh")
       ->type_name("SOL")
       ->allow_extra_args(false);
-  app->add_option("--colour-by", options->colours, "What the colours tell, with a legend")
+  app->add_option("--colour-by", options->colours, "Quantity that the colours show, with a legend")
       ->type_name("WHAT");
   app->add_option("--color-by", options->colours)->type_name("WHAT")->group("");
   app->add_flag("--ellipses", options->style.ellipses, "Draw the metric");

@@ -106,10 +106,10 @@ void add_eval_command(CLI::App& program, command& chosen) {
          "--kernel",
          [options](const std::string& name) { options->kernel = kernels_by_name.at(name); },
          "filtered (default) and exact are always right and answer the same; interval answers ? "
-         "where it cannot decide; double guesses")
+         "where it cannot decide; double may be wrong")
       ->check(CLI::IsMember(kernels_by_name));
   app->add_flag("--stats", options->statistics,
-                "Report on standard error how many records each tier settled");
+                "Report on standard error how many records each tier decided");
   app->footer(eval_examples);
   app->callback([options, &chosen] {
     if (options->files.empty()) options->files.emplace_back("-");

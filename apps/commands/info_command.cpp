@@ -57,7 +57,7 @@ int run_info(const info_options& options) {
 void add_info_command(CLI::App& program, command& chosen) {
   auto* const app = program.add_subcommand("info", "Say what a file holds");
   const auto options = std::make_shared<info_options>();
-  app->add_option("FILE", options->file, "What to look at")->required();
+  app->add_option("FILE", options->file, "File to describe")->required();
   app->add_flag("--json", options->json, "As a JSON object");
   app->footer(info_examples);
   app->callback([options, &chosen] { chosen = [options] { return run_info(*options); }; });

@@ -70,11 +70,11 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
       ->type_name("BETA");
   auto* const repair = app.add_flag("--repair-domain", job.repair,
                                     "Make crossings of segments vertices, join points that nearly "
-                                    "coincide, close gaps; told, and "
-                                    "drawn in pictures");
+                                    "coincide, close gaps; notes and pictures show each repair");
   add_real(
       app, "--repair-distance", positive_reals, [&job](double x) { job.repair_distance = x; },
-      "How near is joined (default: the least that suffices, from 1e-12 to 2.4e-4 of the width)")
+      "Distance within which points are joined (default: the least that suffices, from 1e-12 to "
+      "2.4e-4 of the width)")
       ->type_name("D")
       ->needs(repair);
   add_real(
@@ -120,7 +120,7 @@ void add_refinement_options(CLI::App& app, mesh_job& job) {
       app, "--metric-tolerance", reals_from_zero,
       [&options](double x) { options.metric_tolerance = x; },
       "Greatest distance of the metric delivered from the one asked for, ln of a ratio of lengths; "
-      "0: no tensor is changed, even where stars cannot agree then (default: any, and told, but at "
+      "0: no tensor is changed, even where stars cannot agree then (default: any, reported, but at "
       "half of the sites no more than ln 10, and no more than ten times as dense or as thin)")
       ->type_name("T");
   add_real(
@@ -196,7 +196,7 @@ void add_piece_options(CLI::App& app, mesh_job& job) {
       ->type_name("EXT")
       ->allow_extra_args(false);
   app.add_flag("--resume", job.resume,
-               "Go on with a run in pieces that was cut off: what is whole in the folder is kept")
+               "Continue an interrupted run in pieces: complete pieces in the folder are kept")
       ->needs(pieces);
 }
 

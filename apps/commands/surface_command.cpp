@@ -215,13 +215,13 @@ void add_sizes(CLI::App& app, surface_job& job) {
   add_count(
       app, "--vertices", 4, 10'000'000,
       [&job](std::uint64_t n) { job.how.vertices = static_cast<std::size_t>(n); },
-      "About so many vertices, whatever the distance comes to; it is then held against D")
+      "About so many vertices, at any distance; the distance is then compared with D")
       ->type_name("N");
   add_real(
       app, "--angle-bound", angle_bounds,
       [&job](double x) { job.how.angle_bound = x, job.how.keeps_angle_bound = true; },
-      "Least angle of the plane meshes, in their metrics (default: 20, or none where faces do not "
-      "come to agree with it how to divide their common sides)")
+      "Least angle of the plane meshes, in their metrics (default: 20, or none where faces cannot "
+      "agree with it how to divide their common sides)")
       ->type_name("DEG");
 }
 
@@ -232,18 +232,18 @@ void add_surface_command(CLI::App& program, command& chosen) {
   const auto job = std::make_shared<surface_job>();
   app->add_option("SURFACE", job->of, "A .json file of patches, or a built-in surface")->required();
   add_sizes(*app, *job);
-  app->add_flag("--no-crossings", job->no_crossings,
-                "Prove also that no two triangles cross, or touch but in what they have in common");
-  app->add_option(
-         "-o,--output", job->outputs,
-         "File to write: .obj, .stl, .ply, .mesh, .msh, .vtu; .html, a page to turn it on; "
-         ".png, .svg, .pdf, a picture; may be given again")
+  app->add_flag(
+      "--no-crossings", job->no_crossings,
+      "Prove also that no two triangles cross, or touch outside of common vertices and edges");
+  app->add_option("-o,--output", job->outputs,
+                  "File to write: .obj, .stl, .ply, .mesh, .msh, .vtu; .html, a page that shows it "
+                  "in space; "
+                  ".png, .svg, .pdf, a picture; may be given again")
       ->required()
       ->type_name("OUT");
-  app->add_option("--certificate", job->certificate, "Where to write what was proved")
-      ->type_name("FILE");
+  app->add_option("--certificate", job->certificate, "File for the certificate")->type_name("FILE");
   add_seconds_option(*app, job->max_seconds,
-                     "Making meshes ends after this time; what there is is judged and written");
+                     "Meshing ends after this time; the mesh so far is judged and written");
   add_threads_option(*app, job->threads, "the mesh is");
   add_summary_flags(*app, job->quiet, job->json, "No summary");
   app->footer(examples);

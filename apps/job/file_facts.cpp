@@ -184,10 +184,10 @@ result<file_facts> facts_of_solution(const fs::path& path) {
     add_metric(measured, facts);
     return facts;
   }
-  return error{path.string() + ": what is given at vertices is told with their mesh beside it, " +
-               fs::path(path).replace_extension(".mesh").string() +
-               "; 'asterism adapt MESH --solution " + path.string() +
-               "' and its kin take it as it is"};
+  return error{
+      path.string() + ": values at vertices can be described with their mesh beside the file, " +
+      fs::path(path).replace_extension(".mesh").string() + "; 'asterism adapt MESH --solution " +
+      path.string() + "' and commands like it take the file alone"};
 }
 
 result<file_facts> facts_of_certificate(const fs::path& path) {

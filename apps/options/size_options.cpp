@@ -96,7 +96,7 @@ void add_size_options(CLI::App& app, mesh_job& job, std::vector<worded_size>& wo
   app.add_flag("--sizes-of-file", job.sizes_of_file,
                "The areas that DOMAIN wants of the triangles in its regions are sizes there");
   add_size_bounds(app, job.sizes.least, job.sizes.greatest, job.sizes.aspect,
-                  "Least length of an edge, whatever else asks for less");
+                  "Least length of an edge, also where other options want less");
 }
 
 void take_sizes(mesh_job& job, const std::vector<worded_size>& worded) {

@@ -177,7 +177,7 @@ std::string text_of(const metric_answer& answer) {
     return "another than asked for, " + name + ": " +
            (answer.made ? "" : unchecked + "; it says ") + apart_text(*answer.apart) +
            tolerance_text(answer);
-  return name + (answer.made ? ", held against it at every vertex" : ": " + unchecked);
+  return name + (answer.made ? ", compared at every vertex" : ": " + unchecked);
 }
 
 }  // namespace asterism::apps

@@ -30,7 +30,7 @@ result<std::unique_ptr<metric_field>> field_named(const verify_options& options,
 result<metric_answer> judge_metric(const verify_options& options, const mesh& subject,
                                    const std::optional<certificate>& claim, const domain* shape);
 
-// Returns "metric: swirl:3, by the certificate, held against it at every vertex".
+// Returns "metric: swirl:3, by the certificate, compared at every vertex".
 std::string text_of(const metric_answer& answer);
 
 }  // namespace asterism::apps

@@ -94,7 +94,7 @@ std::optional<error> ask_metric(const verify_options& options, const pieces_inde
   if (field) {
     asked.field = std::move(field).value();
     asked.metric_words = words.metric + (options.metric.empty() ? ", by the index" : "") +
-                         ", held against it at every vertex";
+                         ", compared at every vertex";
     return std::nullopt;
   }
   if (!options.metric.empty()) return field.failure().at("--metric");

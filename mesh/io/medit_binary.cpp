@@ -140,7 +140,8 @@ std::optional<error> decoder::read_section(bool& ended) {
     return {};
   }
   if (next < static_cast<std::int64_t>(at_) || next > static_cast<std::int64_t>(bytes_.size()))
-    return fail("the next section is said to begin at byte " + std::to_string(next));
+    return fail("the next section should begin at byte " + std::to_string(next) +
+                ", outside of the rest of the file");
   at_ = static_cast<std::size_t>(next);
   return {};
 }

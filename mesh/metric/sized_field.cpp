@@ -32,8 +32,8 @@ result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m) {
   if (finite && filtered_kernel().is_positive_definite(m)) return m;
   if (!std::isfinite(q.x) || !std::isfinite(q.y))
     return error{
-        "the metric is asked for at a point beyond the range of doubles: the domain's "
-        "coordinates are too large for it, and smaller ones, in another unit, are not",
+        "the metric is needed at a point beyond the range of doubles: the domain's coordinates are "
+        "too large for it; use another unit, in which they are smaller",
         error_code::invalid_metric};
   return error{
       fmt::format("the metric at ({:.17g}, {:.17g}) is not {}: m11 = {}, m12 = {}, m22 = {}", q.x,

@@ -287,8 +287,7 @@ class side_finder {
   }
 
   bool lose(const point& corner, const point& image, const char* wanted) {
-    lost_ =
-        "where " + coordinates(corner) + " would come to, " + coordinates(image) + ", " + wanted;
+    lost_ = "at the image of " + coordinates(corner) + ", " + coordinates(image) + ", " + wanted;
     return false;
   }
 

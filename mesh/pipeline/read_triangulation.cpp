@@ -61,11 +61,11 @@ result<adopted_mesh> read_metric_on_mesh(const std::string& name, const std::str
   if (is_mesh_file(name)) return read_triangulation(name, true);
   const std::string of = mesh_of_numbers(name, mesh);
   if (of.empty())
-    return error{name +
-                     ": numbers at the vertices of a mesh, and there is none: what is meshed is "
-                     "no mesh, and none of the files .mesh, .meshb, .msh, .vtu of this name is "
-                     "beside it",
-                 error_code::bad_option};
+    return error{
+        name +
+            ": numbers at the vertices of a mesh, which is missing: the domain is no mesh, "
+            "and no file .mesh, .meshb, .msh or .vtu of this name is beside it",
+        error_code::bad_option};
   medit_read_options how;
   how.solution = name;
   auto read = read_mesh(of, how);

@@ -148,7 +148,7 @@ std::optional<error> check_faces(const plane& all, const domain* shape, const me
     const std::size_t t = proof.places[k];
     const point& at = is_hole ? shape->holes[k] : shape->regions[k - shape->holes.size()].at;
     if (t >= part.size() || !holds_point(all, t, at) || is_hole != (t >= inner))
-      return not_shown("a hole or region point is not where it is said");
+      return not_shown("a hole or region point is not in the triangle that the proof names");
     if (is_hole) outside[part[t]] = 1;
     const int number = is_hole ? 0 : shape->regions[k - shape->holes.size()].number;
     if (!is_hole && named.emplace(part[t], number).first->second != number)

@@ -115,7 +115,7 @@ def test_a_metric_may_be_a_file_of_a_mesh_or_of_numbers_on_one(made, tmp_path):
     ours, other = (asterism.mesh("square", metric=tmp_path / name, size=1.0) for name in ("m.mesh", "m.sol"))
     assert len(ours.points) > 20 and np.array_equal(ours.points, other.points)
     (tmp_path / "m.mesh").unlink()
-    with pytest.raises(asterism.InputError, match="m.sol: numbers at the vertices of a mesh, and there is none"):
+    with pytest.raises(asterism.InputError, match="m.sol: numbers at the vertices of a mesh, which is missing"):
         asterism.mesh("square", metric=tmp_path / "m.sol")
 
 

@@ -208,7 +208,7 @@ class Convert(command.CommandTest):
             self.assertGreater(count, 300)
             judged = self.run_command("verify", "fine.mesh")
             self.assertEqual(judged.returncode, 0, judged.stdout)
-            self.assertIn("held against it", judged.stdout)
+            self.assertIn("compared at every vertex", judged.stdout)
         for metric in ("map.sol", "fine.mesh", "plain.mesh"):
             done = self.run_command("adapt", "plain.mesh", "--metric", metric, "-o", "next.mesh")
             self.assertEqual(done.returncode, 0, done.stderr)

@@ -499,7 +499,7 @@ class Mesh(command.CommandTest):
         self.assertLess(abs(claim["mesh"]["vertices"] / 800 - 1), 0.05)
         done = self.run_command("verify", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertIn("metric: back.mesh, by the certificate, held against it at every vertex", done.stdout)
+        self.assertIn("metric: back.mesh, by the certificate, compared at every vertex", done.stdout)
 
     def test_a_number_of_vertices_is_no_reason_to_meet_the_default_limit(self):
         done = self.run_command("mesh", "square", "--vertices", "200000", "--max-seconds", "0.01", "-o", "m.mesh")

@@ -255,7 +255,7 @@ MISTAKES = [
     ("certify a.mesh --repair", "-o"),
     ("convert part.poly x.msh", "\\.msh|mesh"),
     ("convert a.mesh x.stl", "\\.mesh"),
-    ("convert a.mesh a.mesh", "is what is read"),
+    ("convert a.mesh a.mesh", "is the file to read; name another one"),
     ("convert - x.msh", "--format"),
     ("transfer a.mesh short.sol plain.mesh -o x.sol", "short\\.sol"),
     ("adapt part.poly --solution u.sol --vertices 100 -o x.mesh", "part\\.poly"),

@@ -107,7 +107,7 @@ MISTAKES = [
     ("mesh part.stp -o y.mesh", "asterism-occt"),
     ("info part.dxf", "poly_of_dxf"),
     ("info part.txt", "\\.node"),
-    ("info short.sol", "take it as it is"),
+    ("info short.sol", "take the file alone"),
     # Commands of others
     ("pieces square", "here it is mesh --pieces"),
     ("version", "here it is --version"),

@@ -200,7 +200,7 @@ class Proofs(command.CommandTest):
         for words, said in ((("curve.poly", "out.poly"), "it has curves"),
                             (("square", "out.poly", "--metric", "swirl:3"), "are of meshes"),
                             (("none.poly", "out.poly"), "none.poly"),
-                            (("curve.poly", "curve.poly"), "is what is read")):
+                            (("curve.poly", "curve.poly"), "is the file to read; name another one")):
             done = self.run_command("convert", *words)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(said, done.stderr)

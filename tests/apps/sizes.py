@@ -47,7 +47,7 @@ class Sizes(command.CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         again = self.run_command("verify", "m.mesh")
         self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
-        self.assertIn("held against it at every vertex", again.stdout)
+        self.assertIn("compared at every vertex", again.stdout)
         return json.loads((self.folder / "m.certificate.json").read_text())["asked"]["options"]
 
     def read(self):

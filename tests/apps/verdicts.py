@@ -138,7 +138,7 @@ class Verdicts(command.CommandTest):
         claim = self.make_good()
         done = self.run_command("verify", "good.mesh")
         self.assertRegex(done.stdout, "^certified: .*; bound 20 degrees, by the certificate; the certificate's domain; metric: "
-                         "swirl:3, by the certificate, held against it at every vertex; size asked for 0.4, not checked\n$")
+                         "swirl:3, by the certificate, compared at every vertex; size asked for 0.4, not checked\n$")
         self.assertIn("; the theorem on nets, in the metric asked for, ", self.run_command("verify", "good.mesh", "--long").stdout)
         claim["asked"]["metric"] = "swirl:4"
         self.write("good.certificate.json", json.dumps(claim))

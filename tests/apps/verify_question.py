@@ -115,15 +115,15 @@ class Question(command.CommandTest):
         self.made("square", "--metric", "swirl:3", "--size", "0.4", "--gradation", "1.5")
         said = self.verdict(0)
         for part in ("; bound 20 degrees, by the certificate; the certificate's domain; metric: swirl:3, by the "
-                     "certificate, held against it at every vertex",):
+                     "certificate, compared at every vertex",):
             self.assertIn(part, said)
         said = self.verdict(0, "--domain", "square", "--angle-bound", "20", "--metric", "swirl:3")
         self.assertIn("; bound 20 degrees; domain square; metric: swirl:3 (size 0.4, gradation 1.5 by the "
-                      "certificate), held against it at every vertex;", said)
+                      "certificate), compared at every vertex;", said)
         whole = ("--domain", "square", "--angle-bound", "20", "--metric", "swirl:3", "--size", "0.4", "--gradation", "1.5")
         self.assertNotIn("by the certificate", self.verdict(0, *whole))
         self.forget_certificate()
-        self.assertIn("; metric: swirl:3, held against it at every vertex", self.verdict(0, *whole))
+        self.assertIn("; metric: swirl:3, compared at every vertex", self.verdict(0, *whole))
 
     def test_another_metric_than_the_one_named_is_refused_with_its_distance(self):
         self.made("square", "--metric", "swirl:3", "--size", "0.4")
