@@ -60,7 +60,7 @@ void star_check::hold_all(const prepared_fan& p, bool gathered) {
 void star_check::check_neighbours(vertex_index v, const vertex_fan& fan) {
   const std::size_t n = fan.link.size();
   const std::size_t skipped = fan.closed ? 0 : 1;
-  for (std::size_t i = skipped; i + skipped < n && !patience_.is_over(); ++i) {
+  for (std::size_t i = skipped; i + skipped < n && !guard_.is_over(); ++i) {
     const vertex_index w = fan.link[i], x = fan.link[(i + n - 1) % n], y = fan.link[(i + 1) % n];
     if (w < v || !around_.concerns(v, w, x, y)) continue;
     if (is_accepted_in_one_metric(v, w, x, y)) continue;
@@ -111,7 +111,7 @@ bool star_check::concerns(vertex_index v, const vertex_fan& fan) const {
 }
 
 bool star_check::is_reached(vertex_index v, double reach) {
-  patience_.count(unit_of_look);
+  guard_.count(unit_of_look);
   bool any = false;
   around_.changed_sites.visit_near(at(v), reach, [&any](vertex_index) { any = true; });
   return any;

@@ -59,11 +59,11 @@ class star_check {
   star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
       : context_(context),
         tally_(tally),
-        patience_(context, tally),
+        guard_(context, tally),
         around_(around),
         sight_(context, around.subsegments, tally.kernel()) {}
 
-  bool is_over() { return patience_.is_over(); }
+  bool is_over() { return guard_.is_over(); }
 
   // Checks vertices near each other: searches the sites around all of them once. Needs the tree
   // unless only neighbours are tested. `last` is the end of the order of all vertices.
@@ -86,8 +86,8 @@ class star_check {
   // Tests w against one fan; `squared` is the lower bound that the tree measured of it, or 0 if it
   // measured none.
   void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
-    patience_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
-    if (w != p.v && !is_neighbour(p, w) && !patience_.is_over())
+    guard_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
+    if (w != p.v && !is_neighbour(p, w) && !guard_.is_over())
       check_other(p, w, squared, at_concerned);
   }
   // True if w is a neighbour in this fan. Neighbours in other fans of v, of which there may be
@@ -163,7 +163,7 @@ class star_check {
 
   const audit_context& context_;
   audit_tally& tally_;
-  audit_work_guard patience_;
+  audit_work_guard guard_;
   const star_surroundings& around_;
   visibility_test sight_;
   // Scratch vectors for the present vertices; members, so that they are not allocated each time.

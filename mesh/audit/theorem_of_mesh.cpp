@@ -166,7 +166,7 @@ struct ordered_sites {
 // Measures the pairs of a range of sites in the order with all sites after them. Descends the tree
 // once for the whole range.
 void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t first,
-                        std::size_t last, double radius, audit_work_guard& patience,
+                        std::size_t last, double radius, audit_work_guard& guard,
                         measured_part& part) {
   const std::vector<vertex_index>& order = sites.tree.order();
   std::vector<site_tree::reaching> centres;
@@ -176,8 +176,8 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
   for (std::size_t i = first; i < last; ++i) {
     const vertex_index v = order[i];
     const auto measure = [&](vertex_index w) {
-      patience.count(work_weights::theorem_pair);
-      if (patience.is_over()) return false;
+      guard.count(work_weights::theorem_pair);
+      if (guard.is_over()) return false;
       if (sites.rank[w] > i) measure_near_pair(m, v, w, radius, part);
       return part.failure.empty();
     };
@@ -208,9 +208,9 @@ bool is_clearly_beside(const mesh& m, const boundary_edge& subsegment, vertex_in
 
 // Tests the site w against a subsegment.
 void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w, double farthest,
-                  audit_work_guard& patience, measured_part& part) {
-  patience.count(work_weights::theorem_pair);
-  if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || patience.is_over()) return;
+                  audit_work_guard& guard, measured_part& part) {
+  guard.count(work_weights::theorem_pair);
+  if (w == subsegment.a || w == subsegment.b || !part.failure.empty() || guard.is_over()) return;
   if (is_clearly_beside(m, subsegment, w, farthest)) return;
   if (!audit_detail::is_certainly_farther_than_nearer_end(m.sites[subsegment.a],
                                                           m.sites[subsegment.b], m.sites[w]))
@@ -221,7 +221,7 @@ void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w
 // Checks a range of subsegments. Neighbours in the list are often neighbours in the plane: the tree
 // is descended once for the whole range.
 void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, std::size_t last,
-                       audit_work_guard& patience, measured_part& part) {
+                       audit_work_guard& guard, measured_part& part) {
   std::vector<site_tree::reaching> starts;
   std::vector<double> farthest;
   for (std::size_t i = first; i < last; ++i) {
@@ -239,7 +239,7 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
   for (std::size_t i = first; i < last; ++i) {
     const auto& [end, length] = starts[i - first];
     const auto check = [&](vertex_index w) {
-      check_beside(m, m.boundary[i], w, farthest[i - first], patience, part);
+      check_beside(m, m.boundary[i], w, farthest[i - first], guard, part);
     };
     if (gathered)
       tree.visit_near(leaves, end, length, check);
@@ -256,10 +256,10 @@ measured_part measure_all(audit_context& context, std::size_t count, std::size_t
   std::vector<measured_part> parts(chunk_count(count, chunk));
   const auto measure_chunk = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     measured_part& part = parts[begin / chunk];
-    audit_work_guard patience(context, tally);
+    audit_work_guard guard(context, tally);
     for (std::size_t i = begin; i < end && part.failure.empty() && !tally.unfinished;
          i += at_a_time)
-      measure(i, std::min(end, i + at_a_time), patience, part);
+      measure(i, std::min(end, i + at_a_time), guard, part);
   };
   check_in_parallel(context, count, measure_chunk, chunk, most_units(context.subject.sites.size()));
   measured_part all;
@@ -356,8 +356,8 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
   const site_tree& tree = made != nullptr ? *made : context.plant();
   const measured_part subsegments = measure_all(
       context, subject.boundary.size(), looked_for_together,
-      [&](std::size_t first, std::size_t last, audit_work_guard& patience, measured_part& part) {
-        check_subsegments(subject, tree, first, last, patience, part);
+      [&](std::size_t first, std::size_t last, audit_work_guard& guard, measured_part& part) {
+        check_subsegments(subject, tree, first, last, guard, part);
       });
   h.longest_subsegment = subsegments.longest_subsegment;
   const double radius = radius_that_matters(subject, h.covering_radius);
@@ -366,8 +366,8 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
     const ordered_sites sites(tree);
     near = measure_all(
         context, tree.order().size(), looked_for_together,
-        [&](std::size_t first, std::size_t last, audit_work_guard& patience, measured_part& part) {
-          measure_near_pairs(subject, sites, first, last, radius, patience, part);
+        [&](std::size_t first, std::size_t last, audit_work_guard& guard, measured_part& part) {
+          measure_near_pairs(subject, sites, first, last, radius, guard, part);
         });
   }
   stop.charge(context.looked_units);

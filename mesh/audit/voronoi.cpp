@@ -196,11 +196,11 @@ class cell_check {
              const site_tree& sites)
       : context_(context),
         tally_(tally),
-        patience_(context, tally),
+        guard_(context, tally),
         vertices_(vertices),
         sites_(sites) {}
 
-  bool is_over() { return patience_.is_over(); }
+  bool is_over() { return guard_.is_over(); }
 
   void run(vertex_index v) {
     arcs_.clear();
@@ -214,14 +214,14 @@ class cell_check {
     if (arcs_.empty()) return;
     sites_.visit_near(context_.subject.sites[v], reach, [&](vertex_index w) {
       for (arc_check& arc : arcs_)
-        if (!patience_.is_over()) arc.run(w);
+        if (!guard_.is_over()) arc.run(w);
     });
   }
 
  private:
   const audit_context& context_;
   audit_tally& tally_;
-  audit_work_guard patience_;
+  audit_work_guard guard_;
   const voronoi_vertices& vertices_;
   const site_tree& sites_;
   std::vector<arc_check> arcs_;  // of the cell at hand; a member to spare allocations
@@ -237,8 +237,8 @@ void check_voronoi(audit_context& context) {
   voronoi_vertices vertices(context.subject.triangles.size());
   const auto check_vertices = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     vertex_check part(context, tally, vertices);
-    audit_work_guard patience(context, tally);
-    for (std::size_t t = begin; t < end && !patience.is_over(); ++t)
+    audit_work_guard guard(context, tally);
+    for (std::size_t t = begin; t < end && !guard.is_over(); ++t)
       part.run(static_cast<vertex_index>(t));
   };
   bool ended = check_in_parts(context, vertices.size(), check_vertices, never);
