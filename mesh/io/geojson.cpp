@@ -18,26 +18,25 @@
 namespace asterism::internal {
 namespace {
 
-using nlohmann::json;
-
 // Exception of the readers below, which parse_geojson catches.
-struct malformed : std::runtime_error {
+struct malformed_geojson : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 std::string shown(const std::string& place) { return place.empty() ? "the root" : place; }
 
 [[noreturn]] void refuse(const std::string& place, const std::string& what) {
-  throw malformed(shown(place) + ": " + what);
+  throw malformed_geojson(shown(place) + ": " + what);
 }
 
-const json& member(const json& object, const char* key, const std::string& place) {
+const nlohmann::json& member(const nlohmann::json& object, const char* key,
+                             const std::string& place) {
   if (!object.is_object() || !object.contains(key))
     refuse(place, std::string("there is no \"") + key + "\"");
   return object[key];
 }
 
-const json& list(const json& value, const std::string& place) {
+const nlohmann::json& list(const nlohmann::json& value, const std::string& place) {
   if (!value.is_array()) refuse(place, "a list is wanted");
   return value;
 }
@@ -52,10 +51,10 @@ class geojson_reader {
   int features = 0;
 
   // Adds an object; follows collections within collections to a limited depth.
-  void add(const json& object, const std::string& place, int depth = 0) {
+  void add(const nlohmann::json& object, const std::string& place, int depth = 0) {
     constexpr int deepest = 16;
     if (depth > deepest) refuse(place, "collections are nested too deeply");
-    const json& type = member(object, "type", place);
+    const nlohmann::json& type = member(object, "type", place);
     if (!type.is_string()) refuse(place, "the type is no string");
     const std::string& kind = type.get_ref<const std::string&>();
     const std::string inner = place.empty() ? "" : place + ".";
@@ -73,30 +72,30 @@ class geojson_reader {
   }
 
  private:
-  void each(const json& object, const char* key, const std::string& inner, int depth) {
+  void each(const nlohmann::json& object, const char* key, const std::string& inner, int depth) {
     std::size_t i = 0;
-    const json& all = list(member(object, key, inner), inner + key);
+    const nlohmann::json& all = list(member(object, key, inner), inner + key);
     if (all.empty()) add_empty(inner + key);
-    for (const json& one : all) add(one, item(inner + key, i++), depth + 1);
+    for (const nlohmann::json& one : all) add(one, item(inner + key, i++), depth + 1);
   }
 
   void add_empty(const std::string& place) {
     made.empty.add([&] { return place; });
   }
 
-  void add_feature(const json& object, const std::string& place, int depth) {
+  void add_feature(const nlohmann::json& object, const std::string& place, int depth) {
     ++features;
-    const json& geometry = member(object, "geometry", place);
+    const nlohmann::json& geometry = member(object, "geometry", place);
     const std::string there = (place.empty() ? "" : place + ".") + "geometry";
     if (geometry.is_null()) return add_empty(there);
     add(geometry, there, depth + 1);
   }
 
-  void add_polygons(const json& coordinates, const std::string& place, bool several) {
+  void add_polygons(const nlohmann::json& coordinates, const std::string& place, bool several) {
     if (coordinates.empty()) return add_empty(place);
     if (!several) return add_polygon(coordinates, place);
     std::size_t i = 0;
-    for (const json& p : coordinates) {
+    for (const nlohmann::json& p : coordinates) {
       const std::string there = item(place, i++);
       if (list(p, there).empty())
         add_empty(there);
@@ -105,21 +104,21 @@ class geojson_reader {
     }
   }
 
-  void add_polygon(const json& rings, const std::string& place) {
+  void add_polygon(const nlohmann::json& rings, const std::string& place) {
     polygon& p = made.polygons.emplace_back();
     p.region = std::max(1, features);
     std::size_t i = 0;
-    for (const json& r : rings) {
+    for (const nlohmann::json& r : rings) {
       const std::string there = item(place, i++);
       ring& corners = p.rings.emplace_back();
       corners.reserve(list(r, there).size());
-      for (const json& q : r) corners.push_back(point_of(q, there, corners.size()));
+      for (const nlohmann::json& q : r) corners.push_back(point_of(q, there, corners.size()));
     }
   }
 
   // Reads a point; `ring` and `i` name its place in messages.
-  point point_of(const json& value, const std::string& ring, std::size_t i) {
-    const auto is_usable = [](const json& x) {
+  point point_of(const nlohmann::json& value, const std::string& ring, std::size_t i) {
+    const auto is_usable = [](const nlohmann::json& x) {
       return x.is_number() && std::isfinite(x.get<double>());
     };
     if (!value.is_array() || value.size() < 2 || !is_usable(value[0]) || !is_usable(value[1]))
@@ -141,17 +140,17 @@ result<domain> parse_geojson(std::string_view text, const std::string& name) {
     return at_line(*line, "lists and objects are nested too deeply");
   try {
     geojson_reader reader;
-    reader.add(json::parse(text), "");
+    reader.add(nlohmann::json::parse(text), "");
     if (reader.features < 2)
       for (polygon& p : reader.made.polygons) p.region.reset();
     return domain_of_polygons(reader.made, name);
-  } catch (const malformed& e) {
+  } catch (const malformed_geojson& e) {
     return error{name + ": " + without_controls(e.what()), error_code::malformed_file};
-  } catch (const json::parse_error& e) {
+  } catch (const nlohmann::json::parse_error& e) {
     return at_line(line_of_byte(text, e.byte), "this is not JSON");
-  } catch (const json::out_of_range&) {
+  } catch (const nlohmann::json::out_of_range&) {
     return error{name + ": a number is beyond the range of doubles", error_code::malformed_file};
-  } catch (const json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     return error{name + ": this is not GeoJSON", error_code::malformed_file};
   }
 }
