@@ -3,6 +3,7 @@
 
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
@@ -30,6 +31,12 @@ fs::path fields_beside(const fs::path& path) {
   return text_or_binary(fields_path(path));
 }
 
+// True for the metric as our .vtu has it a second time, by nine entries for programs that draw
+// tensors: it is no field, and would be written twice.
+bool is_metric_again(const solution_field& f) {
+  return f.kind == field_kind::tensor && f.name == "metric_tensor";
+}
+
 }  // namespace
 
 result<solution> fields_of_mesh(const fs::path& path, const mesh_file& read) {
@@ -40,7 +47,10 @@ result<solution> fields_of_mesh(const fs::path& path, const mesh_file& read) {
   if (holds_fields(name)) file = path;
   solution none;
   none.vertices = read.content.sites.size();
-  return file.empty() ? none : read_fields(file, read.content, read.left_out);
+  if (file.empty()) return none;
+  auto found = read_fields(file, read.content, read.left_out);
+  if (found && read.has_metric) std::erase_if(found.value().fields, is_metric_again);
+  return found;
 }
 
 }  // namespace asterism::internal

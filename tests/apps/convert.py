@@ -184,6 +184,17 @@ class Convert(command.CommandTest):
         done = self.run_command("mesh", "square", "-o", "link2.mesh")
         self.assertEqual(done.returncode, 0)
 
+    def test_the_metric_of_a_vtu_is_no_field(self):
+        self.assertEqual(self.run_command("mesh", "square", "--metric", "swirl:3", "--size", "0.5", "-o", "a.vtu").returncode, 0)
+        done = self.run_command("convert", "a.vtu", "b.vtu")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        again = (self.folder / "b.vtu").read_bytes()
+        self.assertEqual([again.count(b'Name="%s"' % name) for name in (b"metric", b"metric_tensor")], [1, 1])
+        done = self.run_command("draw", "a.vtu", "-o", "a.svg", "--colour-by", "none such")
+        self.assertNotIn("metric_tensor", done.stderr)
+        self.run_command("draw", "a.vtu", "-o", "a.html")
+        self.assertNotIn("metric_tensor", (self.folder / "a.html").read_text())
+
     def test_a_size_map_is_a_metric_where_one_is_wanted(self):
         """One number at each vertex beside a mesh is a size where a metric is read, a solution where one is read, and
         ignored elsewhere."""
