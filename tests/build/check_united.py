@@ -15,6 +15,7 @@ import sources
 
 _TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)[^;{]*\{", re.MULTILINE)
 _ALIAS = re.compile(r"^using (\w+) = ([^;]*);", re.MULTILINE)
+_USING = re.compile(r"^using ([\w:]+::(\w+));", re.MULTILINE)
 _CONSTANT = re.compile(r"^(?:static |inline )*const(?:expr)? [^;={}()]*?(\w+)(?:\[[^\]]*\])? ?(?:=|\{)", re.MULTILINE)
 _FUNCTION = re.compile(r"^(?!using|return|struct|class|enum|namespace|#)[\w:][\w:<>,&*\[\]() ]*?(?<![\w:])(\w+)"
                        r"\(([^;{}]*)\)[\w ]* \{", re.MULTILINE)
@@ -38,6 +39,7 @@ def hidden_things(text: str) -> set[tuple[str, str, str]]:
         part, around = block[1], ["", *_AROUND.findall(text[:block.start()])][-1]
         found |= {(around, name, "one") for name in _TYPE.findall(part) + _CONSTANT.findall(part)}
         found |= {(around, name, "alias of " + of) for name, of in _ALIAS.findall(part)}
+        found |= {(around, name, "alias of " + of) for of, name in _USING.findall(part)}
         found |= {(around, name, f"of {parameter_types(inside)}") for name, inside in _FUNCTION.findall(part)}
     return found
 
@@ -57,6 +59,21 @@ def clashes(files: list[pathlib.Path]) -> list[str]:
     return [f"{files[0].parent}: {name} is defined in {' and '.join(sorted({file for _, file in found}))}"
             for (_, name), found in sorted(things.items())
             if len({file for _, file in found}) > 1 and not can_meet([kind for kind, _ in found])]
+
+
+def clashes_with_headers(source: pathlib.Path, files: list[pathlib.Path]) -> list[str]:
+    """Reports a hidden type named as one of a header that another file of the same unit includes: a use is ambiguous."""
+    hidden = {(around, name): file for file in files for around, name, kind in hidden_things(file.read_text())
+              if kind == "one"}
+    included = {header for file in files for header in sources.own_includes(source, file.relative_to(source))}
+    found = []
+    for header in sorted(included):
+        text = (source / header).read_text()
+        for one in _TYPE.finditer(text):
+            around = ["", *_AROUND.findall(text[:one.start()])][-1]
+            if (around, one[1]) in hidden:
+                found.append(f"{hidden[around, one[1]]}: {one[1]} is a type of {header}, too")
+    return found
 
 
 def lists_of(folder: pathlib.Path) -> str:
@@ -102,7 +119,8 @@ def main() -> None:
                                             for file in (source / top).rglob("*.cpp")})]
     for folders in alone + joined:
         files = [file for folder in folders for file in united_files(folder)]
-        wrong += [clash for clash in clashes(files) if clash not in wrong] if files else []
+        found = clashes(files) + clashes_with_headers(source, files) if files else []
+        wrong += [clash for clash in found if clash not in wrong]
         checked += len(files)
     if wrong:
         wrong.append("Give each a name of its own, or one home: these files are compiled as one.")
