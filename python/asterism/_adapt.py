@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, TYPE_CHECKING, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -119,8 +119,15 @@ def _as_given(fields: Any, moved: Any, report: Dict[str, Any]) -> Any:
             for (name, before), after in zip(fields, moved)]
 
 
+if TYPE_CHECKING:
+    class _Pair(Tuple[Mesh, Any]):
+        """What `mesh, u = asterism.adapt(...)` takes apart, for those who read types."""
+else:
+    _Pair = object
+
+
 @told_methods
-class Adapted:
+class Adapted(_Pair):
     """The next mesh of a loop, with what was brought to it.
 
     mesh: the Mesh; values: the fields that its metric was made of, at its points, in the form in which

@@ -36,13 +36,14 @@ reveal_type(mesh.locate([[0.5, 0.5]]))
 reveal_type(mesh.certificate.worst_angle)
 reveal_type(mesh.save("x.mesh"))
 reveal_type(made.mesh)
+reveal_type(new)
 reveal_type(asterism.transfer(mesh, u, made.mesh))
 reveal_type(asterism.transfer(mesh, {"u": u}, made.mesh))
 reveal_type(Domain.read("part.poly", repair=True))
 reveal_type(shell.points)
 '''
 TYPES = ["ndarray.*floating", "ndarray.*signedinteger", "ndarray.*floating", "ndarray.*signedinteger", "ndarray.*signedinteger",
-         "float", r"list\[builtins\.str\]", r"asterism\._mesh\.Mesh", r"asterism\._reported\.ReportedArray",
+         "float", r"list\[builtins\.str\]", r"asterism\._mesh\.Mesh", r"asterism\._mesh\.Mesh", r"asterism\._reported\.ReportedArray",
          r"dict\[builtins\.str, asterism\._reported\.ReportedArray\]", r"asterism\._domain\.Domain", "ndarray.*floating"]
 
 
