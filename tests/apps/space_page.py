@@ -51,6 +51,7 @@ class SpacePage(CommandTest):
         self.open("s.html")
         self.assertTrue(self.text("verdict").startswith("Certified"))
         self.assertIn("asterism verify s.mesh", self.text("again"))
+        self.assertEqual(self.text("colours"), "1 patch")
         table = dict(self.ask("asterism.facts.table"))
         self.assertEqual(table["vertices"], str(claim["vertices"]))
         self.assertEqual(table["triangles"], str(claim["triangles"]))

@@ -49,9 +49,9 @@ function makeStage(corners) {
 }
 
 function showColours(stage, corners) {
-  const mode = element("mode").value, legend = element("colours");
+  const mode = element("mode").value, legend = element("colours"), patches = new Set(corners.faces).size;
   stage.drawing.colour(coloursOf(corners, mode));
-  legend.textContent = mode === "patch" ? `${new Set(corners.faces).size} patches` : mode === "plain" ? "" : "0 ";
+  legend.textContent = mode === "patch" ? `${patches} ${patches === 1 ? "patch" : "patches"}` : mode === "plain" ? "" : "0 ";
   if (mode !== "angle") return;
   const bar = document.createElement("span");
   bar.className = "angles";
