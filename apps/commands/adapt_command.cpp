@@ -164,7 +164,7 @@ std::optional<error> make_next(const marked_mesh& from, const adapt_job& job,
     auto next = adapt_to_metric(from, options, show);
     if (!next) return next.failure();
     made.next = std::move(next).value();
-    return std::nullopt;
+    return say_notes(made.next.made.outcome.result.notes, {job.quiet});
   }
   const auto regions = frozen_regions(job.frozen, job.request.mesh);
   if (!regions) return regions.failure();

@@ -2,8 +2,12 @@
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
@@ -66,6 +70,52 @@ void stay(const keeping& kept, const mesh_adaptation_options& options, adapted_m
   done.kept = true;
   done.made = judge_outcome(*std::move(same), done.shape, options.refinement);
   claim_periodic(options.periodic, done.made);
+}
+
+std::array<vertex_index, 2> ascending(vertex_index a, vertex_index b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+// Removes the curves along segments with these markers: their chords are straight then. Returns
+// whether there were any.
+bool straighten(domain& shape, const std::set<int>& markers) {
+  std::set<std::array<vertex_index, 2>> sides;
+  for (const segment& one : shape.segments)
+    if (markers.contains(one.marker)) sides.insert(ascending(one.a, one.b));
+  const auto is_on_side = [&sides](const domain_curve& c) {
+    for (std::size_t i = 1; i < c.vertices.size(); ++i)
+      if (sides.contains(ascending(c.vertices[i - 1], c.vertices[i]))) return true;
+    return false;
+  };
+  return std::erase_if(shape.curves, is_on_side) > 0;
+}
+
+// Finds the domain of the mesh. Its periodic sides have no curves, on which a point would have no
+// partner: sides that bend by rounding alone are straight, and polygons that both have bend alike.
+// Where two sides do not match so, as vertices of the one are gone and not of the other, all of
+// their vertices stay; `kept_sides` are their markers then.
+result<mesh_outline> outline_for(const mesh& m, mesh_marks marks,
+                                 const mesh_adaptation_options& options,
+                                 std::vector<int>& kept_sides) {
+  const outline_options how{options.corner_angle, options.largest_boundary_distance};
+  auto found = outline_of_mesh(m, marks, how);
+  std::set<int> markers;
+  for (const periodic_pair& one : options.periodic) markers.insert({one.first, one.second});
+  if (!found || !straighten(found.value().shape, markers) ||
+      !check_periodic(found.value().shape, options.periodic))
+    return found;
+  for (const boundary_edge& e : m.boundary)
+    if (markers.contains(e.marker)) marks.required_edges.push_back({e.a, e.b});
+  kept_sides.assign(markers.begin(), markers.end());
+  return outline_of_mesh(m, marks, how);
+}
+
+// Returns the note on periodic sides whose vertices stay.
+std::string note_on_kept(const std::vector<int>& markers) {
+  std::string named;
+  for (const int marker : markers) named += (named.empty() ? "" : ", ") + std::to_string(marker);
+  return "the periodic sides with the markers " + named +
+         " bend: all their vertices stay, and new ones are on the straight edges between";
 }
 
 // True if the periodic sides of the mesh match.
@@ -143,13 +193,13 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
   const mesh_marks marks = joined_marks(from.marks, adopted.value().number);
   std::optional<mesh> own;  // the mesh, as one that may stay
   std::optional<chorded_outline> for_new;
+  std::vector<int> kept_sides;
   if (options.exact) {
     const auto divided = divided_for(background, *options.exact, options);
     if (!divided) return divided.failure();
     done.shape = divided.value();
   } else {
-    auto outline = outline_of_mesh(background, marks,
-                                   {options.corner_angle, options.largest_boundary_distance});
+    auto outline = outline_for(background, marks, options, kept_sides);
     if (!outline) return outline.failure();
     const mesh_outline& found = outline.value();
     done.shape = found.keeps_all ? adopted.value().shape : found.shape;
@@ -180,6 +230,7 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     done.shape = std::move(for_new->shape);
     done.former = std::move(for_new->former);
   }
+  if (!kept_sides.empty()) done.made.outcome.result.notes.push_back(note_on_kept(kept_sides));
   compare_boundaries(done);
   return done;
 }

@@ -227,6 +227,42 @@ class Periodic(command.CommandTest):
         self.write("t.u.sol", "MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n%d\n1 1\n%s\nEnd\n"
                    % (len(values), "\n".join(map(repr, values))))
 
+    def bend_torus(self, bend, digits=17):
+        """Moves all points along x by what `bend` makes of their y, and writes them with so many digits."""
+        lines = (self.folder / "t.mesh").read_text().split("\n")
+        first = lines.index("Vertices") + 2
+        for k in range(first, first + int(lines[first - 1])):
+            x, y, _ = lines[k].split()
+            lines[k] = f"{float(x) + bend(float(y)):.{digits}g} {float(y):.{digits}g} 0"
+        self.write("t.mesh", "\n".join(lines))
+
+    def test_sides_that_lean_in_a_file_of_few_digits(self):
+        """Rounded to twelve digits their vertices are on no line."""
+        self.torus(12, lambda x, y: math.sin(2 * math.pi * x) * math.cos(2 * math.pi * y))
+        self.bend_torus(lambda y: 0.3 * y, 12)
+        for wanted in 150, 600:
+            done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", str(wanted), "--periodic",
+                                    "4,2", "--periodic", "1,3", "-o", "n.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("periodic: 4 and 2: ", done.stdout)
+            self.assertNotIn("note", done.stderr)
+            self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+
+    def test_sides_that_bend(self):
+        self.torus(16, lambda x, y: math.sin(2 * math.pi * x) * math.cos(2 * math.pi * y))
+        self.bend_torus(lambda y: math.sin(2 * math.pi * y) / 8)
+        for wanted in 200, 900:
+            done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", str(wanted), "--periodic",
+                                    "4,2", "-o", "n.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("periodic: 4 and 2: ", done.stdout)
+            sides = self.sides("n.mesh")
+            self.assertEqual(len(sides[4]), len(sides[2]))
+            for a, b in zip(*(sorted(sides[k], key=lambda at: at[1]) for k in (4, 2))):
+                self.assertAlmostEqual(float(b[0] - a[0]), 1, delta=1e-12)
+                self.assertAlmostEqual(float(b[1] - a[1]), 0, delta=1e-12)
+            self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+
     def adapt_torus(self, wanted, *more):
         """The new mesh's status and number of vertices; its sides match."""
         done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", str(wanted), "--periodic",
