@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <utility>
 
@@ -14,8 +15,10 @@
 namespace asterism::apps {
 namespace {
 
-// Global variable, since a signal handler can reach nothing else.
-volatile std::sig_atomic_t interrupt_noted = 0;
+// Global variable, since a signal handler can reach nothing else. Atomic without a lock, since
+// other threads than the one that is interrupted read it.
+std::atomic<int> interrupt_noted = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void note_interrupt(int signal) {
   interrupt_noted = 1;
