@@ -74,9 +74,9 @@ scene touching_at_common_point(random_source& random) {
   return s;
 }
 
-// Makes a touching cell: a and b are images of each other, the middle of the edge ab is the origin,
-// and w's distance from it is theirs: on ab, which is Y = 0, f_w - f_a has its double root, or
-// nearly, where f_b meets it.
+// Makes a touching cell: a and b are mirror images of each other, the middle of the edge ab is the
+// origin, and w is as far from the origin as a and b: on ab, which is Y = 0, f_w - f_a has its
+// double root, or nearly, where f_b meets it.
 scene touching_edge(random_source& random) {
   const double m11 = random.integer(1, 4), m22 = random.integer(1, 4), h = random.integer(1, 4);
   scene s;

@@ -32,8 +32,8 @@ class question_table {
   }
 
   std::span<const asterism_rows> arguments() const { return arguments_; }
-  // True for the metric of a circle, its first argument, which must be positive definite; for any
-  // other metric that may be the question itself.
+  // True if the predicate is in_circle, whose metric must be positive definite. The metric of
+  // another predicate may be indefinite: whether it is positive definite may be the question.
   bool asks_of_circles() const { return question_ == predicate::in_circle; }
   // Returns the number of numbers in a row of argument a, by its kind.
   std::size_t width(std::size_t a) const {

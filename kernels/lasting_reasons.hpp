@@ -89,7 +89,8 @@ class lasting_reasons {
     const bool farther = at.x_farther.value() == sign::positive;
     const auto distance = [&] { return condition_.distance(); };
     if (no_zero(equidistance_, over, distance)) {
-      // Handles tangencies: nothing else changes how often the two segments meet the bisector.
+      // Excludes points where a segment touches the bisector: how often the two segments meet the
+      // bisector changes at such points alone.
       if (farther) return no_zero_of_pair(pair_function::tangents_to_x);
       // Handles points where x is nearer; i dominates only where the segment xp meets the bisector
       // twice.

@@ -32,14 +32,14 @@ template <class Number, std::size_t Degree>
 polynomial<Number, Degree> over_range(const polynomial<Number, Degree>& p,
                                       const parameter_range& range) {
   if (std::isinf(range.low)) {
-    // Makes p(high - t), t > 0
+    // Makes the polynomial p(high - t) in t > 0.
     polynomial<Number, Degree> q = taylor_shift(p, Number(range.high));
     for (std::size_t k = 1; k <= Degree; k += 2) q.coefficient[k] = Number(0) - q.coefficient[k];
     return q;
   }
   polynomial<Number, Degree> q = taylor_shift(p, Number(range.low));
   if (std::isinf(range.high)) return q;  // p(low + t), t > 0
-  // Makes p(low + width / (1 + t)) (1 + t)^Degree, t > 0
+  // Makes the polynomial p(low + width / (1 + t)) (1 + t)^Degree in t > 0.
   const Number width = Number(range.high) - Number(range.low);
   polynomial<Number, Degree> reversed;
   Number power(1);

@@ -69,7 +69,8 @@ class star_gap {
   struct estimate {
     double value, size;
   };
-  // A direction z + step n, n at a right angle to w on the side of z, `turn` the area of w and z.
+  // Gives the direction z + step n, where n is the vector at a right angle to w on z's side (`side`
+  // 1 for x, -1 for y). `turn` is the area spanned by w and z.
   struct direction_beyond {
     double turn, side, step;
   };

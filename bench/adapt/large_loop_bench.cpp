@@ -2,11 +2,12 @@
 //
 //   large_loop_bench VERTICES THREADS [meshing]
 //
-// Measures one turn of the adaptation loop on a mesh of about so many vertices: the metric without
-// gradation and with it, the three transfers, and, when asked for, the meshing between. The next
-// mesh is, without it, the same grid shaken otherwise. Prints a line of JSON for each: wall and
-// processor seconds, megabytes that were added to what was there, at their peak, and a fingerprint
-// of the numbers that came out, which must not depend on the threads.
+// Measures one turn of the adaptation loop on a mesh of about VERTICES vertices: the metric without
+// gradation and with it, the three transfers, and, when asked for, the meshing between. Without
+// meshing the next mesh is the same grid, its vertices moved at random with another seed. Prints a
+// line of JSON for each: wall and processor seconds, megabytes that were added to what was there,
+// at their peak, and a fingerprint of the numbers that came out, which must not depend on the
+// threads.
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 

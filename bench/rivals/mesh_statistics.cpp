@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How well a mesh of the square fits a metric, whoever made it; and what another mesh generator
-// needs to make one. Plain doubles: for tables, not for certificates.
+// Measures how well a mesh of the square, made by any program, fits a metric; and writes the input
+// with which another mesh generator makes one. Plain doubles: for tables, not for certificates.
 //
 //   mesh_statistics judge MESH SPEC SIZE     JSON: counts, lengths of edges, angles
 //   mesh_statistics metric MESH SPEC SIZE    the tensor at every vertex, as BAMG reads it

@@ -17,7 +17,7 @@ namespace asterism::internal::adapting {
 
 class edges_around {
  public:
-  // Refers to the mesh, the tests and the centres, which must outlive it.
+  // Refers to the mesh, the tests and the centres, which must outlive this object.
   edges_around(const working_mesh& m, const local_tests& tests, present_centres& present)
       : m_(m), tests_(tests), present_(present) {}
 

@@ -17,7 +17,7 @@ namespace asterism::internal::adapting {
 
 class present_centres {
  public:
-  // Refers to the mesh and the tests, which must outlive it.
+  // Refers to the mesh and the tests, which must outlive this object.
   present_centres(const working_mesh& m, const local_tests& tests) : m_(m), tests_(tests) {
     forget_all();
   }

@@ -14,7 +14,7 @@
 namespace asterism::internal::audit_detail {
 
 struct star_surroundings {
-  // The context must outlive it.
+  // The context must outlive this object.
   explicit star_surroundings(const audit_context& context);
   star_surroundings(const star_surroundings&) = delete;
   star_surroundings& operator=(const star_surroundings&) = delete;

@@ -136,8 +136,8 @@ class arc_check {
     return std::binary_search(corners.begin(), corners.end(), w);
   }
 
-  // Checks that w is farther from the boundary edge than its nearer end. A tie is allowed only in a
-  // Voronoi vertex of w.
+  // Checks that at each point of the boundary edge w is farther than the nearer of the edge's ends.
+  // A tie is allowed only in a Voronoi vertex of w.
   void check_boundary(vertex_index w) {
     const site &a = at(edge_.v), &b = at(edge_.u);
     if (is_certainly_farther_than_nearer_end(a, b, at(w))) return;

@@ -14,7 +14,8 @@
 namespace asterism::internal {
 namespace {
 
-// Enters the regions of the mesh given that the new mesh no longer has.
+// Sets the area before adaptation of every region, and adds those regions of `before` that the new
+// mesh no longer has.
 void note_areas_before(const mesh& before, std::vector<region_area>& regions) {
   const areas_by_region areas = areas_of_regions(before);
   if (regions.empty() && areas.size() == 1 && areas.begin()->first == 1) return;

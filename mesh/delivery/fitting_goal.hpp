@@ -48,7 +48,8 @@ class fitting_goal {
   // number that this takes. Angles need nodes there that the wanted metric does not ask for;
   // without them no attempt led to a mesh.
   void make_room_for_segments(double part, const cancellation& stop);
-  // Keeps the metric with room at chords for good, and forgets the one without.
+  // Drops the copy of the metric without room at chords: the metric with room can no longer be
+  // given up.
   void keep_room_at_chords() { without_room_.reset(); }
   // Goes back to the metric without room at chords; returns false if there is none. The next mesh
   // then has needles there.

@@ -23,7 +23,7 @@ namespace asterism::internal {
 // True if the options allow another metric than the one wanted to be delivered.
 bool may_adapt(const mesh_options& options);
 
-// Makes meshes in a delivered metric. All references must outlive it.
+// Makes meshes in a delivered metric. All references must outlive this object.
 class metric_delivery {
  public:
   metric_delivery(const domain& d, const metric_field& field, const mesh_options& options);

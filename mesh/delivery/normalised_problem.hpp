@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Holds the domain and the field in the unit frame. `field` must outlive it.
+// Holds the domain and the field in the unit frame. `field` must outlive this object.
 class normalised_problem {
  public:
   normalised_problem(const domain& d, const metric_field& field, const mesh_options& options);

@@ -50,9 +50,10 @@ struct parted_mesh {
   std::vector<vertex_index> original;
 };
 
-// Parts the mesh along the edges of cracks: the fan of a vertex with the first triangle keeps it,
-// others get a new one after all. Each edge of a crack becomes two of the boundary, the right one
-// after all edges.
+// Parts the mesh along the edges of cracks: the cracks divide the triangles around a vertex into
+// fans. The fan with the first triangle keeps the vertex; each other fan gets a copy, numbered
+// after all vertices of the joined mesh. Each edge of a crack becomes two boundary edges: the left
+// one in its place, the right one at the end of the list.
 ASTERISM_EXPORT parted_mesh part_cracks(const mesh& joined, const crack_markers& cracks);
 
 }  // namespace asterism

@@ -14,8 +14,8 @@ namespace asterism::internal {
 
 // Halves pieces of the curves, which start divided at `parameters`, until the hull of each has no
 // point in common with that of another piece, with a straight segment or with a vertex on none,
-// common ends left out. Returns the parameters then. Fails, naming both, where pieces of
-// `finest_part` of their curve still meet something.
+// common ends left out. Returns the parameters after all halvings. Fails, naming both, where pieces
+// of `finest_part` of their curve still meet something.
 result<std::vector<std::vector<double>>> separate_curves(
     const domain& d, const std::vector<curve_path>& paths,
     std::vector<std::vector<double>> parameters, double finest_part);

@@ -24,7 +24,7 @@ namespace asterism::internal {
 class outline_curves {
  public:
   // `at` has the edges of the boundary at each vertex; `smooth` is set where two meet that are no
-  // corner. Both, and the mesh, must outlive it.
+  // corner. The mesh, `at` and `smooth` must outlive this object.
   outline_curves(const mesh& m, const std::vector<std::vector<vertex_index>>& at,
                  const std::vector<char>& smooth)
       : mesh_(m), at_(at), smooth_(smooth) {}

@@ -38,7 +38,8 @@ struct snapped_piece {
   std::size_t source = 0;
 };
 
-// A vertex that two segments have in common after snapping, or one segment and a point beside it.
+// A vertex shared, after snapping, by two segments that crossed, or by a segment and a vertex that
+// lay beside it.
 struct snapped_meeting {
   vertex_index vertex = 0;
   std::size_t source = 0, other = 0;  // `other` a segment where they crossed, else a vertex

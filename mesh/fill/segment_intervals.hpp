@@ -19,7 +19,7 @@ namespace asterism::internal {
 
 class segment_intervals {
  public:
-  // Makes an empty list. `d` and the sites must outlive it.
+  // Makes an empty list. `d` and the sites must outlive this object.
   segment_intervals(const domain& d, std::vector<division> divisions, const placed_sites& sites);
 
   // Adds one undivided interval for each segment. The first sites must be the domain's vertices.

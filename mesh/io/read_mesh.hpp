@@ -66,7 +66,7 @@ ASTERISM_EXPORT bool is_metric_file(std::string_view name);
 ASTERISM_EXPORT result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                                  const medit_read_options& options = {});
 
-// Returns the content of read_mesh_file.
+// Reads a mesh as read_mesh_file does; returns the mesh alone, without what else the file holds.
 ASTERISM_EXPORT result<mesh> read_mesh(const std::filesystem::path& path,
                                        const medit_read_options& options = {});
 

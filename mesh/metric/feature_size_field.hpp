@@ -20,7 +20,7 @@ namespace asterism::internal {
 // far). Isolated vertices are ignored.
 class featured_field : public metric_field {
  public:
-  // Makes the field for a checked `d`; `field` must outlive it. Fails where `field` does.
+  // Makes the field for a checked `d`; `field` must outlive this object. Fails where `field` does.
   static result<featured_field> make(const domain& d, const metric_field& field, double longest);
 
   // Returns the metric; may be called from any thread.

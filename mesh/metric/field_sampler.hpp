@@ -14,7 +14,7 @@ namespace asterism::internal {
 
 class field_sampler {
  public:
-  // The field must outlive it.
+  // The field must outlive this object.
   explicit field_sampler(const metric_field& field) : field_(&field) {}
 
   // Returns the site at q; nothing where the field fails.

@@ -63,8 +63,8 @@ logarithm_jet logarithm_of_tensors(const tensor_jet& g) {
   return {scale + factor * a, factor * g.m12, scale - factor * a};
 }
 
-// Returns the weight of a corner over a box, of which what is in the triangle counts: it is between
-// 0 and 1 there.
+// Returns the range over a box of a corner's barycentric coordinate. Only points in the triangle
+// matter, so that the range is clamped to [0, 1].
 interval_jet weight_of(const graded_triangle& t, std::size_t corner, const plane_jet& at) {
   const point &a = t.corners[(corner + 1) % 3], &b = t.corners[(corner + 2) % 3],
               &c = t.corners[corner];

@@ -25,7 +25,7 @@ class graded_region {
     std::size_t triangle = 0;
   };
 
-  // The field must outlive it.
+  // The field must outlive this object.
   explicit graded_region(const graded_parts& field);
 
   std::vector<part> first_parts() const;

@@ -32,7 +32,7 @@ inline constexpr std::array<double, 4> border_lengths = {0.9, 0.6, 0.4, 0.25};
 // The mesh without the triangles of some regions, and its border with these.
 struct frozen_part {
   mesh rest;
-  // Number in the whole mesh of each vertex of the rest.
+  // Number in the whole mesh of each vertex of the part that is not frozen.
   std::vector<vertex_index> vertex_of;
   // Border edges between the rest and the frozen triangles, with the rest on the left, by the
   // rest's numbers.
@@ -56,8 +56,8 @@ ASTERISM_EXPORT std::size_t coarsen_border(frozen_part& part, double longest);
 // kept for the rest.
 ASTERISM_EXPORT mesh_marks marks_of_rest(const frozen_part& part, const mesh_marks& marks);
 
-// Joins the frozen triangles to a mesh of the rest. Returns nothing where an edge of the border is
-// split, or a vertex of it is missing; `split` counts such edges.
+// Joins the frozen triangles to a mesh of the other regions. Returns nothing where an edge of the
+// border is split, or a vertex of it is missing; `split` counts such edges.
 ASTERISM_EXPORT std::optional<mesh> with_frozen(const mesh& made, const frozen_part& part,
                                                 const mesh& whole, std::size_t& split);
 

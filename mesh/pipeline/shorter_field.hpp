@@ -16,7 +16,7 @@ namespace asterism::internal {
 // Multiplies the squared lengths of a field by the square of a factor; each entry is rounded once.
 class shorter_field : public metric_field {
  public:
-  // `field` must outlive it. The factor must be at least 1.
+  // `field` must outlive this object. The factor must be at least 1.
   shorter_field(const metric_field& field, double factor) : field_(&field), factor_(factor) {}
   // Fails where the field does, and where the product is no metric: its numbers leave the range of
   // doubles, or rounding makes it indefinite.

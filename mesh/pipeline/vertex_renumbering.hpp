@@ -17,7 +17,7 @@ namespace asterism::internal {
 // the same quality: the mesher breaks ties by the numbers.
 class vertex_renumbering {
  public:
-  // The domain must outlive it.
+  // The domain must outlive the renumbering.
   explicit vertex_renumbering(const domain& d);
   vertex_renumbering(const vertex_renumbering&) = delete;
   vertex_renumbering& operator=(const vertex_renumbering&) = delete;

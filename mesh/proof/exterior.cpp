@@ -129,7 +129,9 @@ class sweep {
   bool pass(vertex_index v) {
     std::optional<open_chain>* below = find_below(v);
     if (below == nullptr) return false;
-    // The part of the chain below v that remains, and of the chain above v.
+    // Keeps two chains that end at v: `lower` is the lower part of the chain above the edge that
+    // passes just below v; `upper` is the upper part of the chain above the last edge that arrives
+    // at v, or of the former chain if none arrives.
     std::optional<std::vector<vertex_index>> lower, upper;
     if (*below) {
       advance(**below, v);

@@ -43,7 +43,8 @@ std::optional<grid_point> nearest_on_grid(const offset& part) {
   return grid_point{static_cast<std::int64_t>(a), static_cast<std::int64_t>(b)};
 }
 
-// Returns the box whose corner m is `beyond` past both bisectors, and whose sides are so long.
+// Returns the box whose corner m lies at distance `beyond` past both bisectors, with sides of
+// length `side`. Returns none where the grid cannot represent it.
 std::optional<meeting_box> box_at(const gap_ends& g, const meeting_place& p, double side,
                                   double beyond) {
   const auto on_grid_from = [&](const offset& q) {

@@ -16,7 +16,7 @@ namespace asterism::internal {
 // halvings below 0 double it.
 class coarser_field : public metric_field {
  public:
-  // `field` must outlive it.
+  // `field` must outlive this object.
   coarser_field(const metric_field& field, int halvings) : field_(&field), halvings_(halvings) {}
   // Returns the field's tensor divided by 2^halvings. Fails where the field does, and where the
   // tensor would leave the range of normal doubles.

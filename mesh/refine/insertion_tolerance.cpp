@@ -35,8 +35,8 @@ constexpr double finest_part = 32;   // start over finest
 constexpr double fill_shrink = 0.75;
 // Constants of darts: the start as a part of the median distance, and the start over the floor.
 // Half of the median takes 92 and 115 sites on the square with 30 points in swirl:3 and sink:3; a
-// quarter takes 216 and 148, the whole 75 and 152. As for arcs, the number of steps only ends
-// attempts that are stuck.
+// quarter takes 216 and 148, the whole 75 and 152. The number of steps, as that of arcs, matters
+// only for attempts that insert no site: it ends them.
 constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 

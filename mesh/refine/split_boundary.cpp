@@ -42,9 +42,10 @@ bounding_box disk_box(const site& a, const site& b) {
   return box;
 }
 
-// Returns an upper bound of the distance, by a site's metric, of the nearest point of the
-// subsegment if the site encroaches: at no point are both ends farther than this
-// (refine/encroachment_filter.cpp).
+// Returns an upper bound of the distance, in an encroaching site's own metric, from that site to
+// the nearest point of the subsegment. Every point of the subsegment has an end within this
+// distance (refine/encroachment_filter.cpp), and an encroaching site is nearer to some point than
+// both ends.
 double reach_of_encroachers(const site& a, const site& b) {
   constexpr double room = 1 + 0x1p-20;
   const double from_a = std::sqrt(squared_distance(a, b.position)),

@@ -32,7 +32,7 @@ inline double share_of(std::size_t part, std::size_t of) {
 // Makes steps 4 to 8 of the metric for any factor.
 class metric_maker {
  public:
-  // Refers to all of them, which must outlive it.
+  // Refers to the arguments, which must outlive the metric_maker.
   metric_maker(const mesh& m, const solution_metric_options& options,
                const std::vector<tensors>& intersected);
 

@@ -20,8 +20,9 @@ struct solution_metric_report {
   double share_noise = 0;           // of vertices and fields: nothing but rounding
   double share_at_boundary = 0;     // of vertices and fields: the mean of neighbours
   double share_floored = 0;         // of vertices and fields: an eigenvalue was raised
-  // Shares of the optimum's complexity, for the field with the greatest: of places with the least
-  // density, and of others where edges as long as the domain bound the weaker eigenvalue.
+  // Shares of the optimal metric's complexity, each the greatest over the fields: the share of
+  // places where the density is raised to its lower bound, and that of other places where the
+  // weaker eigenvalue is raised, so that no edge is longer than the domain.
   double complexity_at_least_density = 0, complexity_along_ridges = 0;
   double complexity_asked = 0;  // 0 where an error was asked for
   double complexity_before_gradation = 0;

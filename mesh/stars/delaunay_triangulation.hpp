@@ -57,9 +57,9 @@ class delaunay_triangulation {
   // Flips edges until all are Delaunay but those that stay; to be called after the last segment.
   bool settle();
   // Flips edges while is_better(a, b, c, d) says that the edge from c to d is to take the place of
-  // that from a to b, at most so many times. The result is a triangulation with the edges that
-  // stay, and in general not the Delaunay one: must be called last. Returns true if is_better was
-  // called for each remaining edge with the faces that it has in the end.
+  // that from a to b, at most `most` times. The result is a triangulation with the edges that stay,
+  // and in general not the Delaunay one: must be called last. Returns true if is_better was called
+  // for each remaining edge with the faces that it has in the end.
   using comparison =
       std::function<bool(vertex_index a, vertex_index b, vertex_index c, vertex_index d)>;
   bool flip_towards(const comparison& is_better, std::size_t most);

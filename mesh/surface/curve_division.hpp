@@ -11,7 +11,7 @@
 
 namespace asterism::internal {
 
-// The patches of a surface, with their charts and meshes. All must outlive it.
+// The patches of a surface, with their charts and meshes. All must outlive this object.
 struct patch_faces {
   const side_graph& graph;
   const std::vector<surface_chart>& charts;

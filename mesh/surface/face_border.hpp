@@ -17,7 +17,7 @@ namespace asterism::internal {
 // its parameter. Curves of loops run around.
 class face_border {
  public:
-  // Makes the border. Patch and chart must outlive it.
+  // Makes the border. Patch and chart must outlive this object.
   face_border(const surface_patch& patch, const surface_chart& chart);
 
   bool is_trimmed() const { return !trims_.empty(); }

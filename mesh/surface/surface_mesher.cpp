@@ -178,9 +178,10 @@ void surface_meshing::ask_at_first() {
 
 std::optional<error> surface_meshing::agree_on_sides() {
   constexpr int most_exchanges = 12;
-  // Number of exchanges with all that is asked at first. Chosen: on a box with all edges rounded,
-  // 26 trimmed faces in rings, twelve do not suffice, three take minutes and one takes seconds.
-  // Whole patches agree within three.
+  // Number of exchanges of side points in which faces must meet all demands; later exchanges demand
+  // agreeing stars alone. Chosen by experiment: on a box with all edges rounded, 26 trimmed faces
+  // in rings, twelve do not suffice, three take minutes and one takes seconds. Whole patches agree
+  // within three.
   const bool trimmed = std::any_of(planes_.borders.begin(), planes_.borders.end(),
                                    [](const face_border& b) { return b.is_trimmed(); });
   const int full_exchanges = trimmed ? 1 : 3;
@@ -393,8 +394,8 @@ result<surface_mesh> surface_meshing::run() {
     return *wrong;
   std::size_t round = 0;
   for (; round < options_.most_rounds; ++round) {
-    // Divides curves anew only in the first rounds; later they only get more places, so that rounds
-    // end.
+    // Divides the curves from the beginning in the first rounds alone. Later rounds only add points
+    // to the divisions, so that the loop ends.
     if (round < coarse_rounds) curves_.divide(patches(), is_stale_);
     if (auto failed = agree_on_sides()) return *failed;
     if (auto failed = measure()) return *failed;

@@ -16,7 +16,7 @@
 
 namespace asterism::internal {
 
-// Refers to mesh, surface and indexes of both. All must outlive it.
+// Refers to mesh, surface and indexes of both. All must outlive this object.
 struct deviation_scene {
   const space_mesh& mesh;
   const surface& of;

@@ -109,7 +109,8 @@ moved_net moved(const triangle_net& net, const interval_vector& corner, bool is_
   return m;
 }
 
-// Returns the range of R / w, from the corner on.
+// Returns the range of the surface's points R / w (w the weight), relative to the frame's corner.
+// Returns none if a weight is not certainly positive.
 std::optional<direction_range> places(const rough_frame& f, const moved_net& net) {
   axis_ranges ranges;
   rough_field field;

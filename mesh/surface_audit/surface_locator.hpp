@@ -30,7 +30,7 @@ located project(const std::vector<bezier_piece>& pieces, surface_place from, con
 
 class surface_locator {
  public:
-  // Samples each piece on a grid by its degrees. The pieces must outlive it.
+  // Samples each piece on a grid by its degrees. The pieces must outlive this object.
   explicit surface_locator(const std::vector<bezier_piece>& pieces);
 
   // Projects from the nearest sample of each of the few nearest pieces.

@@ -16,7 +16,7 @@
 
 namespace asterism::internal {
 
-// Refers to a curve on its patch. All must outlive it.
+// Refers to a curve on its patch. All must outlive this object.
 struct curve_on_patch {
   const std::vector<bezier_piece>& pieces;
   const patch_spans& spans;  // of the patch

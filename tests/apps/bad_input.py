@@ -27,7 +27,7 @@ def changed(old, new):
     return SQUARE.replace(old, new, 1)
 
 
-# What is wrong, the .poly file, and what the message must match.
+# Lists what is wrong, the text of the .poly file, and a pattern that the message must match.
 FILES = [
     ("empty file", "", r"in\.poly.*(empty|missing|end)"),
     ("comments only", "# nothing\n\n", r"in\.poly"),
@@ -60,7 +60,7 @@ FILES = [
     ("not text", bytes(range(256)) * 40, r"in\.poly:1"),
 ]
 
-# What is wrong, the arguments after `asterism mesh`, and what the message must match.
+# Lists what is wrong, the arguments after `asterism mesh`, and a pattern that the message must match.
 ARGUMENTS = [
     ("no such file", ["missing.poly", "-o", "x.mesh"], r"missing\.poly"),
     ("no such name", ["triangle", "-o", "x.mesh"], r"triangle"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the command says about itself and about files: completions and manual pages are those of its
+"""Tests what the command says about itself and about files: completions and manual pages are those of its
 own options, `info` and `--json` say what the files and certificates say, hints name what helps."""
 import itertools
 import json

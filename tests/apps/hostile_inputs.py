@@ -97,7 +97,7 @@ SQUARE = [(-2.0, -2.0), (2.0, -2.0), (2.0, 2.0), (-2.0, 2.0)]
 
 
 def fan(count, degrees):
-    """A square with segments from its middle, so many degrees apart."""
+    """Returns a square with `count` segments from its middle, each `degrees` from the one before."""
     points = [*SQUARE, (0.0, 0.0)]
     points += [(math.cos(math.radians(degrees * i)), math.sin(math.radians(degrees * i))) for i in range(count)]
     return poly_text(points, ring(0, 4) + [(4, 5 + i) for i in range(count)])

@@ -113,7 +113,7 @@ class Mesh(command.CommandTest):
         self.assertLess(delivered["worst_angle_as_wanted"], 20)
         self.assertLessEqual(low[-1], claim["mesh"]["triangles"])
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
-        # Before, a certificate that did not list its low triangles was believed.
+        # Hides the low triangles from the certificate's list: verify must not believe it.
         hidden = json.loads((self.folder / "m.certificate.json").read_text())
         hidden["outcome"]["delivered"]["low_triangles_as_wanted"] = []
         (self.folder / "hidden.json").write_text(json.dumps(hidden))
@@ -277,7 +277,8 @@ class Mesh(command.CommandTest):
 
     def test_meshing_a_mesh_again_changes_nothing(self):
         limited = ["--metric", "swirl:3", "--size", "0.01", "--max-sites", "500"]
-        # Before, a repeated run added sites up to its limit: twice as many as in the first mesh.
+        # Meshes the first mesh again with the same limit on sites: the second run must not add sites up to the limit
+        # once more.
         self.write("boxes.poly", BOXES)
         for first, job, status in (("airfoil", ["--metric", "swirl:12"], 0),
                                    ("boxes.poly", ["--size", "0.05", "--max-sites", "2000"], 1),
@@ -418,8 +419,8 @@ class Mesh(command.CommandTest):
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
     def test_what_a_metric_says_outside_of_the_domain_was_counted(self):
-        """The domain is a quarter of the square on which the metric is given. Before, edges were five times too short
-        for the metric that the certificate named, with status 0."""
+        """The domain is a quarter of the square on which the metric is given. Tensors outside
+        of the quarter must not count: with them edges are five times too short for the metric of the certificate."""
         self.background()
         self.write("quarter.poly", "4 2 0 0\n1 -1 -1\n2 0 -1\n3 0 0\n4 -1 0\n"
                    "4 1\n1 1 2 1\n2 2 3 1\n3 3 4 1\n4 4 1 1\n0\n")
@@ -433,8 +434,8 @@ class Mesh(command.CommandTest):
                 self.assertGreater(share, 95)
 
     def test_edges_far_from_the_length_asked_for_are_told_with_their_own(self):
-        """For a size far larger than the domain the summary names the mean length. Before, it said "0.00% unit edges"
-        alone, though no coarser mesh exists."""
+        """For a size far larger than the domain the summary names the mean length. The share of unit edges
+        alone, "0.00%", says too little, as no coarser mesh exists."""
         done = self.run_command("mesh", "square", "--size", "1e9", "-o", "m.mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
         # The mesh has four edges of length 2 and a diagonal.

@@ -114,7 +114,7 @@ class PageTest(CommandTest):
         self.fail("the picture is not there after ten seconds")
 
     def test_a_slow_picture_is_moved_and_then_drawn_as_it_is(self):
-        """As of a million triangles: the exact picture comes in slices, and is the one drawn at once."""
+        """Draws as for a million triangles: the exact picture is drawn in slices, and equals the one drawn at once."""
         self.make()
         self.open("a.html")
         self.ask("asterism.stage.pictures.quick = () => false")

@@ -228,7 +228,7 @@ class Periodic(command.CommandTest):
                    % (len(values), "\n".join(map(repr, values))))
 
     def bend_torus(self, bend, digits=17):
-        """Moves all points along x by what `bend` makes of their y, and writes them with so many digits."""
+        """Moves each point along x by bend(y), and writes the coordinates with `digits` digits."""
         lines = (self.folder / "t.mesh").read_text().split("\n")
         first = lines.index("Vertices") + 2
         for k in range(first, first + int(lines[first - 1])):

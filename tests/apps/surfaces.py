@@ -312,8 +312,8 @@ class Surface(CommandTest):
             self.assertIn("curve.json: no triangle has three corners in space", done.stderr)
 
     def test_a_surface_that_is_folded_itself_ends_soon_and_says_where(self):
-        # A fold of the surface itself stays folded in finer meshes. Before, refinement went on to four times as many
-        # vertices.
+        # A fold of the surface itself stays folded in finer meshes. Refinement must give up early: going on takes four
+        # times as many vertices in vain.
         for name, corners in (("crossed", [[[0, 0, 0], [0, 1, 0]], [[1, 1, 0], [1, 0, 0]]]),
                               ("askew", [[[0, 0, 0], [0, 1, 0]], [[1, .7, 0], [1, .2, 0]]])):
             self.write(name + ".json", json.dumps({"patches": [{"degree": [1, 1], "control": corners}]}))
@@ -363,7 +363,7 @@ class Surface(CommandTest):
         self.assertNotIn("://", page)
 
     def test_every_format_with_vertices_is_verified(self):
-        """Files without numbers of faces are refused. Before, they ended `verify` by a signal."""
+        """Files without numbers of faces are refused. `verify` must not end by a signal."""
         for ending in ("obj", "ply", "vtu", "msh", "mesh"):
             with self.subTest(ending):
                 self.make("octant", "--chord", "0.05", "-o", f"o.{ending}", "--certificate", "c.json")

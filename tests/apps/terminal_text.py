@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What reaches a terminal: names of files and parts of them hold no character that it obeys and break no line, long
-words are cut in their middle, and numbers have the digits that are read. JSON has all of it.
-"""
+"""Tests what reaches a terminal: names of files and parts of them hold no character that it obeys and break no
+line, long words are cut in their middle, and numbers have the digits that are read. JSON has all of it."""
 import json
 import math
 import re
@@ -15,7 +14,7 @@ CROSSED = PART.replace("2 2 3 2\n3 3 4 3\n4 4 1 4", "2 2 4 2\n3 4 3 3\n4 3 1 4")
 NAMES = {"line feed": b"a\nb", "return": b"a\rb", "escape": b"a\x1b[31mb", "bell": b"a\x07b",
          "CSI of eight bits": b"a\x9bb", "CSI in UTF-8": "a\u009b31mb".encode(),
          "right to left": "a\u202eb".encode(), "end of paragraph": "a\u2029b".encode()}
-# As typed, NAME being the name; those with --json print an object.
+# Lists commands as typed, with NAME in place of the file's name; commands with --json print an object.
 LINES = ["mesh NAME.poly --size .4 -o NAME.mesh -o NAME.html", "mesh NAME.poly --size .4 -o NAME.mesh --json",
          "verify NAME.mesh --long", "verify NAME.mesh --domain NAME.crossed.poly", "certify NAME.mesh", "info NAME.poly",
          "info NAME.mesh", "info NAME.mesh --json", "info NAME.certificate.json", "mesh NAME.wrong.poly -o q.mesh",

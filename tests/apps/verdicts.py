@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What "certified" and the exit status mean, through the real command: sharp corners, edges that a file lists, lost
-and forged certificates, and the files of a run as one unit."""
+"""Tests what "certified" and the exit status mean, through the real command: sharp corners, edges that a file
+lists, lost and forged certificates, and the files of a run as one unit."""
 import json
 import math
 import re

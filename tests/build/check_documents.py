@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the documents name exists: relative links and files of the project in every Markdown file,
+"""Checks that what the documents name exists: relative links and files of the project in every Markdown file,
 files in comments, and the README's scripts, of which the continuous integration runs the one that
 tests. A page of docs/math that speaks of wedges, arcs, gaps or fans shows one. The table of the
 angle theorem is the one that is proved."""

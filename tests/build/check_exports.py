@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the public headers declare is marked ASTERISM_EXPORT, or the shared libraries would hide it:
+"""Checks that what the public headers declare is marked ASTERISM_EXPORT, or the shared libraries would hide it:
 functions outside classes, and classes with functions that are defined elsewhere."""
 import re
 

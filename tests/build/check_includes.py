@@ -75,7 +75,7 @@ def code(path: pathlib.Path) -> str:
 
 @functools.cache
 def own_includes(path: pathlib.Path) -> list[pathlib.Path]:
-    """Also those that tests include from folders of their own."""
+    """Returns the project's files that a file includes, those that tests include from their own folders among them."""
     named = [pathlib.Path(os.path.normpath(name)) for name in sources.own_includes(TOP, path)]
     of_tests = [pathlib.Path(folder) / name for folder in ("tests/mesh", "bench/angle_theorem")
                 for name in sources.includes(TOP / path)]

@@ -4,7 +4,7 @@ whitelist, through any chain of includes: it must not share code with what it ju
 import sources
 
 COMMON = ("core", "predicates", "kernels", "mesh/support", "mesh/data")
-# What each auditor may use: of the plane, and in space.
+# Folders whose headers each auditor may include: the auditor of plane meshes, and that of surfaces.
 AUDITORS = {"mesh/audit": COMMON + ("mesh/audit",),
             "mesh/surface_audit": COMMON + ("mesh/audit", "mesh/surface_audit")}
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What a compiler opens for a file, and which of that is the standard library: the files it opens
-for all standard headers together. Another library's header lies in the same folders and not among
-them."""
+"""Lists the files that a compiler opens for a source, and those of them that belong to the
+standard library: the files it opens for all standard headers together. Another library's header
+lies in the same folders and not among them."""
 import pathlib
 import subprocess
 

@@ -113,9 +113,9 @@ TEST_CASE("what is measured of the hypotheses is no better than it is") {
   }
 }
 
-// Before, bounds left the range of doubles at such sizes, and each site was compared with all. A
-// square with a size of 1e-150 took 18 times as long as one with 1e-7, and the answer was "not all
-// was measured".
+// Bounds computed from squared lengths leave the range of doubles at such sizes, and each site is
+// then compared with all others: a square with a size of 1e-150 takes 18 times as long as one with
+// 1e-7, and the answer is "not all was measured".
 TEST_CASE("lengths of extreme size are measured and audited as ordinary ones are") {
   const mesh ordinary = meshed_square("swirl:3", 0.05);
   const theorem_hypotheses known = measure_theorem_hypotheses(ordinary, 15);
@@ -163,8 +163,8 @@ TEST_CASE("the theorem does not apply where sites are too near to each other") {
   CHECK_THAT(h.reason, Contains("vertex " + std::to_string(p.at(4, 4) + 1) + " "));
 }
 
-// Each of 2,000 random sites is near hundreds of others. Before, comparing all these pairs took a
-// third of a run, though one short edge shows that the theorem does not apply.
+// Each of 2,000 random sites is near hundreds of others. Comparing all these pairs takes a third of
+// a run, and is not needed: one short edge shows that the theorem does not apply.
 TEST_CASE(
     "of random sites all near pairs were measured, where a few edges told that it does not apply") {
   const auto shape =
@@ -226,7 +226,8 @@ mesh with_far_corner(int cells) {
 
 }  // namespace
 
-// Before, a hundred thousand such sites took hours, which neither a limit nor an interrupt ended.
+// Comparing all pairs of a hundred thousand such sites takes hours. The work limit and an interrupt
+// must end it.
 TEST_CASE("measuring of pairs that are all near ended with no limit") {
   const mesh m = with_far_corner(50);
   const cancellation account = cancellation().with_work(1e9);

@@ -23,9 +23,10 @@ mesh_outcome delivered(double median, double greatest, double wanted, double got
 
 }  // namespace
 
-// Two crossing fronts on a grid of 128,000 vertices. When the work was used up, the mesh in one
-// metric for all had 274 sites, and half of these, in the flat part, had the tensors wanted.
-// Before, the status was 0.
+// Gives two crossing fronts on a grid of 128,000 vertices, for which the work limit is reached. The
+// mesh in one metric for all sites then has 274 of them. Half of these lie in the flat part and
+// have the tensors wanted, so that a median of distances passes; the density of the metric does
+// not. The status must not be 0.
 TEST_CASE(
     "a metric 300 times as thin as the one wanted passed for it, as half of the sites had theirs") {
   mesh_outcome made = delivered(0, 7.2, 66716.1, 194.951);

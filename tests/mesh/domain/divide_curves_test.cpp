@@ -39,8 +39,9 @@ std::size_t chords(const domain& d, double size, bool is_even) {
 
 }  // namespace
 
-// Before, in a loop whose solver moved a ragged boundary, cubics through it were divided where they
-// turned by a fiftieth of their chord. Edges became a hundred thousand times shorter than wanted.
+// Cubics guessed through a ragged boundary must not be divided where they turn by a fiftieth of
+// their chord: in an adaptation loop whose solver moves the boundary, edges become a hundred
+// thousand times shorter than wanted.
 TEST_CASE("a guessed cubic that is shorter than the metric wants is not divided") {
   const domain d = bent_triangle(0.3);  // height 0.075
   CHECK(chords(d, 2, true) > 1);

@@ -171,7 +171,7 @@ TEST_CASE("lines hide triangles whose inscribed circle is less than two lines ac
   CHECK(internal::hidden_by_lines(m, 0.99) == std::vector<bool>{false, false});
   CHECK(internal::hidden_by_lines(m, 1.01) == std::vector<bool>{true, false});
   CHECK(internal::hidden_by_lines(m, 1.6) == std::vector<bool>{true, true});
-  // The first set of triangles has a hundredth of the area, the second the rest.
+  // The first set of triangles has a hundredth of the area, the second the other 99 hundredths.
   CHECK_FALSE(internal::are_most(m, {true, false}));
   CHECK(internal::are_most(m, {false, true}));
   CHECK_FALSE(internal::are_most(m, {}));

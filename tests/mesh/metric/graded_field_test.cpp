@@ -164,7 +164,7 @@ TEST_CASE("scaling box and size by a power of two scales the graded field") {
     const metric_tensor s = scaled.field->at({0.3 * f, 0.01 * f}).value();
     REQUIRE(std::ldexp(s.m22, 2 * exponent) == Approx(m.m22).epsilon(1e-9));
   }
-  // Also takes a box far from the origin, and a thin one.
+  // Grades a field on a box far from the origin, and on a thin box.
   REQUIRE(graded("linear", 1, 1.1, {{1e8, 1e8}, {1e8 + 2, 1e8 + 2}}).report.settled);
   REQUIRE(graded("swirl:24", 0.3, 1.1, {{-1, 0}, {1, 1e-3}}).report.settled);
 }

@@ -58,9 +58,9 @@ affine_image image_of_square(double aspect, double degrees, double size) {
 }  // namespace
 
 TEST_CASE("scaled by powers of two, nothing changes but the scale, with a size as well") {
-  // Before, products of entries near 2^+-800 left the range of doubles. Every box was then infinite
-  // or empty, and all sites were searched for each. Beyond 2^+-80 exact arithmetic decided
-  // everything.
+  // Products of tensor entries near 2^+-800 leave the range of doubles: search boxes become
+  // infinite or empty, and each search visits all sites. Beyond 2^+-80 the filters decide nothing,
+  // and exact arithmetic decides every predicate.
   const mesh_outcome plain = mesh_of(accepted(square()), swirl_in(1), true);
   for (const double scale : {0x1p90, 0x1p-200, 0x1p330, 0x1p400, 0x1p-400, 0x1p480, 0x1p-480}) {
     INFO("scale " << scale);
@@ -78,8 +78,8 @@ TEST_CASE("scaled by powers of two, nothing changes but the scale, with a size a
 }
 
 TEST_CASE("without a size the metric need not be scaled back") {
-  // Before, squares of lengths overflowed, so that the tolerance was infinite and no site could be
-  // inserted.
+  // The squares of these lengths overflow. Without scaling the insertion tolerance is infinite, and
+  // no site can be inserted.
   const mesh_outcome plain = mesh_of(accepted(square()), swirl_in(1), false);
   const double ordinary = plain.ended.tolerance;
   for (const double scale : {0x1p-1000, 0x1p-300, 0x1p600, 0x1p1000}) {
@@ -97,8 +97,8 @@ TEST_CASE("without a size the metric need not be scaled back") {
 }
 
 TEST_CASE("a size as far beyond the domain as may be asked for is met by what is there") {
-  // Before, determinants of the tensors underflowed, every angle counted as low, and refinement
-  // gave up.
+  // The determinants of these tensors underflow. Without scaling every angle counts as low, and
+  // refinement gives up.
   for (const double size : {1e77, 1e100, 1e149}) {
     INFO("size " << size);
     const domain d = accepted(square());
@@ -110,8 +110,9 @@ TEST_CASE("a size as far beyond the domain as may be asked for is met by what is
 }
 
 TEST_CASE("the affine image of an isotropic problem has its quality") {
-  // Before, the squared length of a vector in the long direction cancelled. At an aspect of 1e6
-  // nearly no Voronoi vertex was found, and hundreds of triangles stayed bad.
+  // The squared length of a vector in the metric's long direction cancels. If it is computed from
+  // the tensor's entries, nearly no Voronoi vertex is found at an aspect of 1e6, and hundreds of
+  // triangles stay bad.
   constexpr double size = 0.2;
   const affine_image original = image_of_square(1, 0, size);
   const mesh_outcome plain = mesh_of(original.shape, constant_field(original.metric), true);

@@ -235,8 +235,9 @@ TEST_CASE("a net takes a split of a subsegment, unless its place is on the wrong
   }
 }
 
-// Before, a site flipped at most 64 edges, so that a vertex with nearly all others as neighbours
-// stayed one: 20,832 and 30,858 sites, and 50 times the work for 100,000 vertices as for 10,000.
+// A limit of 64 flips for each inserted site is too low: a vertex that has nearly all others as
+// neighbours keeps them. The two meshes then have 20,832 and 30,858 sites, and 100,000 vertices
+// take 50 times the work of 10,000.
 TEST_CASE("a circle of equal edges, or of ever longer ones, takes sites as its edges are many") {
   constexpr vertex_index count = 10000;
   for (const double grows : {0.0, 5.0}) {
@@ -274,14 +275,14 @@ TEST_CASE("a noisy ring of given vertices takes fewer sites than one that is fil
   }
 }
 
-// Before, the whole lower side counted as beside the corners at its ends. Thousands of triangles
-// were left to stars, which gave up.
+// Only the ends of the lower side are beside its sharp corners. If the whole side counted as beside
+// them, thousands of triangles would be left to star refinement, which gives up.
 TEST_CASE("of a strip with sharp corners at its ends the whole was left to the stars") {
   check_meshed_with_20_degrees(flat_comb(520), 13000);
 }
 
-// Before, sites in the middle of triangles divided the spikes along their whole length: 31,023
-// sites for 2,000 spikes, and no mesh. The same happened with 900.
+// Sites in the middle of triangles divide the spikes along their whole length: 31,023 sites for
+// 2,000 spikes, and no mesh; likewise for the 900 spikes of this test.
 TEST_CASE("spikes with sharp corners were divided for triangles between their feet") {
   check_meshed_with_20_degrees(needles(900), 3000);
 }

@@ -122,7 +122,8 @@ TEST_CASE("guaranteed: a steep metric that sites can resolve is not given up") {
   make_and_check(accepted(square()), shock, with_size(true));
 }
 
-// Before, the last division's share of the whole length came out one ulp below 1.
+// Rounding can put the last division at a share of the whole length one ulp below 1, which would
+// leave a subsegment of one ulp.
 TEST_CASE("guaranteed: dividing a segment leaves no subsegment of a rounding error's length") {
   splitmix64 random(7);
   const formula_field field = sized(swirl_field(5), 0.12);
@@ -156,9 +157,9 @@ TEST_CASE("guaranteed: in a steep field doubles decide nearly every edge test") 
   CHECK(by(tier::interval) + by(tier::exact) < 0.01 * by(tier::semi_static));
 }
 
-// Before, the sides of a square were divided alike, so that at each corner successive quadruples of
-// sites were on one circle up to rounding. 137 questions were decided by exact numbers, in a third
-// of the time.
+// If the two sides at a corner of the square were divided alike, successive quadruples of sites
+// there would lie on one circle up to rounding. Exact arithmetic would decide 137 predicates, in a
+// third of the run's time.
 TEST_CASE("guaranteed: sites on both sides of a symmetric corner are no exact ties") {
   const formula_field field = sized(swirl_field(24), 0.06);
   const mesh_outcome made = mesh_of(accepted(square()), field, with_size(true));
@@ -183,8 +184,9 @@ TEST_CASE("guaranteed: parallel sides of a strip are divided at the same places"
   }
 }
 
-// Where the metric varies by a factor along an edge, some gaps have no Voronoi vertex. Before, ever
-// farther sites were tested for them, each refused by intervals: 100 questions for each site.
+// Where the metric varies by a factor along an edge, some gaps have no Voronoi vertex. A search for
+// their neighbours must not go on to ever farther sites, each refused by interval arithmetic: that
+// takes 100 edge tests a site.
 TEST_CASE("guaranteed: stars with gaps that have no vertex are made of near sites") {
   const formula_field field = sized(swirl_field(24), 0.2109);
   const mesh_outcome made = mesh_of(accepted(square()), field, with_size(true));
@@ -224,7 +226,8 @@ TEST_CASE("guaranteed: a jump by 1e4 in size ends with the reason") {
   CHECK(ending_text(made).find("bad triangles are left") != std::string::npos);
 }
 
-// Before, the fill took minutes, since every site was a neighbour of a part of all others.
+// In this metric every site is a neighbour of a fixed share of all others, so that a fill without a
+// work limit takes minutes.
 TEST_CASE("guaranteed: a metric too wild for sites to be spread ends by count, with the place") {
   const formula_field wild = sized(swirl_field(1e8), 10);
   const mesh_outcome one = mesh_of(accepted(square()), wild, as_given(with_size(true)));
@@ -301,7 +304,8 @@ TEST_CASE("guaranteed: polygons of many short segments, with a size and without"
         static_cast<double>(made.counters.at(predicate::orientation, tier::semi_static));
     CHECK(asked < questions * static_cast<double>(made.sites));
   };
-  // Before, no sites were spread inside first, and every vertex had all others in view.
+  // Without sites spread inside first every vertex sees all others, and the number of orientation
+  // tests grows with the square of the number of vertices.
   check(polygon(2500, 0), true, 16000, 1000);
   check(polygon(2500, 0.3), true, 12000, 1000);
   check(polygon(2500, 0.3), false, 8000, 5000);
@@ -342,9 +346,9 @@ TEST_CASE("guaranteed: the limit on sites is kept and named") {
     CHECK(made.sites <= most);
     CHECK(ending_text(made).find("limit of " + std::to_string(most)) != std::string::npos);
     if (most < 100) continue;
-    // Before, a run failed where the segments alone needed more sites than allowed, and else was
-    // fine in one part of the domain and coarse in the rest. Now edges are longer everywhere by one
-    // factor; angles and stars are as asked.
+    // A limit on sites lengthens edges everywhere by one factor, with the angle bound met and all
+    // stars in agreement. The run must neither fail where the segments alone need more sites than
+    // allowed, nor make fine edges in one part of the domain and coarse ones elsewhere.
     CHECK(made.disagreeing == 0);
     CHECK(made.low_angle == 0);
     CHECK(made.too_large > 0);

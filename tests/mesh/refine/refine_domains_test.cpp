@@ -77,8 +77,9 @@ TEST_CASE("free ends an ulp from the boundary, and a domain far from the origin"
 }
 
 TEST_CASE("a sharp corner excuses nothing in the wide corner beside it") {
-  // At (5, 5) there are 14 degrees above the chain's last segment and 76 below it. Before, a
-  // triangle below was called exempt, and the audit refused a mesh called complete.
+  // At (5, 5) there are 14 degrees above the chain's last segment and 76 below it. A triangle below
+  // it is not exempt: if refinement called it so, the audit would refuse a mesh that refinement
+  // calls complete.
   domain d = polygon(box_ring(0, 0, 5, 5));
   add_ring(d, {{3, 2}, {2, 2}, {2, 1}, {3, 1}});
   add_chain(d, {{1, 0}, {1, 4}, {1, 5}});
@@ -92,7 +93,8 @@ TEST_CASE("a sharp corner excuses nothing in the wide corner beside it") {
 
 TEST_CASE("a Voronoi vertex on a segment has it split, though nothing encroaches") {
   // The right angle at (3, 3) faces the subsegment from (3, 4) to (3.25, 3). Its circumcentre is
-  // the subsegment's middle, neither inside nor encroaching. Before, refinement ended there.
+  // the subsegment's middle, neither inside nor encroaching. Refinement must split the subsegment
+  // and not end there.
   domain d = polygon(box_ring(0, 0, 5, 5));
   add_chain(d, {{0, 5}, {2, 4}});
   add_chain(d, {{3, 4}, {4, 0}});

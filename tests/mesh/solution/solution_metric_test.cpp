@@ -299,8 +299,9 @@ TEST_CASE("the metric is the same for any number of threads") {
 }
 
 TEST_CASE("a front asks for small triangles on the line where its second derivatives vanish") {
-  // Before, averages of signed derivatives, or a quadratic over two rings, found nearly nothing
-  // where the front is as wide as an edge, and a loop never resolved the front.
+  // Gives a front as wide as an edge. Averages of signed second derivatives cancel there, and a
+  // quadratic over two rings of neighbours is nearly flat: with either, adaptation never resolves
+  // the front.
   const mesh m = tests::sample_mesh(20);
   const auto across = [](const point& q) { return std::tanh(10 * q.x); };
   solution_metric_options options;
