@@ -39,5 +39,5 @@ def certify(points: "npt.ArrayLike | Mesh", triangles: Optional[npt.ArrayLike] =
     elif triangles is None:
         raise InputError("triangles: (t, 3) are wanted beside the points")
     else:
-        of = Mesh(points, triangles, (1, 0, 1) if metric is None else metric)
+        of = Mesh._to_judge(points, triangles, (1, 0, 1) if metric is None else metric)
     return judged(_asterism._certify(of._made, {"angle_bound": angle_bound, "voronoi": voronoi or prove_voronoi}))

@@ -21,6 +21,11 @@ Doubles = npt.NDArray[np.float64]
 Wholes = npt.NDArray[np.int32]
 
 
+def _made_of(points: npt.ArrayLike, triangles: npt.ArrayLike, metric: npt.ArrayLike, more: Dict[str, Any]) -> _Mesh:
+    at = doubles("points", points)
+    return _Mesh.from_arrays(at, triangles, definite("metric", tensor_rows("metric", metric, len(at))), more)
+
+
 @told_methods
 class Mesh:
     """Triangles and the metric at their points.
@@ -40,9 +45,8 @@ class Mesh:
                  required_edges: Optional[npt.ArrayLike] = None) -> None:
         if markers is not None and edge_markers is not None:
             raise InputError("markers, edge_markers: two names of one thing, and both are given")
-        at = doubles("points", points)
-        self._made = _Mesh.from_arrays(
-            at, triangles, definite("metric", tensor_rows("metric", metric, len(at))),
+        self._made = _made_of(
+            points, triangles, metric,
             {"regions": regions, "edges": edges, "edge_markers": markers if edge_markers is None else edge_markers,
              "corners": corners, "required_points": required_points, "required_edges": required_edges})
         self._take_values(values)
@@ -56,6 +60,10 @@ class Mesh:
                                  f"array of the shape {held.shape}")
             held.setflags(write=False)
             self._values[name] = held
+
+    @classmethod
+    def _to_judge(cls, points: npt.ArrayLike, triangles: npt.ArrayLike, metric: npt.ArrayLike) -> Mesh:
+        return cls._of(_made_of(points, triangles, metric, {"is_judged": True}))
 
     @classmethod
     def _of(cls, made: _Mesh, values: Optional[Mapping[str, Any]] = None) -> Mesh:

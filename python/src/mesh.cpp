@@ -199,7 +199,8 @@ void turn_over(mesh& m) {
                       std::to_string(turned.first));
 }
 
-// Makes a mesh from elsewhere: nothing is known of how it was made.
+// Makes a mesh from elsewhere: nothing is known of how it was made. more may have "is_judged": the
+// triangles stay as they are, since whether they are clockwise is what is asked.
 py_mesh from_arrays(const py::object& points, const py::object& triangles, const py::object& metric,
                     const py::dict& more) {
   const keywords given(more);
@@ -222,7 +223,7 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
                         std::to_string(t[0] == t[1] ? t[0] : t[2]) + " twice");
     m.triangles.push_back(t);
   }
-  turn_over(m);
+  if (!given.has("is_judged")) turn_over(m);
   if (given.has("regions"))
     m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size(), "triangle");
   add_edges(m, given.object("edges"), given.object("edge_markers"));

@@ -276,6 +276,13 @@ def test_clockwise_triangles_are_turned_over_and_told():
     assert asterism.adapt(both, [0, 1, 1, 0], vertices=60).mesh.certified
 
 
+def test_clockwise_triangles_that_are_judged_stay_as_they_are():
+    points = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    judged = asterism.certify(points, [(0, 1, 2), (0, 3, 2)], angle_bound=0)
+    assert not judged["certified"] and judged["findings"][0]["kind"] == "orientation"
+    assert asterism.certify(points, [(0, 1, 2), (0, 2, 3)], angle_bound=0)["certified"]
+
+
 def test_pictures_and_other_packages(made):
     assert made._repr_svg_().lstrip().startswith("<?xml") and "<svg" in made.svg(ellipses=True)
     meshio = pytest.importorskip("meshio")
