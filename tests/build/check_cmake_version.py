@@ -7,6 +7,7 @@ own files. The list has what such files are likely to use; a configuration by CM
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -45,7 +46,8 @@ def problems_of(entry):
 
 def main():
     top, work, cmake = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]), sys.argv[3]
-    work.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
     trace = work / "trace.json"
     subprocess.run([cmake, "-G", "Ninja", "-S", top, "-B", work / "build", "-DASTERISM_BUILD_MESHER=OFF", "-DASTERISM_BUILD_TESTS=OFF",
                     "-DBUILD_SHARED_LIBS=ON", "--trace", "--trace-format=json-v1", f"--trace-redirect={trace}"],
