@@ -74,7 +74,7 @@ std::optional<error> check_job(const mesh_job& job) {
   if (asked.improve_passes > 0)
     return refuse("--improve: it moves sites over a whole mesh, which --pieces does not make");
   if (asked.prove_voronoi)
-    return refuse("--certify voronoi: it is proved of whole meshes, which --pieces does not make");
+    return refuse("--voronoi: it is proved of whole meshes, which --pieces does not make");
   if (asked.metric_tolerance.value_or(0) > 0)
     return refuse("--metric-tolerance: with --pieces the metric is as given, a tolerance of 0");
   if (job.max_megabytes) return refuse("--max-memory: a mesh in pieces takes the memory of one");
