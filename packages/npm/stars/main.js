@@ -49,7 +49,7 @@ function showWhole() {
 
 const reachOfEllipses = () => state.ellipseScale * Math.max(...(state.ellipsesOf ?? [...state.set.sites.keys()]).map((v) => axesOf(state.set.sites[v].slice(2)).long));
 
-// Returns metrics whose unit circles fill the space around each site.
+// Returns the factor with which the sites' unit circles about fill the space that there is.
 function fittingScale() {
   const { sites } = state.set, [left, bottom, right, top] = boxOfSites();
   const sizes = sites.map((s) => { const { long, short } = axesOf(s.slice(2)); return Math.sqrt(long * short); }).sort((a, b) => a - b);
@@ -615,8 +615,8 @@ function showBox({ sites }) {
     for (const k of [0, 1]) box[k] = Math.min(box[k], sites[i + k]), box[k + 2] = Math.max(box[k + 2], sites[i + k]);
   view.show(box);
 }
-// Restores the polygon as it was before refinement divided its sides, with the scene's points
-// inside.
+// Returns the polygon as it was before refinement divided its sides, with the scene's points
+// inside, or null without one.
 function domainOf() {
   const made = state.scene.id === 'yours' ? { polygon: state.polygon } : SCENES[state.sceneAt].make();
   if (!made.polygon) return null;

@@ -29,7 +29,7 @@ export function fieldOfSites(sites) {
   };
 }
 
-// Returns the square root of a symmetric matrix, positive definite or not.
+// Returns the exponential of a symmetric matrix, positive definite or not.
 function expOf([a, b, c]) {
   const mean = (a + c) / 2, half = (a - c) / 2, r = Math.hypot(half, b), e = Math.exp(mean);
   const even = e * Math.cosh(r), odd = r === 0 ? e : e * Math.sinh(r) / r;

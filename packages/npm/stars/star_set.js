@@ -67,7 +67,7 @@ export class StarSet {
         if (this.isBetween(v, a, w) || this.isBetween(v, b, w)) return false;
       } else if (ofA * ofB <= 0 && this.turn(a, b, v) * this.turn(a, b, w) <= 0) return false;
     }
-    // Returns a border vertex in the open segment from v to w.
+    // No border vertex next to v or w may be in the open segment from v to w.
     return [v, w].every((at) => [this.next.get(at), this.previous.get(at)].every((u) =>
       u === undefined || u === v || u === w || this.turn(v, w, u) !== 0 || !this.isBetween(v, u, w)));
   }
