@@ -38,8 +38,9 @@ bool is_all_finite(const Argument& a) {
   return finite;
 }
 
-// Tests the metrics of a question's sites, and that of a circle, which must be positive definite;
-// for any other metric that may be the question itself.
+// Tests the metrics of a question's sites, and the metric of a circle: they must be positive
+// definite. Does not test the metrics of other questions, which may ask whether a metric is
+// positive definite.
 template <predicate Question, class Argument>
 bool is_surely_sound(const Argument& a) {
   if (!is_all_finite(a)) return false;

@@ -176,8 +176,8 @@ class direction_cover {
     return first_at(right, w_right) && first_at(left, w_left);
   }
 
-  // True if the cone is beyond z's ray, as w's ray has it, and the triangle of v, w and the point
-  // contains z.
+  // True if z's ray is between w's ray and the cone of directions, and in each direction of the
+  // cone the triangle of v, w and the point on w's bisector contains z.
   bool is_enclosed(const neighbour& side, const direction& right, const direction& left,
                    const bounded& w_right, const bounded& w_left) const {
     const bool on_left = side.turn.certainly_positive();
@@ -186,7 +186,7 @@ class direction_cover {
       if (end.neighbour == side.z) return certainly_less(of_w, bounded(1));
       const bounded beyond = cross(side.z->offset, end.e);
       if (!(on_left ? beyond : -beyond).certainly_positive()) return false;
-      // Returns l(e) turn, for l linear and 1 at w and z.
+      // Computes turn times l(e), where l is the linear function that is 1 at w and at z.
       const bounded line = cross(end.e, side.z->offset) + cross(w_.offset, end.e);
       const bounded product = of_w * side.turn;
       return on_left ? certainly_less(product, line) : certainly_less(line, product);

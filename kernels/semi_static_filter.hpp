@@ -167,8 +167,8 @@ inline bool crossed_less_than_twice(double seen_near, double half_magnitude,
          decide(a + h, lengths + mixed, factor).certainly(sign::positive);
 }
 
-// Decides domination where the nearer site's segment meets the bisector less than twice: that site
-// dominates then, unless a tangency, which none of the conditions allows, counts one point.
+// Decides domination where the nearer site's segment meets the bisector less than twice: then that
+// site dominates. Each condition excludes tangencies, where two meetings would count as one.
 inline uncertain_sign dominates(const site& v, const site& w, const point& p) {
   const two_displacements u = between(v.position, w.position, p);
   const displacement<double> d = between(v.position, w.position);

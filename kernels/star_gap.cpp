@@ -185,7 +185,8 @@ double star_gap::reach_along_edge(const neighbour& z) const {
   return (1 + tolerance_) * length * greater(share, 0.5);
 }
 
-// Returns R of the lemma, in the frame. Requires can_refuse_.
+// Returns the reach R of lemma 4.3 (docs/math/certificate.md), in lengths of the frame: no site
+// farther than R is accepted by the gap. Requires can_refuse_.
 double star_gap::reach_in_frame() const {
   const double along_edges = greater(reach_along_edge(x_), reach_along_edge(y_));
   return greater(std::sqrt(u_squared_) / lowest_, along_edges);
@@ -251,7 +252,9 @@ bool star_gap::allows(const neighbour& z, double turn, const candidate& w, doubl
   return s * turn - (beyond + between) > tolerance_ * apart;
 }
 
-// Convex upper bound S of w's s: s itself where that is convex, its tangent at u where concave.
+// Convex upper bound S of s_w, the inverse of the parameter at which a ray first meets w's bisector
+// (docs/math/certificate.md, section 4.2): s_w itself where it is convex, its tangent at u where it
+// is concave.
 struct star_gap::upper_bound {
   double convexity = 0, convexity_error = 0;
   bool concave = false;

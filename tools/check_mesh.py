@@ -474,7 +474,7 @@ class Gaps:
                 if a == w or b == w or (reverse >= 0 and reverse // 3 in known): continue
                 (_, _, mx, my, of_a), (bx, by, _, _, of_b) = look(a), look(b)
                 both = mx * bx + my * by
-                # The edge is missed if both ends are, and the nearest point is one, or is missed.
+                # The ball misses the edge if both ends are outside and the edge's nearest point is an end or outside.
                 if of_a > radius and of_b > radius and (both >= of_a or both >= of_b or (
                         of_a * of_b - both * both > beyond * (of_a + of_b - 2 * both))): continue
                 need(reverse >= 0, f"the ball around vertex {w + 1} meets the rectangle's rim")

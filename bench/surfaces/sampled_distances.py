@@ -65,7 +65,7 @@ class Patch:
             a, b = np.sum((q - p) * u, axis=1), np.sum((q - p) * v, axis=1)
             det = np.maximum(e * g - f * f, 1e-300)
             step = np.stack([(g * a - f * b) / det, (e * b - f * a) / det], axis=1)
-            # At a side only the other parameter is free.
+            # On a side of the patch steps across the side are held: only the other parameter moves.
             held = ((uv <= low) & (step < 0)) | ((uv >= high) & (step > 0))
             alone = np.stack([a / np.maximum(e, 1e-300), b / np.maximum(g, 1e-300)], axis=1)
             step = np.where(held, 0, np.where(held[:, ::-1], alone, step))

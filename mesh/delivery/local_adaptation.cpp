@@ -295,8 +295,8 @@ class local_adaptation {
   // Splits edges that are still too long for stars to agree, which the unit mesh left.
   void split_left_long(working_mesh& m, unit_mesher& maker, std::size_t most_nodes) const {
     repair_options agree = asked_of_agreement(maker.unit());
-    // Bounds the rounds: these are enough to find the edges that stars need, and the rest is mended
-    // when the mesh is delivered.
+    // Bounds the rounds: these are enough to find the edges that stars need. Stars that still
+    // disagree are repaired when the mesh is delivered.
     agree.most_rounds = 12;
     agree.angle_bound = 0;  // low angles are mended then, too
     constexpr int rounds = 3;

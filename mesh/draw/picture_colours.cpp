@@ -71,7 +71,8 @@ std::vector<double> of_triangles(const mesh& m, const Of& of) {
   return values;
 }
 
-// Colours angles from the bound on, lower ones alike; without a bound from the least angle on.
+// Colours each triangle by its least angle, on a scale from the bound to 60 degrees; angles below
+// the bound all get the scale's first colour. Without a bound the scale begins at the least angle.
 picture_colouring by_angle(const mesh& m, double bound) {
   const std::vector<double> values =
       of_triangles(m, [&](const triangle& t) { return smallest_angle(m, t); });

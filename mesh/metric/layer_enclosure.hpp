@@ -20,7 +20,7 @@ struct layer_enclosure {
   rounded_interval across, along;
   rounded_interval across_by_normal, across_by_tangent;  // the derivatives of A along n and t
   rounded_interval along_by_normal, along_by_tangent;    // those of B
-  // B/A - A/B times the derivatives of the normal's angle, in radians.
+  // The derivatives along n and t of the normal's angle, in radians, times B/A - A/B.
   rounded_interval turn_by_normal, turn_by_tangent;
 };
 

@@ -2,9 +2,10 @@
 //
 // Adapts a mesh except for the triangles of some of its regions, which stay as they are.
 //
-// The rest is adapted, certified and verified as a mesh of its own: the border with the frozen
-// regions is a part of its boundary, of which every vertex stays. The file has both parts together:
-// first the rest's vertices, triangles and edges, then the others.
+// The other regions are adapted, certified and verified as a mesh of their own, called the rest:
+// the border with the frozen regions is a part of its boundary, of which every vertex stays. The
+// file has both parts together: first the vertices, triangles and edges of the rest, then those of
+// the frozen regions.
 //
 // A mesher splits edges of a boundary for the metric or for stars, but edges of the border must
 // not be split. So the tensors at its vertices are made coarser, by equal factors in all

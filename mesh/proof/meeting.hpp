@@ -64,7 +64,8 @@ class meeting_plane {
   std::array<box_polynomial<whole>, 3> excess_;
 };
 
-// Returns how many coefficients a weight has in a list of three; 0 where the list is none.
+// Returns the number of coefficients of one weight in the list of three weights' coefficients; 0 if
+// the list has no valid length.
 std::size_t weight_size(std::span<const whole> weights);
 
 // True if x and y are equally far with v in one point of the box, and see what is_seen() says.

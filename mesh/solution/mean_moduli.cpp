@@ -12,7 +12,7 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the tensor with the moduli of the eigenvalues, taken to the power.
+// Returns the tensor whose eigenvalues are the moduli of h's, raised to `power`.
 metric_tensor power_of_moduli(const metric_tensor& h, double power) {
   const symmetric_eigen e = eigen_of(h);
   return with_eigenvalues(e, elementary::pow(std::abs(e.first), power),

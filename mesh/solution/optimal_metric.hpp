@@ -39,11 +39,11 @@ struct optimal_metric {
 
 // Returns the optimal metric. `norm` is p >= 1; none stands for infinity. No density (the root of
 // the determinant) is below `floor_share` over the area of the domain, so that all places without
-// second derivatives take at most that share of the complexity. No eigenvalue is below the one
-// given, or that density if it is less. Elsewhere the metric is the optimum under these bounds. At
-// a place with the least density the weaker eigenvalue is the lowest with that density: from
-// strong to flat places shapes change continuously. `round` gives both moduli the greater one's
-// value.
+// second derivatives take at most that share of the complexity. No eigenvalue is below the given
+// bound, or below the least density where that is less. Elsewhere the metric is the optimum under
+// these bounds. At a place with the least density the weaker eigenvalue is the lowest with that
+// density: from strong to flat places shapes change continuously. `round` gives both moduli the
+// greater one's value.
 optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
                                    const std::vector<double>& areas, std::optional<double> norm,
                                    bool round, const optimum_bounds& bounds);

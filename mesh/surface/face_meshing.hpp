@@ -69,7 +69,7 @@ class face_meshing {
   result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
   void keep_vertices(bool kept) { keeps_ = kept; }
-  // Asks this of the meshes to come.
+  // Sets what the next meshes of the face must meet.
   void ask_for(plane_demand demand) { demand_ = demand; }
   plane_demand demand() const { return demand_; }
   // Returns what the present mesh was made with.

@@ -65,7 +65,7 @@ void check_ranges(const mesh_arguments& a) {
 mesh_arguments arguments_of(const keywords& given, std::size_t vertices_of_domain) {
   mesh_arguments a;
   a.size = given.positive("size");
-  // Beyond these, squares leave the range of doubles.
+  // Bounds the sizes, whose squares must stay within the range of doubles.
   constexpr double least = 1e-150, most = 1e150;
   if (a.size && !(*a.size >= least && *a.size <= most))
     throw input_error("size: a number from 1e-150 to 1e150 is wanted, not " + text_of(*a.size));

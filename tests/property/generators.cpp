@@ -162,7 +162,8 @@ four_sites collinear(random_source& random) {
 }
 
 // M (position) = (s, 0) and position . (s, 0) = s for all: the squared distances agree at the
-// origin to first order, so every bisector is two lines through it. Two sites may leave the family.
+// origin to first order, so every bisector is two lines through it. Up to two sites are drawn anew,
+// without these conditions.
 four_sites crossing_line_pairs(random_source& random) {
   const double s = random.integer(1, 3);
   four_sites sites = each([&] {
