@@ -212,6 +212,12 @@ class IncludeTest(unittest.TestCase):
             self.assertEqual((status, numbers), (2, []), text)
             self.assertIn(words, text)
 
+    def test_an_error_that_no_mesh_has_is_refused(self):
+        for error in ("-1", "0"):
+            status, numbers, text, _ = call("x * x", f"err = {error}")
+            self.assertEqual((status, numbers), (2, []), text)
+            self.assertIn("err is greater than 0", text)
+
     def test_included_twice(self):
         status, numbers, text, _ = run('include "asterism.idp"\nmesh Th = square(5, 5);\n'
                                        'asterismadapt(Th, x * x + y * y, vertices = 300)\ncout << "GOT " << Th.nv << endl;\n')
