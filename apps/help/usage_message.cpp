@@ -176,7 +176,8 @@ std::string shortest_use(const CLI::App& app) {
   return "usage: asterism " + app.get_name() + arguments + options + " ...";
 }
 
-// Returns text such as "; --repair-domain stands alone" if a flag is followed by an unexpected value.
+// Returns a clause such as "; --repair-domain stands alone" if a value that was not expected
+// follows a flag.
 std::string flag_with_value(const CLI::App& app, const std::vector<std::string>& words,
                             const CLI::ParseError& failure) {
   if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr) return "";
@@ -275,9 +276,9 @@ std::string meant_instead(const std::string& word) {
   for (const auto& [theirs, ours] : foreign_commands)
     if (theirs == word) return "; here it is " + std::string(ours);
   std::error_code ignored;
-  const bool is_file = std::filesystem::is_regular_file(word, ignored);
   if (word == "square" || word == "airfoil") return "; did you mean asterism mesh " + word + "?";
-  return is_file ? "; did you mean asterism info " + word + ", or mesh, certify or draw?" : "";
+  if (!std::filesystem::is_regular_file(word, ignored)) return "";
+  return "; did you mean asterism info " + one_line(word) + ", or mesh, certify or draw?";
 }
 
 std::string no_such_command(const CLI::App& program, const std::string& word) {
