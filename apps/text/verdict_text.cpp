@@ -63,9 +63,10 @@ std::string with_places_once(std::string sentence) {
   return sentence;
 }
 
-// Returns a finding's sentence with the digits that people read: six of each number, unless another
-// number of the sentence has the same six, and the place of each vertex once. Certificates and
-// --json have all of it.
+// Returns a finding's sentence with the digits that people read: six of each number with a fraction
+// or an exponent, unless another number of the sentence has the same six, and the place of each
+// vertex once. Whole numbers keep all digits, since they name vertices, triangles and regions.
+// Certificates and --json have all digits of all numbers.
 std::string short_witness(const std::string& witness) {
   std::vector<sentence_part> parts = parts_of(with_places_once(one_line(witness)));
   std::map<std::string, std::set<double>> alike;
@@ -74,7 +75,8 @@ std::string short_witness(const std::string& witness) {
   std::string text;
   for (const sentence_part& part : parts) {
     const std::string rounded = part.number ? fmt::format("{:.6g}", *part.number) : "";
-    const bool is_shorter = part.number && rounded.size() < part.text.size();
+    const bool is_shorter = part.number && rounded.size() < part.text.size() &&
+                            part.text.find_first_of(".e") != std::string::npos;
     text += is_shorter && alike[rounded].size() == 1 ? rounded : part.text;
   }
   return text;

@@ -21,7 +21,8 @@ LINES = ["mesh NAME.poly --size .4 -o NAME.mesh -o NAME.html", "mesh NAME.poly -
          "mesh NAME.crossed.poly -o q.mesh", "draw NAME.mesh -o NAME.svg", "convert NAME.mesh NAME.msh", "mesh NAME -o q.mesh",
          "mesh square -o NAME", "mesh square --metric NAME -o q.mesh", "mesh square --size NAME -o q.mesh",
          "mesh square --NAME -o q.mesh", "mesh square --refine NAME -o q.mesh", "mesh square --size-near NAME:.1 -o q.mesh",
-         "NAME", "help NAME", "man NAME", "completion NAME", "eval NAME", "challenge ./NAME", "mesh square -o noNAME/x.mesh",
+         "NAME", "NAME.poly", "help NAME", "man NAME", "completion NAME", "eval NAME", "challenge ./NAME",
+         "mesh square -o noNAME/x.mesh",
          "mesh NAME.poly --size .4 -o NAME.mesh --proof NAME.proof",
          "check NAME.mesh NAME.proof --angle-bound 20 --metric NAME.sol --domain NAME.poly",
          "check NAME.mesh NAME.poly --angle-bound 20 --metric NAME.sol",
@@ -89,6 +90,12 @@ class TerminalText(command.CommandTest):
             self.assertEqual(len(places), 3, line)
         exact = json.loads(self.run_command("certify", "a.mesh", "--json").stdout)["witnesses"]
         self.assertTrue(any(re.search(r"\d\.\d{12,}", witness) for witness in exact))
+
+    def test_numbers_of_regions_keep_their_digits(self):
+        self.write("t.mesh", "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+                   "Triangles\n2\n1 2 3 1000001\n1 3 4 1000000\nEdges\n4\n1 2 1\n2 3 1\n3 4 1\n4 1 1\nEnd\n")
+        said = self.run_command("certify", "t.mesh").stdout
+        self.assertRegex(said, r"wrong_region: .* is in region 1000000, .* is in region 1000001, ")
 
     def test_an_angle_just_below_the_bound_keeps_its_digits(self):
         # The diagonal of a quadrangle leaves 1e-7 degrees less than the bound beside it.
