@@ -40,9 +40,9 @@ std::string verdict_of(const certified_mesh& made) {
   return in_colour("NOT certified", ink::red, 1) + ", incomplete";
 }
 
-// Returns, where most edges have no metric length near 1, their mean length: a domain whose sides
-// are shorter than the size has none, and yet the mesh is as coarse as it can be; and a metric that
-// no size was asked in has lengths of its own.
+// Returns the mean length of edges, where most have no metric length near 1; else nothing. Of a
+// domain whose sides are shorter than the size no mesh has such edges, and a metric that was made
+// without a size may have any lengths.
 std::string mean_length_text(double part, double mean) {
   return part < 0.5 && mean > 0 ? fmt::format(" (mean length in the metric {:.3g}, not 1)", mean)
                                 : "";
@@ -55,11 +55,12 @@ std::string unit_edges_text(double part, const std::map<std::string, double>& me
          mean_length_text(part, mean == measured.end() ? 0 : mean->second);
 }
 
-// Returns a change of lengths by the logarithm of its factor: small ones in percent, of which times
-// show no digit.
+// Returns a change of lengths, from the logarithm of its factor: in percent up to 99 %, and as a
+// factor beyond.
 std::string change_text(double logarithm) {
   const double factor = elementary::exp(logarithm);
-  if (factor >= 2) return fmt::format("{:.3g} times", factor);
+  // Two digits of 99.5 % and more would be written 1e+02.
+  if (factor >= 1.99) return fmt::format("{:.3g} times", factor);
   return fmt::format("{:.2g} %", 100 * (factor - 1));
 }
 
