@@ -32,7 +32,7 @@ result<surface> find_surface(const std::string& name) {
                          has_ending(name, ".ply") || has_ending(name, ".mesh");
     return error{
         "surface " + name + ": " + names + "or a .json file of patches is wanted" +
-            (is_mesh ? "; a mesh is held against one by `asterism deviation MESH SURFACE`" : ""),
+            (is_mesh ? "; `asterism deviation MESH SURFACE` compares a mesh with one" : ""),
         error_code::bad_option};
   }
   return read_surface(name);
