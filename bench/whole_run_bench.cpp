@@ -43,8 +43,8 @@ struct job {
   mesh_options options;
 };
 
-// Returns n x n points inside the square, rotated by `angle`. The corners of each grid square are a
-// tie. After rounding, those of a rotated grid are nearly one.
+// Adds a grid of n x n points inside the square, rotated by `angle`. The corners of each grid
+// square are a tie. After rounding, those of a rotated grid are nearly one.
 void add_grid(domain& shape, int n, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   for (int i = 0; i < n; ++i)

@@ -61,7 +61,7 @@ function(asterism_unite target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${target}_${group}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # Undefines constants of one file whose names another file uses.
+  # Allows names inside functions of one file that are constants of another.
   target_compile_options(${target} PRIVATE -Wno-shadow)
 endfunction()
 

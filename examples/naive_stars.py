@@ -75,7 +75,7 @@ def panel(x, title, places, edges, colours, ellipses=()):
 
 
 def circle(name):
-    """Returns the site's unit ellipse at half its size."""
+    """Yields points of the site's unit ellipse at half its size."""
     (x, y), (m11, m12, m22) = SITES[name]
     root, low = math.sqrt(m11), math.sqrt(m22 - m12 * m12 / m11)
     for i in range(60):

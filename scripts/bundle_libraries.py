@@ -60,7 +60,7 @@ def licence_of(path: pathlib.Path) -> pathlib.Path:
 def named_licences(text: str) -> set[str]:
     """Returns the licences whose text a copyright file leaves to Debian's common folder, which other systems have not."""
     names = set(re.findall(rf"{_COMMON_LICENCES}/([\w.+-]*\w)", text))
-    return names | {"GPL-3"} if {"LGPL", "LGPL-3"} & names else names  # which is terms added to that one
+    return names | {"GPL-3"} if {"LGPL", "LGPL-3"} & names else names  # LGPL 3 only adds terms to GPL 3
 
 
 def write_licences(libraries: dict[str, pathlib.Path], folder: pathlib.Path) -> None:

@@ -147,7 +147,7 @@ def control_after(p0, p1, p2):
 
 
 def cubics_of_spline(domain, row):
-    """Returns the cubics of a spline, each with the number of its segment."""
+    """Yields the cubics of a spline, each with the number of its segment."""
     on = [int(word) - domain.first for word in row[2:]]
     need_file(len(on) > 1 and 0 <= min(on) and max(on) < len(domain.segments), "a spline is of segments that are none")
     ends = [domain.segments[s][:2] for s in on]

@@ -195,7 +195,7 @@ int tell(const verify_options& options, const pieces_index& index, const pieces_
   return status;
 }
 
-// Returns the contradictions in the numbers of the whole.
+// Adds the contradictions between the pieces and the numbers of the whole.
 void compare_totals(const pieces_index& index, sentences& faults) {
   std::size_t triangles = 0;
   bool certified = true;

@@ -12,7 +12,7 @@ import re
 import shutil
 import subprocess
 
-REFERENCE = 5.57953523384  # reference values of the benchmark's page at featflow.de
+REFERENCE = 5.57953523384  # drag coefficient, from the benchmark's page at featflow.de
 # Markers: 1 below, 2 outflow, 3 above, 4 inflow, 5 the cylinder.
 DOMAIN = """5 2
 1 0 0

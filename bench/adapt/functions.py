@@ -139,6 +139,6 @@ def values(name, points):
 
 
 def hessians(name, points):
-    """Returns the points as an array n by 2 by 2."""
+    """Returns the second derivatives at the points, as an array n by 2 by 2."""
     j = evaluate(name, points)
     return np.stack([np.stack([j.xx, j.xy], -1), np.stack([j.xy, j.yy], -1)], -2)

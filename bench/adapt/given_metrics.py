@@ -87,7 +87,7 @@ def unit_grid(n):
 
 
 def write_with_corners(path, mesh):
-    """Returns the mesh with the corners of the unit square, and its sides as edges."""
+    """Writes the mesh with the corners of the unit square, and the square's sides as edges."""
     full = meshes.Mesh(2 * mesh.points - 1, mesh.triangles)
     edges, sides = meshes.border(full)
     corners = [int(np.argmin(np.hypot(*(mesh.points - c).T))) for c in ((0, 0), (1, 0), (1, 1), (0, 1))]

@@ -144,7 +144,8 @@ class Sampling:
         return best
 
     def greatest(self):
-        """Returns the greatest distances of the mesh from the surface, and of the surface from the mesh."""
+        """Returns the greatest distance of the surface's points from the mesh, and of the mesh's points from the
+        surface."""
         every = np.arange(len(self.uv))
         coarse = [np.concatenate(x) for x in zip(*(self.own(some, COARSE)[:2] for some in np.array_split(
             every, max(1, len(every) // 500))))]

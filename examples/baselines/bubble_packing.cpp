@@ -106,7 +106,8 @@ class packing {
     const point centre{x + width / 2, y + height / 2};
     const metric_tensor m = mesh_.field->at(centre);
     const double area = std::sqrt(m.m11 * m.m22 - m.m12 * m.m12) * width * height;
-    if (depth < 12 && (depth < 4 || area > 2)) {  // 2: the mean of 2 and a quarter of it
+    // Cells that are not divided further then have areas from 2 down to a quarter of it.
+    if (depth < 12 && (depth < 4 || area > 2)) {
       for (int i = 0; i < 4; ++i)
         place_in(x + (i % 2) * width / 2, y + (i / 2) * height / 2, width / 2, height / 2,
                  depth + 1);
@@ -223,7 +224,7 @@ class packing {
     return greatest;
   }
 
-  // Keeps the bubbles for which `is_kept` is true. Returns how many were removed.
+  // Keeps the bubbles for which `wanted` is true. Returns how many were removed.
   std::size_t keep(const std::function<bool(index)>& wanted) {
     std::size_t kept = held_;
     for (index i = held_; i < bubbles_.size(); ++i) {

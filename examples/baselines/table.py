@@ -137,7 +137,7 @@ def table(rows):
 
 
 def front_metric(programs, vertices):
-    """Returns the metric on the mesh of a loop's third round."""
+    """Writes the metric on the mesh of a loop's third round to front.mesh and front.sol."""
     mesh = meshes.grid(60)
     for _ in range(4):
         tensors = meshes.l2_metric(mesh, functions.hessians(FRONT, mesh.points), vertices)

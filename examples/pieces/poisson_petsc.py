@@ -24,7 +24,7 @@ def vector(comm, pieces):
 
 
 def corners_of_cells(comm, pieces):
-    """Returns the positions of the corners: vertices of other ranks are numbered after the rank's own."""
+    """Returns the positions of the cells' corners. Those of vertices that another rank owns are fetched from it."""
     wanted = PETSc.IS().createGeneral(pieces.cells.ravel().astype(PETSc.IntType), comm=comm)
     columns = []
     for axis in range(2):

@@ -79,7 +79,7 @@ class Layers:
 
 
 def parts_of_a_triangle(n):
-    """Returns the corners of n^2 equal parts, in barycentric coordinates."""
+    """Yields the corners of n^2 equal parts, in barycentric coordinates."""
     def at(i, j):
         return (1 - (i + j) / n, i / n, j / n)
     for i in range(n):

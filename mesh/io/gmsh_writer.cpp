@@ -65,7 +65,7 @@ class gmsh_writer {
     text += " 0\n";
   }
 
-  // Returns the box of the whole mesh for each entity: readers of meshes ignore it.
+  // Writes the box of the whole mesh for each entity: readers of meshes ignore it.
   void write_entities() {
     text_ += "$Entities\n";
     line(std::size_t{m_.given}, curves_.size(), surfaces_.size(), 0);

@@ -100,7 +100,7 @@ std::optional<error> check(const gradation_options& options, const bounding_box&
   return std::nullopt;
 }
 
-// Returns the range of the longer sides of the leaves.
+// Sets the range of the longer sides of the leaves.
 void measure_cells(const gradation_grid& grid, gradation_report& report) {
   bool first = true;
   for (const gradation_grid::cell& c : grid.cells()) {

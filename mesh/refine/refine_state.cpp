@@ -76,7 +76,7 @@ void refine_state::divide(const domain& d, const filled_domain& filling, numbere
   }
 }
 
-// Returns for each of a few sites near each other whether it is strictly inside and encroaches on
+// Notes for each of a few sites near each other whether it is strictly inside and encroaches on
 // nothing. Mostly no subsegment meets their common box: then all sites are on the same side of the
 // boundary.
 void refine_state::ask_of_few(const star_predicates& kernel, std::span<const site> few,

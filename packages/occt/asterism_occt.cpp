@@ -40,7 +40,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr int most_degree = 12;  // dimension that Asterism reads
+constexpr int most_degree = 12;  // the greatest degree that Asterism reads
 
 struct refusal : std::runtime_error {
   using std::runtime_error::runtime_error;

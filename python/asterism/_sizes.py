@@ -23,7 +23,7 @@ def _numbers(name: str, values: Any, least: int = 1) -> str:
 
 
 def _places(name: str, given: Places, width: int) -> Any:
-    """Yields each place, and the size wanted there."""
+    """Returns each place, and the size wanted there."""
     try:
         rows = [list(one) for one in given]
     except TypeError:
@@ -32,7 +32,7 @@ def _places(name: str, given: Places, width: int) -> Any:
 
 
 def _items(name: str, given: Optional[Sizes]) -> Any:
-    """Yields each number of a region or marker, and the size wanted there."""
+    """Returns each number of a region or marker, and the size wanted there."""
     if not given:
         return []
     if not isinstance(given, Mapping) or not all(isinstance(number, (int, np.integer)) for number in given):

@@ -733,7 +733,7 @@ class TransferTest(AdaptationTest):
         self.write("h.mesh", mesh_text(points, triangles))
 
     def transfer(self, how, values="u.sol"):
-        """The numbers of the object for programs; those of the line are the same, to the digits it has."""
+        """Returns the numbers of --json, after comparing them with those of the summary, to the digits these have."""
         line = ["transfer", "g.mesh", values, "h.mesh", "--transfer", how, "-o", "v.sol"]
         done = self.run_command(*line)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -29,7 +29,7 @@ class CadFiles(CommandTest):
         return done.stdout + done.stderr
 
     def test_solids_are_certified_and_closed(self):
-        """Returns the number of faces, the Euler number, and the volume by the divergence theorem."""
+        """Compares numbers of faces and edges, the Euler number, and the volume by the divergence theorem."""
         for name, faces, edges, euler, volume, off in (
                 ("box.brep", 6, 12, 2, 6000, 1e-6), ("can.brep", 3, 3, 2, 628.3185, 30),
                 ("drilled.brep", 7, 15, 0, 5497.345, 30), ("drilled.step", 7, 15, 0, 5497.345, 30)):

@@ -16,7 +16,7 @@ TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "integer
 
 
 def faults(value, schema, path="certificate"):
-    """Returns what differs from the schema. Handles the part of JSON Schema that this schema uses."""
+    """Yields what differs from the schema. Handles the part of JSON Schema that this schema uses."""
     names = schema["type"] if isinstance(schema["type"], list) else [schema["type"]]
     if not any(isinstance(value, TYPES[n]) and (n == "boolean" or not isinstance(value, bool)) for n in names):
         yield f"{path}: {value!r} is none of {names}"

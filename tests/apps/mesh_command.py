@@ -464,7 +464,7 @@ class Mesh(command.CommandTest):
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
 
     def spikes(self, count, inner):
-        """Returns a star with `count` spikes, in spikes.poly."""
+        """Writes a star with `count` spikes to spikes.poly."""
         points = []
         for i in range(2 * count):
             radius, angle = (inner if i % 2 else 1.0), math.pi * i / count

@@ -13,7 +13,7 @@ PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/manual/statuses.md"
 
 
 def runs(page):
-    """Returns the shell lines and statuses of the table of runs."""
+    """Yields the shell lines and statuses of the table of runs."""
     table = page[page.index("## Runs that end so"):].split("\n## ")[0]
     for line in table.splitlines():
         row = re.fullmatch(r"\| `(.*)` \| (\d) \| .* \|", line)

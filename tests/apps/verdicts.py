@@ -34,7 +34,7 @@ class Verdicts(command.CommandTest):
         return one.returncode, one.stdout, two.stdout
 
     def strip(self, reference, required=False, every=True):
-        """Returns 40 triangles with an angle of less than a degree each, all edges listed."""
+        """Writes 40 triangles with an angle of less than a degree each, all edges listed."""
         n, shear = 20, 200.0
         points = [(i + shear * j, j, 0) for j in (0, 1) for i in range(n + 1)]
         low, high = list(range(1, n + 2)), list(range(n + 2, 2 * n + 3))

@@ -192,10 +192,10 @@ class Question(command.CommandTest):
 
 
 class NothingJudged(command.CommandTest):
-    """Returns slivers whose sides are all segments: every low angle is the domain's own."""
+    """Slivers whose sides are all segments, so that every low angle is the domain's own."""
 
     def strip(self, good=0, inner_marked=True):
-        """Returns 40 slivers, and beside them `good` rhombi whose short diagonals are no segments."""
+        """Writes 40 slivers, and beside them `good` rhombi whose short diagonals are no segments."""
         n, shear = 20, 150.0
         points = [(i + shear * j, j, 0) for j in (0, 1) for i in range(n + 1)]
         low, high = list(range(1, n + 2)), list(range(n + 2, 2 * n + 3))

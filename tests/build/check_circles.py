@@ -100,7 +100,7 @@ def headings(top, path, ending):
 
 
 def foreign_headers(top, paths, headers):
-    """Returns for each header the functions that it declares and that only sources of other modules define. Counts a
+    """Yields for each header the functions that it declares and that only sources of other modules define. Counts a
     source only if it includes the header, since other functions may have the same name."""
     definers = collections.defaultdict(set)
     for path in paths:

@@ -38,7 +38,7 @@ def includes(path):
 
 
 def own_includes(top, path):
-    """Returns paths relative to `top` of the project's files that this file includes itself."""
+    """Yields paths relative to `top` of the project's files that this file includes itself."""
     for name in includes(top / path):
         if name.startswith("asterism/"):
             name = name.removeprefix("asterism/")

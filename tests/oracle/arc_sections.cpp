@@ -74,8 +74,8 @@ struct critical_curve {
   critical_kind kind;
 };
 
-// Returns abscissas at which the number of curve points on the segments to or from x may change,
-// and at which x meets the border of the triangle v, w, p.
+// Adds curves whose common points with Vor{v,w} have the abscissas at which the number of curve
+// points on the segments to or from x may change, or x meets the border of the triangle v, w, p.
 void add_critical_curves_of(const exact_site& v, const exact_site& w, const exact_site& x,
                             critical_kind equidistant, std::vector<critical_curve>& curves) {
   for (const exact_site* owner : {&v, &w}) {
@@ -100,7 +100,7 @@ std::vector<cut> sorted_cuts(const conic& curve, const std::vector<critical_curv
   for (const critical_curve& critical : criticals)
     for (const univariate& p : abscissas_of_zeros(curve, critical.curve))
       add_zeros(p, critical.kind);
-  // Returns abscissas of vertical tangents and double points. A double line has one branch.
+  // Adds the abscissas of vertical tangents and double points. A double line has one branch.
   if (sign_of(curve.yy) != 0)
     if (const univariate d = discriminant(curve); !is_zero(d)) add_zeros(d, tangency);
   std::stable_sort(cuts.begin(), cuts.end(),

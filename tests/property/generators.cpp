@@ -51,7 +51,7 @@ four_sites sheared_and_moved(const four_sites& sites, random_source& random) {
   four_sites moved;
   for (std::size_t i = 0; i < 4; ++i) {
     auto [p, m] = sites[i];
-    p.x += k * p.y;  // inverse of x + k y
+    p.x += k * p.y;  // the metric is mapped by the inverse, x - k y
     m = {m.m11, m.m12 - k * m.m11, m.m22 - 2 * k * m.m12 + k * k * m.m11};
     p.y += l * p.x;
     m = {m.m11 - 2 * l * m.m12 + l * l * m.m22, m.m12 - l * m.m22, m.m22};

@@ -84,7 +84,7 @@ def read(stem):
 
 
 def least_angle(points, metric):
-    """Returns the angles of a triangle in degrees, in one metric."""
+    """Returns the least angle of a triangle in degrees, in one metric."""
     m11, m12, m22 = metric
 
     def dot(u, v):

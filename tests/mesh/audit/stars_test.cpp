@@ -20,8 +20,7 @@ using Catch::Contains;
 
 namespace {
 
-// Returns the mesh with the edge from (i + 1, j) to (i, j + 1) replaced by the other diagonal of
-// the cell.
+// Replaces the edge from (i + 1, j) to (i, j + 1) by the other diagonal of the cell.
 void flip(patch& p, int i, int j) {
   const auto t = static_cast<std::size_t>(2 * (i + j * p.n));
   p.m.triangles[t] = {p.at(i, j), p.at(i + 1, j), p.at(i + 1, j + 1)};

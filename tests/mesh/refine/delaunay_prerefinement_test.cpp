@@ -106,7 +106,7 @@ std::size_t confirmed(refine_state& state, const neighbour_lists& likely) {
   return same;
 }
 
-// Checks that the domain gets a certified mesh of fewer than `most_sites` sites.
+// Checks that the domain gets a certified mesh of fewer than `sites` sites.
 void check_meshed_with_20_degrees(const domain& d, std::size_t sites) {
   mesh_options options;
   options.angle_bound = 20;
