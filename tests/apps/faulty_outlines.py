@@ -71,7 +71,7 @@ class FaultyOutlines(command.CommandTest):
         self.assertIn("try --angle-bound 10, or a domain without corners that sharp", done.stderr)
 
     def test_one_hopeless_corner_does_not_keep_others_from_being_mended(self):
-        # The same with a corner of three degrees elsewhere: before, no low angle at all was improved.
+        # Adds a corner of three degrees far from the hopeless one: its low angles must be improved.
         text = poly([(0, 0), (10, 0), (10, 10), (0, 10), (2, 3), (5, 3), (5, 3.0419), (5, 7), (8, 7), (7.9959, 7.157)],
                     [(1, 2), (2, 3), (3, 4), (4, 1), (5, 6), (5, 7), (8, 9), (8, 10)])
         self.write("d.poly", text)

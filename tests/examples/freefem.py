@@ -30,8 +30,8 @@ def lines_of(script, *words):
 
 class LoopTest(unittest.TestCase):
     def compare(self, script, factor):
-        """At equal vertices, as errors fall as their inverse, no more than this many times
-        adaptmesh's."""
+        """Compares the last errors of both programs, each times its number of vertices, as errors
+        fall with its inverse: ours is at most `factor` times that with adaptmesh."""
         n, ours, _ = lines_of(script, "-vertices", "600", "-rounds", "5")[-1]
         k, theirs, _ = lines_of(script, "-vertices", "600", "-rounds", "5", "-by", "adaptmesh")[-1]
         self.assertLess(abs(n / 600 - 1), 0.1)

@@ -268,8 +268,8 @@ TEST_CASE("a noisy ring of given vertices takes fewer sites than one that is fil
     options.angle_bound = 20;
     const certified_mesh made = make_certified_mesh(d, field, options).value();
     CHECK(made.certified());
-    // With a fill first, a ring of 10,000 vertices got twice as many sites. Now it gets 1.6 times
-    // as many.
+    // A ring of 10,000 vertices has 1.6 times as many sites. With a fill before this refinement it
+    // has twice as many.
     INFO(k << ": " << made.outcome.sites);
     CHECK(made.outcome.sites < 3500);
   }
