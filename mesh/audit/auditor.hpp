@@ -76,7 +76,8 @@ class auditor {
   // Checks alone that the mesh is a triangulation with its regions: no angles, and no stars. The
   // report says certified if it is one.
   const audit_report& check_triangulation();
-  // Checks angles alone, of a mesh that is a triangulation.
+  // Checks angles alone, of a mesh that is known to be a triangulation, and the values,
+  // orientations and edges that they stand on.
   const audit_report& check_angles();
 
   // Tries the filters of edge_test on the open questions for which `is_asked` is true, in order.

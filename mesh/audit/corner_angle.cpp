@@ -26,13 +26,14 @@ corner_terms<Number> terms(const audit_context& context, const corner& c,
   return {dot(a, m * b), m.determinant() * area * area};
 }
 
-// The square of a cotangent, exactly and with a bound that holds of it.
+// A bound of the square of a cotangent, and doubles that enclose it.
 struct exact_square {
   const bounded& filter;
   const rational& value;
 };
 
-// True if the corner's cotangent, as the vertex measures it, is positive and its square greater.
+// True if the corner's cotangent, as the vertex measures it, is positive and its square greater
+// than the given one. Decided by doubles, or else exactly.
 bool has_greater_cotangent(const audit_context& context, audit_tally& tally, const corner& c,
                            vertex_index perspective, const exact_square& square) {
   ++tally.part.decisions;

@@ -31,8 +31,8 @@ fs::path fields_beside(const fs::path& path) {
   return text_or_binary(fields_path(path));
 }
 
-// True for the metric as our .vtu has it a second time, by nine entries for programs that draw
-// tensors: it is no field, and would be written twice.
+// True for the metric's second copy in a .vtu that was written here: nine entries at each vertex,
+// for programs that draw tensors. It is no field, and would be written twice.
 bool is_metric_again(const solution_field& f) {
   return f.kind == field_kind::tensor && f.name == "metric_tensor";
 }

@@ -3,6 +3,7 @@
 // Writes and reads the values that several kinds of JSON files hold: points, digests, domains.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -56,8 +57,9 @@ std::string digest_text(std::uint64_t digest);
 // True if a segment has anything to state on its sides, or on regions.
 bool tells_sides(const segment& s);
 
-// Rows of a domain's vertices and segments. A segment has three numbers, or six where it tells of
-// its sides; with_sides, always. The lists, which may be very long, are empty where left_out.
+// Tells how a domain's lists of vertices and segments are written. A segment has three numbers, or
+// six where it tells of its sides (as_needed), or always six (with_sides). Lists that are left_out,
+// as they may be very long, are empty.
 enum class domain_rows : std::uint8_t { left_out, as_needed, with_sides };
 
 // Writes curves only if there are any.

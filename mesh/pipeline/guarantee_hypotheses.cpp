@@ -32,7 +32,7 @@ struct narrow_corner {
 // A segment at a vertex, by its direction away from it.
 struct segment_end {
   double direction = 0;
-  bool domain_behind = true;  // counter-clockwise of it
+  bool domain_behind = true;  // is the domain counter-clockwise of it?
 };
 
 narrow_corner narrowest(std::vector<segment_end> ends) {

@@ -54,8 +54,8 @@ result<all_sides> find_sides(const domain& d, const std::vector<periodic_pair>& 
   return all;
 }
 
-// Returns the metric length of edges with which the domain takes the number of vertices that is
-// wanted; none where no number is, or the metric is not given at the nodes of a mesh. A mesh is
+// Returns the metric length of edges with which the domain takes the number of vertices wanted;
+// none where no number is wanted, or the metric is not given at the nodes of a mesh. A mesh is
 // fitted to the number by edges of another length than 1: sides divided in lengths of 1 would leave
 // too few vertices for the inside. Edges of length t take A / t^2 vertices for the area and B / t
 // for half the boundary; the boundary alone has 2 B / t.
@@ -89,7 +89,7 @@ class periodic_mesher {
         unit_(edge_length_for_count(d, field, options)) {}
 
   // Makes the mesh and judges it. Where it has more or fewer vertices than wanted, and many of them
-  // on the sides, divides these anew in longer or shorter edges, with a third of the work of a run;
+  // on the sides, divides these anew in longer or shorter edges, with 0.3 of the work of a run;
   // returns the certified mesh nearest to the number.
   result<certified_mesh> run(star_confirmation confirmed, bool may_deliver) {
     constexpr int most_times = 4;

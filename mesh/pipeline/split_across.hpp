@@ -15,7 +15,7 @@ namespace asterism::internal {
 // repeats that until there are no such edges. The mesh is delivered in a metric that may differ
 // from `field` there, as any mesh made by local changes is. Where that does not end, or not in a
 // certified mesh, the mesh stays as it was, and the outcome is not complete and says so. A mesh
-// that is not certified stays as it is. Stars may need splits of the boundary.
+// that is not certified stays as it is. Edges of the boundary may be split, where stars need it.
 certified_mesh split_across(certified_mesh made, const domain& d, const metric_field& field,
                             const mesh_options& options);
 

@@ -13,9 +13,10 @@
 namespace asterism::internal {
 
 // Returns the power of moduli that is averaged for the L^p norm, p / (2p + 1), or 1/2 for the
-// maximum norm. Across a layer the optimal metric has sizes in proportion to |H|^(-p/(2p+1)). So
-// that mean is one of vertices on a length, of which the patch then gets as many as its triangles
-// want. A mean of |H| itself would give it too many, by the greatest of them.
+// maximum norm. Across a layer the optimal metric has sizes in proportion to |H|^(-p/(2p+1)), so
+// that this power of |H| is a number of vertices on a unit of length. By its mean the triangles
+// around a vertex get as many vertices together as each of them wants; by a mean of |H| itself, to
+// which the greatest adds most, they would get more.
 double power_averaged(std::optional<double> norm);
 
 // Returns, for each vertex, the mean of |H| over the triangles at it, by area, where |H| of a
@@ -28,11 +29,12 @@ double power_averaged(std::optional<double> norm);
 std::vector<metric_tensor> mean_moduli(const mesh& m, const mesh_links& links,
                                        const std::vector<metric_tensor>& hessian);
 
-// Returns, for each vertex inside, the least |H| that is at least its own and a mean of the same
-// kind, of |H|^power and then taken to the power 1/power, in both of their common directions. At a
-// peak of |H|, as where a solution is singular, the mean alone would hide from the next mesh what
-// this one begins to resolve, and refinement would stop. Requires a power above 0, finite. Chosen
-// by experiment (docs/results/adaptation.md).
+// Returns, for each vertex inside, the least tensor that is at least two others in their common
+// directions: the vertex's own |H|, and the mean as above, but of |H|^power, taken to the power
+// 1/power. Vertices of the boundary keep their own |H|. At a peak of |H|, as where a solution is
+// singular, the mean alone would hide from the next mesh what this one begins to resolve, and
+// refinement would stop. Requires a power above 0, finite. Chosen by experiment
+// (docs/results/adaptation.md).
 std::vector<metric_tensor> mean_moduli_with_peaks(const mesh& m, const mesh_links& links,
                                                   const std::vector<metric_tensor>& hessian,
                                                   double power);
