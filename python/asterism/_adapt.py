@@ -29,7 +29,7 @@ def _mesh_made(mesh: Any, name: str = "mesh") -> Any:
 
 
 def _made_of(what: Any) -> str:
-    """Returns the Mesh itself, or one made of an object of another package."""
+    """Returns how a Mesh is made of an object that is none, for a message; "" where nothing is known of it."""
     if isinstance(what, (str, os.PathLike)):
         return "; asterism.read() makes one of a file"
     if isinstance(what, (Domain, list, tuple, np.ndarray)):

@@ -241,14 +241,15 @@ def _array(points: Any) -> Any:
 
 
 def _instead(shape: Tuple[int, ...]) -> str:
-    """Returns the array in a table that has the shape (n, 2), where the table itself has not."""
+    """Returns a hint for a message: which part of a table of this shape has the shape (n, 2); "" where none has."""
     if len(shape) == 2 and shape[0] == 2 and shape[1] > 2:
         return "; points.T has it"
     return "; points[:, :2] leaves the third coordinate out" if len(shape) == 2 and shape[1] == 3 else ""
 
 
 def _near(name: str) -> str:
-    """Returns a built-in domain, or a file in the same folder, whose name is near to an unknown name."""
+    """Returns a hint for a message: the built-in domain, or the file in the same folder, whose name is near to an
+    unknown name; "" where none is."""
     folder, last = os.path.split(name)
     try:
         there = [*(() if folder else _BUILT_IN), *os.listdir(folder or ".")]

@@ -128,7 +128,7 @@ def definite(name: str, rows: Doubles) -> Doubles:
 
 
 class CalledMetric:
-    """Returns a callable to tensors (n, 3), made of one to sizes, tensors or matrices."""
+    """A callable from points to tensors (n, 3), made of one to sizes, tensors or matrices."""
 
     def __init__(self, function: Callable[[Any], Any], somewhere: Doubles) -> None:
         """Asks at one point of the domain, (1, 2), whether the callable returns sizes, tensors or matrices."""
@@ -189,7 +189,7 @@ def write_text(name: str, text: str) -> None:
 
 
 def whole(name: str, value: Any, least: int, what: str = "a whole number") -> int:
-    """True of a whole number of Python's or numpy's."""
+    """Returns a whole number, Python's or numpy's, as an int. Raises InputError for others, and below `least`."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not least <= value < 2**31:
         raise InputError(f"{name}: {what} of at least {least} is wanted, not {value!r}")
     return int(value)

@@ -135,7 +135,7 @@ def transfer(values: Values, to: Any, how: str = "project", *, mesh: Any = None)
 
 
 class _Given:
-    """Returns Functions and arrays by name, and the form in which they were given."""
+    """Functions and arrays by name, and the form in which they were given."""
 
     def __init__(self, mesh: Any, given: Values, name: str) -> None:
         self.form = given
@@ -160,7 +160,7 @@ class _Given:
         return {name: _at_nodes(of) if _is_function(of) else of for name, of in self.all.items()}
 
     def alone_or_named(self) -> Any:
-        """True if the argument is one array, which may be a metric."""
+        """Returns the arrays by name; one that was given without a name, which may be a metric, alone."""
         arrays = self.at_nodes()
         return arrays if isinstance(self.form, (Mapping, list, tuple)) or len(arrays) != 1 else next(iter(arrays.values()))
 

@@ -12,7 +12,7 @@ namespace {
   throw input_error(std::string(name) + ": " + why);
 }
 
-// Returns the argument's type in words, for a message.
+// Returns the argument as Python writes it, shortened, for a message.
 std::string shown(const py::object& value) {
   constexpr std::size_t most = 60;
   std::string text = py::repr(value).cast<std::string>();
@@ -28,7 +28,7 @@ void check_mask(const py::object& from, const char* name) {
   if (any.cast<bool>()) refuse(name, "some of its entries are masked, and every one is wanted");
 }
 
-// Views rows of doubles whose distance is any whole number of doubles.
+// True if the doubles of a row lie side by side, and rows a whole number of doubles apart.
 bool has_plain_rows(const py::array_t<double>& a) {
   constexpr py::ssize_t size = sizeof(double);
   const py::ssize_t last = a.ndim() - 1;
@@ -84,7 +84,7 @@ whole_array wholes_of(const py::object& from, const char* name) {
     PyErr_Clear();
     refuse(name, "an array of whole numbers is wanted, not " + shown(from));
   }
-  // 2^62 is a double, and so is every whole number of this size.
+  // 2^62: a double, and well within 64 bits.
   constexpr double most = 4611686018427387904.0;
   for (py::ssize_t k = 0; k < numbers.size(); ++k)
     if (const double x = numbers.data()[k]; x != std::floor(x) || !(std::abs(x) <= most))

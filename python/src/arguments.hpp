@@ -55,7 +55,7 @@ class number_table {
   bool is_single() const { return single_; }
   // Returns the number of rows, 1 where a single row stands for all.
   std::size_t rows() const { return rows_; }
-  // Repeats a single row `count` times.
+  // Returns the rows; a single one stands for as many as are read.
   asterism_rows every() const { return {first_, rows_ == 1 ? 0 : stride_}; }
   const double* row(std::size_t k) const { return first_ + k * stride_; }
 

@@ -64,7 +64,8 @@ std::vector<segment> segments_of(const py::object& given, const py::object& mark
   return segments;
 }
 
-// Repairs a domain within a distance, or within the least that suffices if none is given.
+// Holds whether to repair a domain, and within which distance; if none is given, within the least
+// that suffices.
 struct repair_wish {
   bool is_wanted = false;
   std::optional<double> distance;

@@ -19,7 +19,7 @@ struct argument {
   py::ssize_t width;
 };
 
-// Repeats a table of one row for all rows, as numpy broadcasts.
+// Returns the number of rows of all tables. One row stands for any number, as numpy broadcasts.
 std::size_t common_rows(const std::vector<number_table>& tables) {
   std::size_t rows = 1;
   bool found = false;

@@ -40,7 +40,8 @@ class called_field {
     }
   }
 
-  // Ignores the error: calls for one point raise it again if it is real.
+  // Answers for many points; returns false where the function fails. Keeps no error of it
+  // but an interrupt: calls for one point raise it again if it is not about the number of points.
   bool at_many(std::size_t count, const double* points, double* metrics) {
     try {
       answer(count, points, metrics);
@@ -66,7 +67,7 @@ class called_field {
 
   py::function function_;
   raised_error* errors_;
-  bool takes_many_ = true;  // taken with the interpreter's lock
+  bool takes_many_ = true;  // read and set under the interpreter's lock
 };
 
 namespace {

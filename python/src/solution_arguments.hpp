@@ -18,7 +18,7 @@
 
 namespace asterism::python {
 
-// Reads names and arrays of one, two or three numbers at each point.
+// Names, and arrays of one, two or three numbers at each point.
 using named_fields = std::vector<std::pair<std::string, py::object>>;
 
 py::array_t<double> array_of(const std::vector<metric_tensor>& tensors);

@@ -88,7 +88,7 @@ def test_areas_by_feature_are_those_of_shapely(make, seed):
         if not wanted:
             continue
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # numbers of empty features
+            warnings.simplefilter("ignore")  # warnings that features are empty
             domain = asterism.Domain.from_geo(collection(shapes))
         found = areas(domain)
         assert found.keys() == wanted.keys(), (seed, number)

@@ -104,7 +104,7 @@ def test_metric_transfer_and_lookups(slit):
 def test_the_hull_closes_points():
     corners = [(0, 0), (2, 0), (2, 1), (0, 1), (1, 0.25)]
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # warns that sides were added
+        warnings.simplefilter("ignore")  # the warning that sides were added
         domain = asterism.Domain(corners, convex_hull=True)
         assert len(domain.points) == 5 and len(domain.segments) == 4
         notch = asterism.Domain(corners, [(0, 4), (4, 1), (1, 2), (2, 3), (3, 0)], convex_hull=True)
