@@ -23,7 +23,7 @@ class Certificate:
     reason: str
     worst_angle: float
     angle_bound: float
-    sites: int
+    vertices: int
     triangles: int
 
     def __init__(self, text: str) -> None:
