@@ -13,7 +13,7 @@ PART = "4 2 0 0\n1 0 0\n2 2 0\n3 2 1\n4 0 1\n4 1\n1 1 2 1\n2 2 3 2\n3 3 4 3\n4 4
 CROSSED = PART.replace("2 2 3 2\n3 3 4 3\n4 4 1 4", "2 2 4 2\n3 4 3 3\n4 3 1 4")
 NAMES = {"line feed": b"a\nb", "return": b"a\rb", "escape": b"a\x1b[31mb", "bell": b"a\x07b",
          "CSI of eight bits": b"a\x9bb", "CSI in UTF-8": "a\u009b31mb".encode(),
-         "right to left": "a\u202eb".encode(), "end of paragraph": "a\u2029b".encode()}
+         "right to left": "a\u202eb".encode(), "letter mark": "a\u061cb".encode(), "end of paragraph": "a\u2029b".encode()}
 # Lists commands as typed, with NAME in place of the file's name; commands with --json print an object.
 LINES = ["mesh NAME.poly --size .4 -o NAME.mesh -o NAME.html", "mesh NAME.poly --size .4 -o NAME.mesh --json",
          "verify NAME.mesh --long", "verify NAME.mesh --domain NAME.crossed.poly", "certify NAME.mesh", "info NAME.poly",
