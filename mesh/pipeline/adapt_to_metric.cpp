@@ -25,9 +25,11 @@ using namespace internal;
 namespace {
 
 // Returns the mesh with the domain's vertices as the given ones, if these are its first ones.
+// Leaves out its notes, which were said when it was read.
 std::optional<mesh> as_mesh_of(const mesh& m, const mesh_outline& outline) {
   if (outline.segment_of_edge.empty()) return std::nullopt;
   mesh same = m;
+  same.notes.clear();
   same.given = static_cast<vertex_index>(outline.shape.vertices.size());
   for (std::size_t e = 0; e < same.boundary.size(); ++e)
     same.boundary[e].segment = outline.segment_of_edge[e];
@@ -90,10 +92,11 @@ bool straighten(domain& shape, const std::set<int>& markers) {
   return std::erase_if(shape.curves, is_on_side) > 0;
 }
 
-// Finds the domain of the mesh. Its periodic sides have no curves, on which a point would have no
-// partner: sides that bend by rounding alone are straight, and polygons that both have bend alike.
-// Where two sides do not match so, as vertices of the one are gone and not of the other, all of
-// their vertices stay; `kept_sides` are their markers then.
+// Finds the domain of the mesh. Removes the curves of periodic sides, on which a new vertex would
+// have no partner on the other side: sides that bend by rounding alone become straight, and sides
+// with the same vertices left are the same polygon. Where two sides do not match then, as the
+// outline left out vertices of one and not of the other, keeps all vertices of the periodic sides,
+// and returns their markers in `kept_sides`.
 result<mesh_outline> outline_for(const mesh& m, mesh_marks marks,
                                  const mesh_adaptation_options& options,
                                  std::vector<int>& kept_sides) {
@@ -115,7 +118,8 @@ std::string note_on_kept(const std::vector<int>& markers) {
   std::string named;
   for (const int marker : markers) named += (named.empty() ? "" : ", ") + std::to_string(marker);
   return "the periodic sides with the markers " + named +
-         " bend: all their vertices stay, and new ones are on the straight edges between";
+         " keep all their vertices, as some of them bend; new ones are on the straight edges "
+         "between";
 }
 
 // True if the periodic sides of the mesh match.

@@ -575,6 +575,18 @@ class AdaptTest(AdaptationTest):
         self.assertEqual(self.run_command("verify", "m.mesh").returncode, 0)
         self.assertEqual(self.run_command("adapt", *job, "--keep", "maybe", "-o", "n.mesh").returncode, 2)
 
+    def test_a_note_on_a_mesh_that_stays_is_said_once(self):
+        self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "300", "-o", "n.mesh")
+        self.assertEqual(self.run_command("convert", "n.mesh", "n.su2").returncode, 0)
+        lines = (self.folder / "n.su2").read_text().split("\n")
+        first = [line.startswith("NELEM") for line in lines].index(True) + 1
+        kind, a, b, *more = lines[first].split()
+        lines[first] = " ".join((kind, b, a, *more))
+        self.write("turned.su2", "\n".join(lines))
+        done = self.adapt("turned.su2", "--metric", "n.sol", "--keep", "always", "-o", "m.mesh")
+        self.assertIn("stays as it is", done.stdout)
+        self.assertEqual(done.stderr.count("turned over"), 1, done.stderr)
+
     def test_few_vertices_that_a_mesh_cannot_have_are_told(self):
         done = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "1", "-o", "n.mesh", status=1)
         self.assertIn("1 vertices were wanted, and 4 are there", done.stderr)
