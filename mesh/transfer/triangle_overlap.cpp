@@ -93,13 +93,31 @@ double part_along(const numbered_triangle& t, const ordered_edge& e, const numbe
   return a + b > 0 ? a / (a + b) : 0.5;
 }
 
+// Returns the parameter of the foot of a point on an edge, at its lesser end 0.
+double foot_along(const numbered_triangle& t, const ordered_edge& e, const point& at) {
+  const point &a = t.at[e.low], &b = t.at[e.high];
+  const double x = b.x - a.x, y = b.y - a.y;
+  return ((at.x - a.x) * x + (at.y - a.y) * y) / (x * x + y * y);
+}
+
+point point_along(const numbered_triangle& t, const ordered_edge& e, double part) {
+  const point &a = t.at[e.low], &b = t.at[e.high];
+  return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
+}
+
+// Sets one place in both triangles. Edges that nearly lie on one line cross anywhere on it, as far
+// as doubles tell: parameters that were measured for each edge by itself would name two places, and
+// the shape functions of one would be integrated with the values at the other.
 void set_crossing(const numbered_triangle& old_one, const numbered_triangle& new_one,
                   const symbol& s, overlap_corner& made) {
   const ordered_edge old_edge(old_one.v, s.old_index), new_edge(new_one.v, s.new_index);
-  const double t = part_along(old_one, old_edge, new_one, new_edge),
-               u = part_along(new_one, new_edge, old_one, old_edge);
-  const point &a = old_one.at[old_edge.low], &b = old_one.at[old_edge.high];
-  made.at = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+  double t = part_along(old_one, old_edge, new_one, new_edge);
+  made.at = point_along(old_one, old_edge, t);
+  const double foot = foot_along(new_one, new_edge, made.at), u = std::clamp(foot, 0.0, 1.0);
+  if (u != foot) {  // beyond the new edge, so that its end is nearer to the crossing
+    made.at = point_along(new_one, new_edge, u);
+    t = std::clamp(foot_along(old_one, old_edge, made.at), 0.0, 1.0);
+  }
   made.in_old[old_edge.low] = 1 - t;
   made.in_old[old_edge.high] = t;
   made.in_new[new_edge.low] = 1 - u;
