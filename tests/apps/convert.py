@@ -227,7 +227,7 @@ class Convert(command.CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         alone = self.run_command("mesh", "square", "--metric", "map.sol", "--size", "1", "-o", "x.mesh")
         self.assertEqual(alone.returncode, 2)
-        self.assertIn("none of the files .mesh, .meshb, .msh, .vtu of this name", alone.stderr)
+        self.assertIn("no file .mesh, .meshb, .msh or .vtu of this name", alone.stderr)
         self.write("map.sol", (self.folder / "plain.sol").read_text().replace("\n0.11\n", "\n-0.11\n", 1))
         wrong = self.run_command("mesh", "plain.mesh", "--metric", "map.sol", "--size", "1", "-o", "x.mesh")
         self.assertEqual(wrong.returncode, 2)
