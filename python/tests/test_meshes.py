@@ -277,7 +277,7 @@ def test_clockwise_triangles_are_turned_over_and_told():
 
 
 def test_clockwise_triangles_that_are_judged_stay_as_they_are():
-    points = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    points = [(0, 0), (1, 0), (0.9, 0.9), (0, 1)]
     judged = asterism.certify(points, [(0, 1, 2), (0, 3, 2)], angle_bound=0)
     assert not judged["certified"] and judged["findings"][0].kind == "orientation"
     assert asterism.certify(points, [(0, 1, 2), (0, 2, 3)], angle_bound=0)["certified"]
