@@ -68,7 +68,8 @@ class audit_work_guard {
     if (++looked_ % asked_between_polls != 0 && units < polled_at_ + units_between_polls)
       return false;
     polled_at_ = units;
-    return tally_.unfinished = stop_.is_requested();
+    tally_.told = stop_.poll();
+    return tally_.unfinished = tally_.told.has_value();
   }
 
  private:
@@ -121,14 +122,16 @@ bool check_in_parts(audit_context& context, std::size_t count, const Check& chec
       check(tally, first + begin, first + end);
     };
     check_in_shares(context, size, in_part, chunk);
-    if (ended() || context.unfinished || context.options.stop.is_requested()) return false;
+    if (ended() || context.unfinished) return false;
+    if (!context.told) context.told = context.options.stop.poll();
+    if (context.told) return false;
   }
   return true;
 }
 
 // Returns, as a sentence for a finding, why a check ended early.
 inline std::string unfinished_text(const audit_context& context, const std::string& what) {
-  const auto why = context.options.stop.poll();
+  const auto why = context.told ? context.told : context.options.stop.poll();
   return what + " were not all looked at: " +
          (why ? *why : "the most work that is done for so many sites was done");
 }

@@ -70,6 +70,7 @@ void audit_context::take(audit_tally&& tally) {
   report.counters += tally.part.counters;
   looked_units += tally.looked_units;
   unfinished = unfinished || tally.unfinished;
+  if (!told) told = tally.told;
   if (memory != nullptr)
     memory->open.insert(memory->open.end(), tally.left_open.begin(), tally.left_open.end());
 }

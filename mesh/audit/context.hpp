@@ -86,9 +86,10 @@ class fan_lists {
 struct audit_tally {
   std::size_t findings_kept = 0;
   audit_report part;
-  double most_units = 0;    // of work (audit/audit_work.hpp) that this part may do
-  double looked_units = 0;  // of work that no other number tells
-  bool unfinished = false;  // the part ended early, for want of work or as it was told to
+  double most_units = 0;            // of work (audit/audit_work.hpp) that this part may do
+  double looked_units = 0;          // of work that no other number tells
+  bool unfinished = false;          // the part ended early, for want of work or as it was told to
+  std::optional<std::string> told;  // why it was told to; asked later, the answer may be none
   std::vector<open_question> left_open;
 
   // True if a further finding of the kind is kept; otherwise it is only counted, and its witness
@@ -144,7 +145,8 @@ struct audit_context {
   // check ended early.
   double looked_units = 0;
   bool unfinished = false;
-  double share_of_work = 1;  // of the most that an audit may do
+  std::optional<std::string> told;  // the reason, if it was told to end
+  double share_of_work = 1;         // of the most that an audit may do
   // Fans of all vertices, made by check_fans if the edges match.
   fan_lists fans;
   std::unique_ptr<site_tree> tree;  // of the mesh's sites; none where it was not asked for

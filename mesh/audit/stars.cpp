@@ -93,7 +93,7 @@ look_end check_others_again(audit_context& context, star_surroundings& around, s
   context.share_of_work = share / 2;
   const look_end how = check_others(context, around, most);
   context.share_of_work = share;
-  if (how != look_end::unfinished || context.options.stop.poll()) return how;
+  if (how != look_end::unfinished || context.told || context.options.stop.poll()) return how;
   context.unfinished = false;
   return look_end::all;
 }

@@ -371,7 +371,7 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
         });
   }
   stop.charge(context.looked_units);
-  if (context.unfinished) return unmeasured(stop.told());
+  if (context.unfinished) return unmeasured(context.told ? context.told : stop.told());
   enter_pairs(h, near.pairs);
   h.reason = !near.failure.empty()          ? near.failure
              : !subsegments.failure.empty() ? subsegments.failure
