@@ -21,7 +21,7 @@ namespace asterism::internal {
 namespace {
 
 // Part of the covering radius that a point has to be away from all sites to lead to another one.
-// Where no point is as far, boxes are divided until the rest of the radius spans them, as sites
+// Boxes without a point as far are divided until the rest of the radius spans them, as sites
 // measure; only boxes beside points that are nearly as far become so small.
 constexpr double part_of_covering = 1 - 0x1p-20;
 // Bounds the boxes looked at, for each site and at all: about 200 a site are usual.

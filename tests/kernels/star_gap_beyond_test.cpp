@@ -167,7 +167,7 @@ TEST_CASE("no accepted site is refused by a bound of a wrong sign, side or toler
   }
 }
 
-// Where a condition of (C) does not hold by its tolerance, the gap stays undecided, though a
+// Checks that a gap stays undecided if a condition of (C) does not hold by its tolerance, though a
 // refusal would be right (docs/math/star-gap-errors.md, section 2).
 TEST_CASE("what stands behind a neighbour is not refused within the tolerance", "[star_gap]") {
   for (const question& q : beyond_what_is_proven) {

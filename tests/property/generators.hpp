@@ -2,7 +2,7 @@
 //
 // Generates quadruples of sites of every degenerate kind. (kind, seed) gives the same case in all
 // versions. Each case has four distinct sites with positive definite metrics, exactly as doubles.
-// Where a kind promises an exact coincidence, its numbers are small integers or dyadic fractions.
+// Kinds that promise an exact coincidence have small integers or dyadic fractions as numbers.
 #pragma once
 
 #include <array>

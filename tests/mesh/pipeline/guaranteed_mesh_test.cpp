@@ -154,7 +154,7 @@ TEST_CASE("what a certificate says of a guarantee is proved again") {
   CHECK_FALSE(contradictions([](guarantee_claim& g) {
                 g.size_factor = std::nextafter(g.size_factor, 9);
               }).empty());
-  // The guarantee belongs to the mesh and its own bound, independently of the bound asked for now.
+  // Verifies with other bounds: the guarantee is that of the mesh and the bound in its certificate.
   for (const double bound : {10.0, 24.0}) {
     certificate claim = made.value().claim;
     audit_options asked;
@@ -168,7 +168,7 @@ TEST_CASE("what a certificate says of a guarantee is proved again") {
   REQUIRE(read.value().guarantee);
   CHECK(read.value().guarantee->eps == made.value().claim.guarantee->eps);
 
-  // Where the theorem does not apply, the certificate claims no guarantee.
+  // Makes a mesh to which the theorem does not apply: its certificate claims no guarantee.
   const auto plain = make_certified_mesh(d, *field("swirl:3", d, 0.4), {.limit_size = true});
   REQUIRE(plain.ok());
   certificate claim = plain.value().claim;

@@ -184,7 +184,7 @@ TEST_CASE("guaranteed: parallel sides of a strip are divided at the same places"
   }
 }
 
-// Where the metric varies by a factor along an edge, some gaps have no Voronoi vertex. A search for
+// Some gaps have no Voronoi vertex, if the metric varies by a factor along an edge. A search for
 // their neighbours must not go on to ever farther sites, each refused by interval arithmetic: that
 // takes 100 edge tests a site.
 TEST_CASE("guaranteed: stars with gaps that have no vertex are made of near sites") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Internal segments that meet at small angles. The mesh is certified with exempt angles listed.
-// Where other angles beside them cannot be improved it is not complete, and has few sites.
+// It is not complete, and has few sites, if other angles beside them cannot be improved.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

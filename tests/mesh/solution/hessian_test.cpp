@@ -125,7 +125,7 @@ TEST_CASE("waves of three edges are seen by all but averages of averages") {
     }
     return greatest / (k * k);
   };
-  // Of a wave with kh = 2 pi / 3, second differences keep the part (sin(kh/2) / (kh/2))^2 = 0.68,
+  // Second differences of a wave with kh = 2 pi / 3 keep the part (sin(kh/2) / (kh/2))^2 = 0.68,
   // and averages of averages at most (sin(kh) / kh)^2 = 0.17.
   CHECK(seen(hessian_method::green) > 0.6);
   CHECK(seen(hessian_method::least_squares) > 0.3);
