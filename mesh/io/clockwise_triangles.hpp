@@ -5,16 +5,15 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism::internal {
 
-struct turned_triangles {
-  std::size_t count = 0, first = 0;  // the first of them, from 0
-};
-
-// Exchanges two corners of each clockwise triangle, by exact orientations. Flat triangles stay.
-turned_triangles turn_over_clockwise(mesh& m);
+// Exchanges two corners of each clockwise triangle, by exact orientations, and adds a note on how
+// many they are. Flat triangles stay. `place` and `from` name the first in the note: "triangle" and
+// 1 in files, "row" and 0 in arrays.
+void turn_over_clockwise(mesh& m, std::string_view place, std::size_t from);
 
 }  // namespace asterism::internal

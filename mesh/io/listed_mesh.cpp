@@ -128,16 +128,6 @@ failure split_quadrilaterals(listed_mesh& from) {
   return {};
 }
 
-void turn_over(mesh& m) {
-  const turned_triangles turned = turn_over_clockwise(m);
-  if (turned.count == 0) return;
-  m.notes.push_back(
-      turned.count == m.triangles.size()
-          ? fmt::format("the triangles are clockwise and turned over: {}", turned.count)
-          : fmt::format("{} of {} triangles are clockwise and turned over, the first: triangle {}",
-                        turned.count, m.triangles.size(), turned.first + 1));
-}
-
 // Returns the triangles in groups by their least vertex, and where each group begins.
 struct triangle_groups {
   std::vector<std::size_t> begins, members;
@@ -440,7 +430,7 @@ void settle(listed_mesh& from) {
 }
 
 failure put_right(listed_mesh& m) {
-  turn_over(m.content);
+  turn_over_clockwise(m.content, "triangle", 1);
   if (auto failed = drop_repeated(m)) return failed;
   if (auto failed = drop_repeated_edges(m)) return failed;
   drop_edges_across(m);

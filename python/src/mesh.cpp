@@ -187,18 +187,6 @@ mesh_marks marks_of(const keywords& given, std::size_t points) {
   return marks;
 }
 
-// Turns clockwise triangles over, as readers of files do, with a note that counts rows from 0.
-void turn_over(mesh& m) {
-  const internal::turned_triangles turned = internal::turn_over_clockwise(m);
-  if (turned.count == m.triangles.size() && turned.count > 0)
-    m.notes.push_back("the triangles are clockwise and turned over: " +
-                      std::to_string(turned.count));
-  else if (turned.count > 0)
-    m.notes.push_back(std::to_string(turned.count) + " of " + std::to_string(m.triangles.size()) +
-                      " triangles are clockwise and turned over, the first: row " +
-                      std::to_string(turned.first));
-}
-
 // Makes a mesh from elsewhere: nothing is known of how it was made. more may have "is_judged": the
 // triangles stay as they are, since whether they are clockwise is what is asked.
 py_mesh from_arrays(const py::object& points, const py::object& triangles, const py::object& metric,
@@ -223,7 +211,7 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
                         std::to_string(t[0] == t[1] ? t[0] : t[2]) + " twice");
     m.triangles.push_back(t);
   }
-  if (!given.has("is_judged")) turn_over(m);
+  if (!given.has("is_judged")) internal::turn_over_clockwise(m, "row", 0);
   if (given.has("regions"))
     m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size(), "triangle");
   add_edges(m, given.object("edges"), given.object("edge_markers"));
