@@ -107,7 +107,7 @@ CONSTANTS = [
              "enough = @;\n  double best", "0.5", ["0.2", "0.9"], "delivered"),
     Constant("distance from a shape followed", "mesh/adapt/consistency_repair.cpp",
              "enough = @;  // log", "0.5", ["0.25", "0.6"], "delivered"),
-    Constant("limit aimed at by gradation", "mesh/adapt/nodal_gradation.cpp",
+    Constant("limit aimed at by gradation", "mesh/gradation/nodal_gradation.cpp",
              "aim = @;", "0.98", ["0.9", "1"], "delivered"),
     Constant("weight of a triangle's size", "mesh/adapt/unit_mesh.cpp",
              "weight_of_size = @,", "0.3", ["0.1", "1"], "delivered"),

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/local_tests.hpp"
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {

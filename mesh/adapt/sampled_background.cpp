@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 

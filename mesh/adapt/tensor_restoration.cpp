@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 

@@ -9,9 +9,9 @@
 #include "asterism/mesh/io/fields_of_mesh.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
 
 namespace asterism::internal {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/sampled_background.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/metric/constant_field.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"

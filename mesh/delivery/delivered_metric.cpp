@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "asterism/core/elementary.hpp"
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/wide_range.hpp"

@@ -8,7 +8,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/data/site_box.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <tuple>
 
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/shape_filter.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/delivery/short_chords.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 
 namespace asterism::internal {
 namespace {

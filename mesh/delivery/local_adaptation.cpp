@@ -14,7 +14,6 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/consistency_repair.hpp"
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/vertex_smoothing.hpp"
 #include "asterism/mesh/adapt/working_mesh.hpp"
@@ -22,6 +21,7 @@
 #include "asterism/mesh/delivery/constant_metric_fallback.hpp"
 #include "asterism/mesh/delivery/fitting_goal.hpp"
 #include "asterism/mesh/delivery/restore_tensors.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 

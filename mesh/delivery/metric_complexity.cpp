@@ -10,11 +10,11 @@
 
 #include "asterism/mesh/delivery/background.hpp"
 #include "asterism/mesh/delivery/domain_background.hpp"
+#include "asterism/mesh/gradation/graph_gradation.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
-#include "asterism/mesh/solution/graph_gradation.hpp"
 
 namespace asterism::internal {
 namespace {

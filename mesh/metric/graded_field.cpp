@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/mesh/metric/gradation_grid.hpp"
-#include "asterism/mesh/metric/gradation_sweep.hpp"
+#include "asterism/mesh/gradation/gradation_grid.hpp"
+#include "asterism/mesh/gradation/gradation_sweep.hpp"
 #include "asterism/mesh/metric/graded_parts.hpp"
 #include "asterism/mesh/metric/sized_field.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"

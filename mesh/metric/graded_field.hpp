@@ -11,9 +11,9 @@
 // Alauzet, "Size gradation control of anisotropic meshes", Finite Elements in Analysis and Design
 // 46, 2010.
 //
-// How: the field is sampled on an adaptive grid over the box (metric/gradation_grid.hpp), nodes are
-// intersected with the limits of neighbouring nodes and of eight points at distance 1 in their own
-// metric, until nothing changes, and the grid is refined where the result is not yet resolved.
+// How: the field is sampled on an adaptive grid over the box (gradation/gradation_grid.hpp), nodes
+// are intersected with the limits of neighbouring nodes and of eight points at distance 1 in their
+// own metric, until nothing changes, and the grid is refined where the result is not yet resolved.
 // Between the nodes logarithms are interpolated. Metrics only grow, and no eigenvalue grows above
 // the largest in the box: the sweeps end, and their number is bounded as well.
 //
@@ -34,7 +34,7 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/bounding_box.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/metric/gradation_options.hpp"
+#include "asterism/mesh/gradation/gradation_options.hpp"
 
 namespace asterism {
 

@@ -12,8 +12,8 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
 
 namespace asterism::internal {

@@ -7,9 +7,9 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/solution/element_gradients.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/quadratic_fit.hpp"
 #include "asterism/mesh/solution/solution_metric_options.hpp"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/element_gradients.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/quadratic_fit.hpp"
 
 namespace asterism {

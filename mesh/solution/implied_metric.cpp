@@ -5,8 +5,8 @@
 #include <string>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/quadratic_fit.hpp"
 
 namespace asterism {

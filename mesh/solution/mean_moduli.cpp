@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 
 namespace asterism::internal {
 namespace {

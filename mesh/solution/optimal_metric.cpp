@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 
 namespace asterism::internal {
 

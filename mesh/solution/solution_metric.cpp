@@ -7,12 +7,12 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/solution/computed_field.hpp"
 #include "asterism/mesh/solution/field_derivatives.hpp"
 #include "asterism/mesh/solution/metric_maker.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
 #include "asterism/mesh/solution/relative_error.hpp"
 

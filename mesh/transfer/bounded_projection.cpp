@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "asterism/mesh/data/site_box.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/transfer/triangle_finder.hpp"
 
 namespace asterism::internal {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 
 namespace asterism::internal {
 

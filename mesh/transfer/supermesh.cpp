@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/transfer/triangle_overlap.hpp"
 

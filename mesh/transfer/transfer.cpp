@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/transfer/bounded_projection.hpp"
 #include "asterism/mesh/transfer/locate.hpp"
 #include "asterism/mesh/transfer/mass_matrix.hpp"

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "asterism/mesh/data/site_box.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 
 namespace asterism::internal {
 

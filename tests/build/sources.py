@@ -6,7 +6,7 @@ import sys
 
 # Folders from bottom to top: each may include itself and those before it.
 LAYERS = ["core", "predicates", "kernels", "challenge", "mesh/support", "mesh/data", "mesh/search",
-          "mesh/numerics", "mesh/domain", "mesh/metric", "mesh/stars", "mesh/fill", "mesh/refine",
+          "mesh/numerics", "mesh/gradation", "mesh/domain", "mesh/metric", "mesh/stars", "mesh/fill", "mesh/refine",
           "mesh/adapt", "mesh/solution", "mesh/transfer",
           "mesh/audit", "mesh/surface_audit", "mesh/proof", "mesh/draw", "mesh/io", "mesh/surface_io", "mesh/delivery",
           "mesh/pipeline", "mesh/claims",

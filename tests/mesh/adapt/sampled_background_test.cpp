@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
 #include "asterism/mesh/delivery/background.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/mesh_disorder.hpp"
 #include "fixtures/mesh_to_change.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/mesh_to_change.hpp"
 

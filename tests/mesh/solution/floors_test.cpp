@@ -9,9 +9,9 @@
 #include <limits>
 #include <utility>
 
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"

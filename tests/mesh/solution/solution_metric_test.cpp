@@ -14,11 +14,11 @@
 #include <limits>
 #include <utility>
 
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "asterism/mesh/solution/mean_moduli.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 #include "asterism/tests/mesh/solution/made_metric.hpp"

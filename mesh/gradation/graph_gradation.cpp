@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/solution/graph_gradation.hpp"
+#include "asterism/mesh/gradation/graph_gradation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
-#include "asterism/mesh/solution/nodal_sums.hpp"
 
 namespace asterism::internal {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/solution/nodal_sums.hpp"
+#include "asterism/mesh/numerics/nodal_sums.hpp"
 
 namespace asterism::internal {
 

@@ -2,7 +2,7 @@
 //
 // Clips pairs of tensors to a distortion: never below it, half from each side, and no other tensor
 // changes.
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

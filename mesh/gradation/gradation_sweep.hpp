@@ -10,8 +10,8 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
-#include "asterism/mesh/metric/gradation_grid.hpp"
-#include "asterism/mesh/metric/gradation_options.hpp"
+#include "asterism/mesh/gradation/gradation_grid.hpp"
+#include "asterism/mesh/gradation/gradation_options.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 
 namespace asterism::internal {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/metric/gradation_grid.hpp"
+#include "asterism/mesh/gradation/gradation_grid.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

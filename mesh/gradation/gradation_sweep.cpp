@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/metric/gradation_sweep.hpp"
+#include "asterism/mesh/gradation/gradation_sweep.hpp"
 
 #include <algorithm>
 #include <array>

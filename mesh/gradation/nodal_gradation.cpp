@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/adapt/nodal_gradation.hpp"
+#include "asterism/mesh/gradation/nodal_gradation.hpp"
 
 #include <algorithm>
 #include <cmath>
