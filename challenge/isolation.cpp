@@ -62,8 +62,8 @@ class search {
     all_.hung += run.how == run_end::hung ? 1 : 0;
   }
 
-  // Replies of the failing run, which asked from `from` to the end. Answers before the failure are
-  // valid. Means nothing where the time is over before the question is found.
+  // Finds the first failing question of a run that asked all questions from `from` on, and takes
+  // the answers before it, which are valid. The result is meaningless if time runs out first.
   result<std::size_t> first_failure(std::size_t from, const program_run& failed) {
     const std::size_t answered = failed.answers.size();
     const std::size_t rest = questions_.size() - from;
@@ -82,8 +82,8 @@ class search {
     return halved(from, failed);
   }
 
-  // Bounds of the search: the first `good` questions from `from` are answered well; the first `bad`
-  // are not.
+  // Finds it by bisection: among the questions from `from` on, the first `good` are answered well
+  // as a batch, the first `bad` are not.
   result<std::size_t> halved(std::size_t from, program_run failed) {
     std::size_t good = 0, bad = questions_.size() - from;
     program_run well;

@@ -37,8 +37,8 @@ struct all_channels {
   }
 };
 
-// Limits the code from here to the class, which runs between fork and exec, or without exec: only
-// calls that are allowed there, and no memory from the heap.
+// The functions from here to keep() run between fork and exec, or after a fork without exec: they
+// make only calls that are allowed there, and use no memory from the heap.
 
 [[noreturn]] void become(const std::vector<char*>& arguments, const all_channels& pipes) {
   ::setpgid(0, 0);

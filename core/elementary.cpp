@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Each function reduces its argument, sums a Taylor polynomial for what is left, and adds the
-// largest term last with its rounding error: so the error is little more than the last rounding. A
-// constant with more digits than a double holds is a sum of doubles; the tests compute them again.
+// Each function reduces its argument, sums a Taylor polynomial of the reduced argument, and adds
+// the largest term last together with its rounding error. The error of the result is therefore
+// little more than that of the last rounding. A constant with more digits than a double holds is a
+// sum of doubles; the tests compute these constants anew.
 #include "asterism/core/elementary.hpp"
 
 #include <algorithm>
@@ -21,7 +22,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// ln 2 and its first 38 bits, of which an integer below 2^15 times it is exact; 1 / ln 2.
+// ln 2 as a pair; ln 2 with a head of 38 bits, whose product with an integer below 2^15 is exact; 1
+// / ln 2; 1 / ln 10.
 constexpr double_pair ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 constexpr double_pair ln2_short{0x1.62e42fefa0000p-1, 0x1.cf79abc9e3b3ap-40};
 constexpr double_pair inverse_ln2{0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56};
@@ -34,7 +36,7 @@ struct scaled_number {
 
 scaled_number scaled_towards_one(double x) {
   scaled_number s;
-  // Splits normal numbers as std::frexp does, by their bits.
+  // Splits a normal number by its bits, as std::frexp would.
   constexpr std::uint64_t exponent_bits = 0x7ff, mantissa_bits = 52, one_half = 1022;
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const std::uint64_t biased = bits >> mantissa_bits & exponent_bits;
@@ -52,8 +54,8 @@ scaled_number scaled_towards_one(double x) {
   return s;
 }
 
-// Returns ln m = 2 artanh((m - 1) / (m + 1)) for a mantissa, the argument at most 0.172; the terms
-// left out are below 2^-64 of it.
+// Returns ln m = 2 artanh((m - 1) / (m + 1)) for a mantissa, the argument at most 0.172; the
+// omitted terms of the series are below 2^-64 of the result.
 double_pair log_of_mantissa(double m) {
   static constexpr std::array<double, 13> series = {
       2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11, 2.0 / 13, 2.0 / 15,
@@ -72,7 +74,7 @@ double_pair natural_logarithm(double x) {
   return exact_sum_of_ordered(sum.head, sum.tail + (exponent * ln2_short.tail + of_mantissa.tail));
 }
 
-// Returns the logarithm of arguments that have no mantissa; empty for all others.
+// Returns the logarithm of NaN, infinity, zero and negative numbers; empty for other arguments.
 struct special_value {
   bool is_special = false;
   double value = 0;
@@ -85,7 +87,8 @@ special_value special_logarithm(double x) {
   return {};
 }
 
-// Returns e^r - 1 for a pair |r| <= 0.35, the head last: the terms left out are below 2^-61 of r.
+// Returns e^r - 1 for a pair |r| <= 0.35, adding the head last: the omitted terms of the series are
+// below 2^-61 of r.
 double_pair exponential_less_one(const double_pair& r) {
   static constexpr std::array<double, 13> series = {
       1.0 / 2,         1.0 / 6,          1.0 / 24,         1.0 / 120,     1.0 / 720,
@@ -100,14 +103,15 @@ double scaled_exponential(const double_pair& r, double power) {
   const double_pair all = exact_sum_of_ordered(1, less_one.head);
   const double mantissa = all.head + (all.tail + less_one.tail);
   const int exponent = static_cast<int>(power);
-  // Multiplies by a power of two: a product that is a normal number is exact, as ldexp's is.
+  // Multiplies by the power of two: the product is exact where it is a normal number, like that of
+  // ldexp.
   if (std::abs(exponent) > 1000) return std::ldexp(mantissa, exponent);
   constexpr int bias = 1023, mantissa_bits = 52;
   const auto bits = static_cast<std::uint64_t>(exponent + bias) << mantissa_bits;
   return mantissa * std::bit_cast<double>(bits);
 }
 
-// Returns x - k ln 2 for the nearest integer k.
+// Returns x - k ln 2, where k is the integer nearest to x / ln 2.
 double_pair reduced_by_ln2(double x, double k) {
   // Subtracts exactly: x and k ln2 agree to within a factor of two, or k is 0.
   const double_pair r = exact_sum(x - k * ln2_short.head, -(k * ln2_short.tail));
@@ -116,7 +120,8 @@ double_pair reduced_by_ln2(double x, double k) {
 
 bool is_odd(double y) { return std::abs(y) < 0x1p53 && std::fmod(y, 2) != 0 && std::trunc(y) == y; }
 
-// Returns powers whose argument has no logarithm; empty for others. Requires y != 0, x != 1.
+// Returns x^y where e^(y ln x) cannot give it: for NaN, infinities, x = 0, and x < 0 without an
+// integer y. Returns empty for other arguments. Requires y != 0, x != 1.
 special_value special_power(double x, double y) {
   if (std::isnan(x) || std::isnan(y)) return {true, not_a_number};
   const double base = std::abs(x);
@@ -159,7 +164,8 @@ double power_of_positive(double x, double y) {
   const double rough = y * log.head;
   if (rough > 710) return infinity;
   if (rough < -746) return 0;
-  // Returns 1 for tiny exponents: a part of y would be lost, or its splitting overflow.
+  // Returns 1 if |y ln x| is tiny, where splitting y for the exact product could lose bits or
+  // overflow.
   constexpr double smallest = 0x1p-70;
   if (std::abs(rough) < smallest) return 1;
   const double_pair exponent = product(log, {y, 0});
@@ -237,7 +243,8 @@ double pow(double x, double y) {
   return x < 0 && is_odd(y) ? -power : power;
 }
 
-// Returns (e^2x - 1) / (e^2x + 1), and for large x from above.
+// Returns (e^2x - 1) / (e^2x + 1); beyond |x| = 0.17 as 1 - 2 / (e^2x + 1), beyond 22 as 1 with the
+// sign of x.
 double tanh(double x) {
   if (std::isnan(x)) return x;
   const double size = std::abs(x);

@@ -66,13 +66,13 @@ reduced_angle reduced_huge(double x) {
   const int place = exponent - 2;
   __extension__ using wide = unsigned __int128;
   const std::array words = {bits_from(place), bits_from(place + 64), bits_from(place + 128)};
-  // Multiplies the integer by the words, modulo 1, in units of four quarters.
+  // Multiplies the integer by the bits of 2 / pi, modulo 4 quarters.
   const wide low = static_cast<wide>(integer) * words[2];
   const wide middle = static_cast<wide>(integer) * words[1] + static_cast<std::uint64_t>(low >> 64);
   const std::uint64_t high = integer * words[0] + static_cast<std::uint64_t>(middle >> 64);
   std::uint64_t after = static_cast<std::uint64_t>(middle), last = static_cast<std::uint64_t>(low);
   int quarter = static_cast<int>(high >> 62);
-  // Takes the fraction of a quarter, 190 bits long, as a signed one of at most a half.
+  // Converts the fraction of the quarter, 190 bits, to a signed one of absolute value at most 1/2.
   std::uint64_t top = (high << 2) | (after >> 62);
   after = (after << 2) | (last >> 62);
   last <<= 2;
@@ -102,7 +102,8 @@ reduced_angle reduced(double x) {
   return std::abs(x) < moderate ? reduced_moderate(x) : reduced_huge(x);
 }
 
-// Returns the sine of |x| up to pi / 4; the terms left out are below 2^-59 of the sine.
+// Returns the sine of |x| up to pi / 4; the omitted terms of the series are below 2^-59 of the
+// sine.
 double_pair sine_of_small(const double_pair& x) {
   static constexpr std::array<double, 8> series = {
       -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
@@ -149,8 +150,8 @@ double_pair sum_with_product(double a, double f, double b) {
   return exact_sum_of_ordered(sum.head, sum.tail + p.tail);
 }
 
-// Returns arctan(n / d) for 0 <= n <= d, d in [1, 2): arctan(k / 8) and the rest by its series, the
-// rest's tangent being at most 1/16.
+// Returns arctan(n / d) for 0 <= n <= d, d in [1, 2): arctan(k / 8) for the nearest k, plus the
+// series of the difference, whose tangent is at most 1/16 in size.
 double_pair arc_tangent_of_share(double n, double d) {
   static constexpr std::array<double, 7> series = {-1.0 / 3,  1.0 / 5,  -1.0 / 7, 1.0 / 9,
                                                    -1.0 / 11, 1.0 / 13, -1.0 / 15};
@@ -167,7 +168,8 @@ double_pair arc_tangent_of_share(double n, double d) {
 double_pair arc_tangent_of_quotient(double n, double d) {
   int exponent = 0;
   const double unit = std::frexp(d, &exponent);
-  // Returns the tangent itself where n is far below d; it may be subnormal.
+  // Returns n / d, which equals its arctangent to all digits where n is far below d. It may be
+  // subnormal.
   if (std::ilogb(n) - exponent < -60) return {n / d, 0};
   return arc_tangent_of_share(std::ldexp(n, 1 - exponent), 2 * unit);
 }

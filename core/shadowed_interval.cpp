@@ -44,8 +44,8 @@ dyadic_range greatest(const dyadic_range& a, const dyadic_range& b) {
   return {greatest(a.low, b.low), greatest(a.high, b.high), a.exact && b.exact};
 }
 
-// Returns the square root of x > 0: exact, or within one unit of a whole number of at least 400
-// bits.
+// Returns the square root of x > 0: exact, or between two dyadic numbers that differ by one unit in
+// the last of at least 400 bits.
 dyadic_range square_root(const dyadic& x) {
   constexpr long bits = 800;
   long shift = std::max(0L, bits - (x.magnitude() - x.exponent()));
@@ -137,7 +137,8 @@ shadowed_interval squared(const shadowed_interval& a) {
   if (a.shadow_) {
     const auto& p = *a.shadow_;
     const dyadic_range first = p.least * p.least, second = p.greatest * p.greatest;
-    // Includes zero only where it certainly lies between the ends.
+    // Takes 0 as the least square only where both bounds of the operand prove that 0 lies between
+    // its ends.
     const bool straddles = p.least.high.sign_value() != sign::positive &&
                            p.greatest.low.sign_value() != sign::negative;
     shadow = {straddles ? exactly(dyadic(0)) : least(first, second), greatest(first, second),

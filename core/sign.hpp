@@ -66,19 +66,19 @@ constexpr uncertain_bool operator&(uncertain_bool a, uncertain_bool b) {
 // Returns Kleene's three-valued "or": a certain `true` decides alone.
 constexpr uncertain_bool operator|(uncertain_bool a, uncertain_bool b) { return !((!a) & (!b)); }
 
-// True if the sign is certainly positive; undecided where it is.
+// True if the sign is certainly positive; undecided if the sign is.
 constexpr uncertain_bool is_positive(uncertain_sign s) {
   return s.certain() ? uncertain_bool(s.value() == sign::positive) : uncertain_bool();
 }
-// True if the sign is certainly negative; undecided where it is.
+// True if the sign is certainly negative; undecided if the sign is.
 constexpr uncertain_bool is_negative(uncertain_sign s) {
   return s.certain() ? uncertain_bool(s.value() == sign::negative) : uncertain_bool();
 }
-// True if the sign is certainly zero; undecided where it is.
+// True if the sign is certainly zero; undecided if the sign is.
 constexpr uncertain_bool is_zero(uncertain_sign s) {
   return s.certain() ? uncertain_bool(s.value() == sign::zero) : uncertain_bool();
 }
-// Returns the opposite sign; undecided where it is.
+// Returns the opposite sign; undecided if the sign is.
 constexpr uncertain_sign operator-(uncertain_sign s) {
   return s.certain() ? uncertain_sign(-s.value()) : s;
 }

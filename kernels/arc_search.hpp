@@ -22,7 +22,8 @@
 
 namespace asterism::internal {
 
-// Makes the displacement and weight of the point p(m) of an arc, over a type that holds sqrt E.
+// Searches a visible arc for a good point. PointOnArc makes the point p(m) by its weighted
+// displacement, in a type that holds sqrt E; Source is the number type of the coefficients.
 template <class Number, class PointOnArc, class Source = Number>
 class arc_search {
  public:
@@ -92,7 +93,8 @@ class arc_search {
     while (last > first && !(hints_[last - 1] < high)) --last;
     if (first < last) return hints_[(first + last) / 2];
     if (std::isinf(low) && std::isinf(high)) return 0;
-    // Cuts an infinite range in growing strides, and a long one geometrically.
+    // Cuts an infinite range at a point that grows as the square of its finite end, and a long one
+    // at about the geometric mean of its ends.
     if (std::isinf(low)) return high < 0 ? -(high * high + 1 - high) : -1 - high;
     if (std::isinf(high)) return low > 0 ? low * low + 1 + low : 1 - low;
     constexpr double long_range = 16;

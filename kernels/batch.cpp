@@ -35,7 +35,7 @@ signed char number_of(sign s) { return static_cast<signed char>(to_int(s)); }
 signed char number_of(bool answer) { return static_cast<signed char>(answer); }
 
 // Runs a batch: first(columns..., rows, answers) decides the rows it can; ask(kernel, arguments...)
-// decides each row left.
+// decides each row that is undecided after that.
 template <class First, class Ask, class... Columns>
 batch_status run(std::span<signed char> answers, predicate which, tier_counters* decided,
                  const First& first, const Ask& ask, const Columns&... columns) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Defines a double that carries a bound of its error, for formulas whose bound is not worth
-// deriving by hand. Each operation costs about ten.
+// deriving by hand. Each operation costs about as much as ten of doubles.
 //
 // `bounded` never changes the rounding mode and trusts none: every bound below holds whichever way
 // the machine rounds, and whether or not it flushes subnormal numbers to zero.

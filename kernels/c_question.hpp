@@ -41,15 +41,15 @@ inline asterism_status check_sites(const filtered_kernel& kernel, const batch_re
 
 // True if the metric m11 m12 m22, of finite numbers, is positive definite for certain; in doubles,
 // in any rounding mode and with subnormal numbers switched off. With u = 2^-53 the products are off
-// by a factor 1 + 2u at most, upward or downward, and m12^2 by 2^-1020 where it is that small; so
-// more than 1 + 8u times m12^2, and more than 2^-900, is more than m12^2.
+// by a factor 1 + 2u at most, upward or downward, and m12^2 by 2^-1020 where it is that small; so a
+// computed product above both (1 + 8u) times the computed square and 2^-900 proves m11 m22 > m12^2.
 inline bool is_surely_positive_definite(const double* m) {
   constexpr double more = 1 + 0x1p-50, least = 0x1p-900;
   const double product = m[0] * m[2], square = m[1] * m[1];
   return (m[0] > 0) & (product > square * more) & (product > least);
 }
 
-// True if two points, of finite numbers, are apart for certain.
+// True if two points, of finite numbers, certainly differ.
 inline bool are_surely_apart(const double* p, const double* q) {
   return (p[0] != q[0]) | (p[1] != q[1]);
 }

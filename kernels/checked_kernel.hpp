@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Evaluates every question by two kernels, the first one's answer is returned, and every difference
-// is reported, with the source text of a test that reproduces it. It serves to try out an
-// arithmetic inside a program that runs on another one, after CGAL's Filtered_kernel_checker.
+// Evaluates every question by two kernels, returns the answer of the first, and reports every
+// difference with the source text of a test that reproduces it. It tests a new arithmetic inside a
+// program that is known to work with another, after CGAL's Filtered_kernel_checker.
 //
 // First and Second are any classes with the member functions of filtered_kernel, whose answers may
-// be `uncertain`; an empty answer agrees with every answer. Second is taken for the reference.
-// Each call costs what both kernels cost; reporting costs only where answers differ. Exceptions of
-// the report pass through. As thread-safe as the two kernels and the report are.
+// be `uncertain`; an empty answer agrees with every answer. Second is taken for the reference. Each
+// call costs what both kernels cost; reporting costs only where answers differ. Exceptions of the
+// report pass through. As thread-safe as the two kernels and the report are.
 #pragma once
 
 #include <functional>

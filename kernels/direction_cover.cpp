@@ -106,7 +106,8 @@ class direction_cover {
     bounded turn;  // offset of w x offset of z
   };
 
-  // True if v and w certainly see no common point in direction e, nor farther away from w's.
+  // True if w certainly allows no point in direction e, nor in directions farther from that of w:
+  // the ray never meets w's bisector, or makes an obtuse angle with the direction of w.
   bool is_beyond(const vector& e) const {
     return w_.radicand(e, w_.bend).certainly_negative() || dot(e, w_.offset).certainly_negative();
   }
@@ -137,8 +138,8 @@ class direction_cover {
     return {exactly(m)};
   }
 
-  // True if one reason forbids all directions of the cone. Compares an upper bound of s_w that is
-  // convex with lower ones that are concave, at both ends.
+  // True if one reason forbids all directions of the cone. Compares a convex upper bound of s_w
+  // with concave lower bounds of the neighbours' functions, at both ends of the cone.
   bool is_forbidden(const direction& right, const direction& left, const vector& m) const {
     bounded w_right, w_left;
     if (w_.concave && dot(m, w_.offset).certainly_positive()) {
@@ -158,7 +159,7 @@ class direction_cover {
     return false;
   }
 
-  // True if the ray meets z's bisector before it meets w's, all over the cone.
+  // True if in each direction of the cone the ray meets z's bisector before it meets w's.
   static bool comes_first(const seen_site& z, const vector& right, const vector& left,
                           const vector& m, const bounded& w_right, const bounded& w_left) {
     if (!dot(right, z.offset).certainly_positive() || !dot(left, z.offset).certainly_positive())
@@ -194,7 +195,8 @@ class direction_cover {
     return nearer_at(right, w_right) && nearer_at(left, w_left);
   }
 
-  // True if the direction m seems to be open: w's bisector is met first there, in plain doubles.
+  // True if no reason forbids direction m in plain doubles: the ray meets w's bisector before those
+  // of the neighbours, and no triangle contains a neighbour.
   bool is_open(const displacement<double>& m) const {
     const vector e = exactly(m);
     if (is_beyond(e)) return false;
@@ -208,7 +210,8 @@ class direction_cover {
     }
     return true;
   }
-  // Returns the point seen in direction e; zero where the bisector is not met.
+  // Returns s_z(e), the inverse of the parameter at which the ray along e meets z's bisector; 0
+  // where it never does.
   static double seen_at(const seen_site& z, const vector& e) {
     const bounded radicand = z.radicand(e, z.bend);
     return radicand.value() > 0 ? z.meeting(e, radicand).value() : 0;

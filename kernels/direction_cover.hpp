@@ -5,12 +5,12 @@
 // reason forbids all of them. For neighbours whose metrics are stretched in directions of their
 // own, where star_gap finds no vertex or one whose bounds decide nothing.
 //
-// Method: in v's frame (kernels/normal_frame.hpp) an upper bound of w's first meeting, 1/s_w, and a
-// lower bound of x's, or of the line through w and x beyond x, are compared at both ends of a cone;
-// where one is convex and the other concave in the direction, that settles all in between. A cone
-// that is not settled is split at the ray of a neighbour or in the middle, a few times at most.
-// Proof: docs/math/direction-cover.md. Plain doubles with running error bounds, in any
-// floating-point environment.
+// Method: in v's frame (kernels/normal_frame.hpp) a ray first meets w's bisector at the parameter
+// 1/s_w. At both ends of a cone an upper bound of s_w is compared with a lower bound of s_x, or
+// beyond x with the line through w and x. If the upper bound is convex and the lower one concave,
+// the ends settle all directions in between. A cone that is not settled is split at the ray of a
+// neighbour or in the middle, a few times at most. Proof: docs/math/direction-cover.md. Plain
+// doubles with running error bounds, in any floating-point environment.
 #pragma once
 
 #include "asterism/core/site.hpp"

@@ -111,7 +111,7 @@ inline arc_extent find_extent(const visible_arc<double>& arc) {
     const double discriminant = b * b - 4 * a * c;
     if (!(discriminant >= 0)) return;
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-    // Treats an end as infinite whose leading coefficient is no more than rounding.
+    // Treats an end beyond this as infinite: the leading coefficient is then mere rounding error.
     constexpr double far_out = 0x1p12;
     for (const double end : {q / a, c / q})
       if (std::abs(end) < far_out) insert(end);

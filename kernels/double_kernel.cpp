@@ -111,7 +111,7 @@ bool double_kernel::insertion_test(const site& v, const site& w, const site& x,
 
 bool double_kernel::edge_test(const site& v, const site& w, const site& x, const site& y) const {
   // Breaks only ties of equal metrics: whether four bisectors of different metrics meet in a point
-  // cannot be asked of rounded numbers.
+  // cannot be decided from rounded numbers.
   return insertion_answer(
       v, w, x, y, equal_metric_tie_goes_to_edge(v.position, w.position, x.position, y.position));
 }

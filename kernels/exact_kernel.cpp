@@ -116,7 +116,7 @@ struct insertion_sections {
     return false;
   }
 
-  // Returns the value of f at a root of the line, which is on the arc.
+  // Returns the sign of f at a root of the line that lies on the arc.
   sign value_at(const arc_function<dyadic>& f, real_root& root) const {
     return exact::sign_at(question.arc, f, root);
   }
@@ -130,8 +130,8 @@ struct insertion_sections {
     return -exact_arithmetic::function_sign(question.arc, equidistance, samples[section]);
   }
 
-  // True if the sections allowed by x and by y touch at cut k, with all four sites equally near
-  // there.
+  // True if the section allowed by x and the one allowed by y touch at cut k, and all four sites
+  // are equally far from the point there.
   bool is_four_site_contact(std::size_t k) {
     constexpr std::uint64_t both = (1U << tag_x) | (1U << tag_y);
     exact::cut& at = line.cuts()[k];
@@ -144,19 +144,20 @@ struct insertion_sections {
   }
 };
 
-// Searches by witness or cover: first with exact coefficients whose signs intervals read, for
-// questions that are open through rounding or exact zeros alone; then in exact numbers alone.
-// Undecided on ties and tangencies, and where the magnitudes do not let doubles propose parameters.
+// Searches for a witness or a cover: first with exact coefficients enclosed by intervals, which
+// settles questions undecided only because coefficients were rounded or exact zeros lost; then in
+// exact numbers alone. Undecided on ties and tangencies, and if the magnitudes do not let doubles
+// propose parameters.
 [[gnu::noinline]] uncertain_bool search_upward(const std::array<site, 4>& sites) {
   constexpr int most_ranges = 64;
   return search_in_stages<interval, interval_arc_point, dyadic>(sites, most_ranges);
 }
 
 uncertain_bool search_arc(const site& v, const site& w, const site& x, const site& y) {
-  // Leaves questions that are not settled soon to the sections of the line. They are ties or
-  // tangencies, which no number of ranges settles and the sections do for less. Sets of 64
-  // questions one unit from the border, and of as many ties, took 28 and 108 ms with 64 ranges, 24
-  // and 73 with 32, 22 and 56 with 16, 24 and 47 with 8.
+  // Leaves questions that a few ranges do not settle to the sections of the line. These are ties or
+  // tangencies, which ranges never settle, and sections take less time. Sets of 64 questions one
+  // unit from the border, and of 64 ties, took 28 and 108 ms with 64 ranges, 24 and 73 with 32, 22
+  // and 56 with 16, 24 and 47 with 8.
   constexpr int most_ranges = 16;
   const floating_point_scope scope(rounding::nearest);
   const scaled_input<4, 0> input({&v, &w, &x, &y}, {});
@@ -181,7 +182,7 @@ bool equal_metric_answer(const site& v, const site& w, const site& x, const site
                                               as_exact(x), as_exact(y), tie));
 }
 
-// Uses integers of any size, where a fixed width does not hold them.
+// Holds the predicates over integers of any size, for questions beyond a fixed width.
 namespace unbounded {
 
 sign orientation(const point& p, const point& q, const point& r) {

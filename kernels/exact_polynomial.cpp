@@ -152,17 +152,17 @@ double leading_fraction(const dyadic& x) {
   return std::ldexp(value, -static_cast<int>(std::bit_width(limbs.back())));
 }
 
-// Returns a short number strictly between: the power of two in the middle of the exponents while
-// they differ, then half way. Halving alone would take as many steps as there are exponents
-// between.
+// Returns a short number strictly between low and high: the power of two with the mean of their
+// exponents while the exponents differ, then the mean of the two. Halving alone would take one step
+// for each exponent in between.
 dyadic split_point(const dyadic& low, const dyadic& high) {
   const sign side_low = low.sign_value(), side_high = high.sign_value();
   if (side_low == sign::negative && side_high == sign::positive) return dyadic(0);
   const bool below = side_high != sign::positive;
   const dyadic near = below ? -high : low, far = below ? -low : high;
   const long most = far.magnitude();
-  // Handles intervals that begin at zero, below which there are more exponents: each step takes
-  // more of them at once.
+  // Handles intervals that begin at zero, where exponents have no lower limit: takes the middle of
+  // a range of at least 64 exponents, which grows as the interval shrinks.
   const long least = near.is_zero() ? most - std::max(64L, std::abs(most)) : near.magnitude();
   if (most - least > 2) {
     const dyadic middle = dyadic(1).scaled(least + (most - least) / 2);
@@ -190,7 +190,8 @@ struct isolation {
     if (count == 0) return;
     if (count == 1) {
       roots.emplace_back(p, low, high, just_left_of(high));
-      // Tests the end for a root only here: elsewhere the ends of intervals are known to be none.
+      // Shrinks the interval until neither end is a root. All other intervals of roots have such
+      // ends from the start.
       real_root& found = roots.back();
       while (!found.is_dyadic() &&
              (p.sign_at(found.low()) == sign::zero || p.sign_at(found.high()) == sign::zero))
@@ -213,8 +214,8 @@ struct isolation {
     run(from, high, count, splits + 1);
   }
 
-  // Returns the place to cut between roots that bisection separates slowly: there is a root of the
-  // derivative between them, which is found fast.
+  // Returns cuts for roots that bisection separates slowly: the ends of short intervals around
+  // roots of the derivative. One of these lies between the roots, and is found fast.
   std::vector<dyadic> beside_turns(const dyadic& low, const dyadic& high) {
     if (!turns) turns = isolate_real_roots(slope);
     const long narrow = (high - low).magnitude() - 32;
@@ -245,8 +246,8 @@ double share_of_first(const dyadic& a, const dyadic& b) {
 }
 
 bool overlap(const real_root& a, const real_root& b) {
-  // Decides that roots differ: two open intervals that share only an end hold different roots, and
-  // a dyadic root at the open end of an interval is not that interval's root.
+  // Excludes equal roots if false: open intervals that share at most an end hold different roots,
+  // and a dyadic root at an open end of an interval is not that interval's root.
   return a.low() < b.high() && b.low() < a.high();
 }
 
@@ -284,8 +285,8 @@ void real_root::refine() {
   }
 }
 
-// Narrows the interval towards the one of 2^bits cells in which the secant has the root. True if
-// the root is in that cell, or was met exactly.
+// Narrows the interval, divided into 2^bits cells, to the cell that contains the secant's root.
+// True if that cell contains the root, or the root was hit exactly.
 bool real_root::narrow_to_cell(int bits) {
   const double share = share_of_first(p_.value_at(low_), p_.value_at(high_));
   const double cells = std::ldexp(1.0, bits);
@@ -304,8 +305,8 @@ bool real_root::is_root_of(const dense_polynomial& q) const {
   if (is_dyadic()) return q.sign_at(low_) == sign::zero;
   const dense_polynomial common = greatest_common_divisor(p_, q);
   if (common.degree() == 0) return false;
-  // Uses that a root of the divisor is one of p, which has only this one in the interval and none
-  // at its ends.
+  // Uses that a root of the divisor is a root of p, and that p has one root in the interval and
+  // none at its ends.
   return sturm_sequence(common).roots_between(low_, high_) != 0;
 }
 
@@ -326,7 +327,7 @@ sign compare(real_root& a, real_root& b) {
       return a.high_ < b.low_ || a.high_ == b.low_ ? sign::negative : sign::positive;
     if (round == cheap_rounds) {
       // Uses that each interval holds one root of its own polynomial: a common root in the overlap
-      // is both.
+      // is the root of both.
       const real_root& narrow = a.high_ - a.low_ < b.high_ - b.low_ ? a : b;
       const real_root& other = &narrow == &a ? b : a;
       if (narrow.is_root_of(other.p_)) {

@@ -36,9 +36,9 @@ template <class Ask>
   return exact;
 }
 
-// Decides likewise, tier by tier, for predicates that take no longer than a call. Exact integers of
-// a fixed width cost less than intervals where they fit, so they come first. Arguments stay in
-// registers on the way to the other tiers, and nothing is stored for a call that is not made.
+// Decides tier by tier, like the function above, for predicates that cost no more than a function
+// call. Exact integers of a fixed width come before intervals, as they cost less where they fit.
+// Arguments are passed on in registers, and nothing is stored for a call that is not made.
 template <predicate Which, auto OfShort, auto OfIntervals, auto OfExact, class... Arguments>
 [[gnu::noinline]] auto decide_slowly(tier_counters* decided, const Arguments&... arguments) {
   auto answer = OfShort(arguments...);
@@ -63,8 +63,8 @@ bool equal_metrics(const site& v, const site& w, const site& x, const site& y) {
          identical(v.metric, y.metric);
 }
 
-// Decides edge_test by one gap of v's star, when w seems to be in one of less than half a turn;
-// star_gap verifies the conditions that it needs.
+// Decides edge_test by the gap of v's star between x and y, if w seems to lie in it and it is below
+// 180 degrees; star_gap verifies these conditions.
 uncertain_bool ask_gap(const site& v, const site& w, const site& x, const site& y) {
   const auto to_w = between(v.position, w.position), to_x = between(v.position, x.position),
              to_y = between(v.position, y.position);
@@ -74,14 +74,14 @@ uncertain_bool ask_gap(const site& v, const site& w, const site& x, const site& 
   return left_of_x ? star_gap(v, x, y).accepts(w) : star_gap(v, y, x).accepts(w);
 }
 
-// Evaluates the gap of v and that of w, which pose the same question: the errors of one may be
-// smaller.
+// Evaluates the gap of v and, if that is undecided, the gap of w: both have the same answer, with
+// different error bounds.
 uncertain_bool ask_gaps(const site& v, const site& w, const site& x, const site& y) {
   const uncertain_bool by_v = ask_gap(v, w, x, y);
   return by_v.certain() ? by_v : ask_gap(w, v, x, y);
 }
-// Returns a certain answer only for a refusal: no direction is left in which both may see a point
-// that belongs to them.
+// Returns false if w is certainly refused, since no direction is left in which v and w may see a
+// point that belongs to both; else undecided.
 uncertain_bool ask_directions(const site& v, const site& w, const site& x, const site& y) {
   const bool refused = no_direction_is_left(v, w, x, y) || no_direction_is_left(w, v, x, y);
   return refused ? uncertain_bool(false) : uncertain_bool();

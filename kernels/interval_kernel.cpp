@@ -189,8 +189,8 @@ uncertain_bool interval_kernel::edge_test(const site& v, const site& w, const si
           return equal_metric_answer(s[0], s[1], s[2], s[3],
                                      equal_metric_tie_goes_to_edge(s[0].position, s[1].position,
                                                                    s[2].position, s[3].position));
-        // Takes a certain "no", which excludes a tie: that needs a point where f_v = f_w = f_x =
-        // f_y, at which no condition certainly fails by domination, and none by containment if good
+        // Accepts a certain "no", which excludes a tie. At a tie f_v = f_w = f_x = f_y at some
+        // point; there no condition certainly fails by domination, and none by containment if good
         // points are near (docs/math/insertion-test.md).
         return search_in_stages<interval, interval_arc_point>(s, most_ranges);
       });

@@ -39,10 +39,10 @@ polynomial<Number, Degree> polynomial_as(const polynomial<Source, Degree>& p) {
   return result;
 }
 
-// One neighbour's condition, with the functions it depends on made when first asked for: their
-// coefficients in Source arithmetic, their signs on ranges in Number. Intervals from exact
+// One neighbour's condition, and the functions on which it depends, each made when first needed.
+// Coefficients are in Source arithmetic, signs on ranges in Number. Intervals around exact
 // coefficients are a unit in the last place wide and keep exact zeros, which symmetric metric
-// fields put at the infinite ends.
+// fields cause at the infinite ends of arcs.
 template <class Number, class Source>
 class lasting_reasons {
  public:
@@ -89,19 +89,19 @@ class lasting_reasons {
     const bool farther = at.x_farther.value() == sign::positive;
     const auto distance = [&] { return condition_.distance(); };
     if (no_zero(equidistance_, over, distance)) {
-      // Excludes points where a segment touches the bisector: how often the two segments meet the
-      // bisector changes at such points alone.
+      // Excludes points at which a segment touches the bisector: the number of meetings of the two
+      // segments with the bisector changes at such points alone.
       if (farther) return no_zero_of_pair(pair_function::tangents_to_x);
-      // Handles points where x is nearer; i dominates only where the segment xp meets the bisector
-      // twice.
+      // Handles points nearer to x: i dominates only those p for which the segment xp meets the
+      // bisector twice.
       return sign_of_pair(pair_function::steepness_from_x).certainly(sign::positive) ||
              sign_of_pair(pair_function::approach_from_x).certainly(sign::negative) ||
              sign_of_pair(pair_function::slope_from_x).certainly(sign::positive) ||
              no_zero_of_pair(pair_function::tangents_from_x);
     }
-    // Handles points where x passes from farther to nearer: there the ray from i crosses the
-    // bisector for the second time and the ray from x for the first, and i fails on both sides of
-    // that.
+    // Handles ranges on which x changes from farther to nearer: at the change the ray from i
+    // crosses the bisector for the second time and the ray from x for the first, and i dominates on
+    // neither side of it.
     return sign_of_pair(pair_function::slope_to_x).certainly(sign::negative) &&
            sign_of_pair(pair_function::slope_from_x).certainly(sign::positive) &&
            no_zero_of_pair(pair_function::tangents_to_x);
@@ -126,10 +126,10 @@ class lasting_reasons {
     }
   }
 
-  // Returns the sign of alpha + beta s, s > 0, on the part of the arc in the range: certain when
-  // alpha and beta have one sign, or when the norm shows no zero, or when P and beta have one sign
-  // (the norm also vanishes where the conjugate P - beta sqrt E does, but the function not there).
-  // With `any` the function need only have no zero; the sign may be either.
+  // Returns the sign of alpha + beta s, s > 0, on the range's part of the arc. It is certain when
+  // alpha and beta have one sign, when the norm has no zero, or when P and beta have one sign. The
+  // last case is needed since the norm also vanishes at zeros of the conjugate P - beta sqrt E.
+  // With `any` a certain answer says only that the function has no zero.
   template <class Make>
   uncertain_sign sign_throughout(cached& f, const range& over, const Make& make, bool any = false) {
     const auto& arc = *condition_.arc;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes a question with a doubtful answer as the source text of a Catch2 test that asks it again.
+// Writes a question as the source text of a Catch2 test that checks its answer.
 #pragma once
 
 #include <string>

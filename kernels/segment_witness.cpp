@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Bounds. `size` of a value is at least the sum of its absolute monomials, each of which passes at
-// most twelve operations: the value is off by less than 2^-48 of it in any rounding mode, and by
-// underflows that smallest_decided covers in the range asked for. The crossing is at t = W / (V +
-// W) of the way from v, V and W the lengths of the way to v and w; where the sizes of their squares
-// are at most 2^24 of these, t is off by at most 2^-25.
+// most twelve operations: the value is off by less than 2^-48 of `size` in any rounding mode, and
+// by underflows that smallest_decided covers in the required range. The edge crosses the bisector
+// at the part t = W / (V + W) of its length from v, with V and W the lengths of the edge in the
+// metrics of v and w; where the sizes of their squares are at most 2^24 times these squares, t is
+// off by at most 2^-25.
 #include "asterism/kernels/segment_witness.hpp"
 
 #include <cmath>
@@ -35,11 +36,11 @@ struct way {
   double share;                // of `along` up to the crossing
 };
 
-// True if a site of metric m, at e from the end of the way, is certainly farther than that end from
-// each of its points: |e - t d|_m^2 - t^2 |d|^2 = c - 2 b t + a t^2 is positive up to t = share. It
-// is at 0, and so in between if it is concave, or if it falls all the way or rises all the way. It
-// changes by at most 3 (c + |d|_m^2 + |d|^2) times the error of t; |b| is at most half a sum of
-// squares, as are its monomials.
+// True if a site of metric m, at e from the start of the way, is certainly farther than the start
+// from each point t d of the way: |e - t d|_m^2 - t^2 |d|^2 = c - 2 b t + a t^2 is positive up to t
+// = share. It is positive at t = 0, and tested at t = share; it is positive in between if it is
+// concave or monotonic. It changes by at most 3 (c + |d|_m^2 + |d|^2) times the error of t; |b| is
+// at most half a sum of squares, as are its monomials.
 bool stays_farther(const metric_tensor& m, const displacement<double>& e, const sized& seen,
                    const way& to) {
   const sized c = length_squared(m, e);

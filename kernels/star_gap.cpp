@@ -11,10 +11,10 @@ using namespace star_gap_detail;
 
 namespace {
 
-// Returns the tolerance for the ingredients of conditions that are not sharp, namely every side
-// condition. Such a condition is decided only `tolerance` times its magnitude away from zero;
-// divisors and roots that it is made of are known to within `ingredient`, an eighth of that. Both
-// grow with the frame's rho only when that is large.
+// Returns the relative error to which divisors and roots in side conditions are known,
+// `ingredient`. A side condition is decided only where it is more than `tolerance`, eight times
+// this, times its magnitude away from zero: it need not be sharp. Both grow with the frame's rho
+// only if that is large.
 double ingredient_tolerance(double rho) {
   const double needed = 0x1p14 * rho;
   return needed > 0x1p-18 ? needed : 0x1p-18;
@@ -96,7 +96,7 @@ bool star_gap::find_vertex() {
   return false;
 }
 
-// Takes the direction midway between x and y, each divided by its own length.
+// Sets the direction u midway between those of x and y, each divided by its own length.
 void star_gap::aim_between() {
   const double x_inverse = 1 / std::sqrt(x_.c), y_inverse = 1 / std::sqrt(y_.c);
   const double length = 1 / greater(x_inverse, y_inverse);
@@ -121,7 +121,8 @@ bool star_gap::enclose_meeting(neighbour& z) const {
   z.highest = s + above;
   if (!(ray.at(s - above) < -error && ray.at(z.highest) > error)) return false;
   const double convexity_error = convexity_depth * rho * convexity_magnitude(extent, trace);
-  // Replaces a bound of s that may not be concave by that of the nearest metric for which it is.
+  // Replaces a bound of s that may not be concave by the bound for the nearest metric for which it
+  // is.
   const double u_over_c = (u_extent_ * u_extent_) * inverse_c;
   const double lower_error = error + 3 * convexity_error * u_over_c;
   const double below = lower_error * inverse_root;
@@ -144,8 +145,8 @@ bool star_gap::never_met(neighbour& z, const ray_equation<double>& ray, double d
   return ray.h < -h_error && ray.a < -a_error;
 }
 
-// Prepares the bound from below: the tangent of s at u if s is certainly convex, else what is left
-// of the bound without its root.
+// Prepares the lower bound of s: its tangent at u if s is certainly convex, else its linear part
+// and a bend for which its root is concave.
 bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_root,
                            bool convex) const {
   const auto& d = z.site.offset;
@@ -172,9 +173,10 @@ bool star_gap::bound_below(neighbour& z, double discriminant, double inverse_roo
   return true;
 }
 
-// Returns an upper bound of |z|/b(z) and |z|/2, b the lower bound: the distance of the bisector on
-// the edge to z, and half the edge. |z| is known to within 2 rho of itself, C and the discriminant
-// to within an ingredient, u . z to within its tolerance.
+// Returns an upper bound of both |z|/b(z) and |z|/2, b the lower bound of s: the former is at least
+// the distance from v to the bisector along the edge to z, the latter is half the edge. |z| is
+// known to within 2 rho of itself, C and the discriminant to within an ingredient, u . z to within
+// its tolerance.
 double star_gap::reach_along_edge(const neighbour& z) const {
   const double length = std::sqrt(dot(z.site.offset, z.site.offset));
   const double above_one =
@@ -224,7 +226,8 @@ uncertain_bool star_gap::accepts(const site& w) const {
   return {};
 }
 
-// True if the point is good in which a ray meets w's bisector before those of x and y.
+// True if the first meeting of the ray along u with w's bisector is certainly a good point.
+// Requires that the ray meets w's bisector before those of x and y.
 uncertain_bool star_gap::witness(const candidate& w) const {
   const double discriminant = w.ray.discriminant();
   if (!(discriminant > 0)) return {};
@@ -307,8 +310,8 @@ bool star_gap::far_away(const framed_site& w) const {
   return length > (1 + sigma) * ((1 + 0x1p-40) * reach_in_frame());
 }
 
-// True if there is no good point in any direction within a right angle of w. `at_lowest` bounds the
-// ray equation at lowest_ from below.
+// True if certainly no direction within a right angle of w holds a good point. `at_lowest` bounds
+// the ray equation at lowest_ from below.
 bool star_gap::refuted(const candidate& w, double at_lowest) const {
   const double extent = w.site.extent, trace = w.site.trace;
   const double beyond_top = w.ray.c * lowest_ - w.ray.h;
@@ -317,17 +320,17 @@ bool star_gap::refuted(const candidate& w, double at_lowest) const {
     return false;
   const auto top = bound_above(w);
   if (!top) return false;
-  // Replaces S, if s may not be convex, by that of the nearest metric for which it is, and requires
-  // that the ray equation leaves room for it.
+  // Takes for S, if s_w may not be convex, the bound for the nearest metric for which it is, and
+  // requires that the ray equation at lowest_ exceeds the difference.
   if (!top->concave && !(at_lowest * w.ray.c > 4 * top->convexity_error * (u_extent_ * u_extent_)))
     return false;
   return closed_towards(x_, w, *top, w.turn_x, 1) && closed_towards(y_, w, *top, w.turn_y, -1);
 }
 
-// True if no direction is left between u and the direction n at a right angle to w on the side of
-// z. Either z's bisector is met first all along, or it is up to some direction from z's ray on, and
-// beyond that the triangle of v, w and the point contains z. `turn` is the area of w and z,
-// positive; `side` 1 for x, -1 for y.
+// True if certainly no direction is left to w between u and n, where n is at a right angle to w on
+// the side of z. Either the rays meet z's bisector before w's in all of these directions; or they
+// do so up to z's ray or a direction beyond it, and farther on the triangle of v, w and the point
+// contains z. `turn` is the area spanned by w and z, positive; `side` is 1 for x, -1 for y.
 bool star_gap::closed_towards(const neighbour& z, const candidate& w, const upper_bound& top,
                               double turn, double side) const {
   const auto& d = w.site.offset;
@@ -342,11 +345,11 @@ bool star_gap::closed_towards(const neighbour& z, const candidate& w, const uppe
     if (lower - at_end > tolerance_ * magnitude) return true;
   }
   const double magnitude = 2 * (top.magnitude * reach + c_size * (extent_squared + reach));
-  // Compares C (l - S) (d x z) at n with zero.
+  // Bounds C (l - S) (d x z) at n from below; l is the linear function that is 1 at w and at z.
   const double room = w.ray.c * (square - along) - at_end * turn - tolerance_ * magnitude;
   if (!(along > tolerance_ * (2 * reach) && room > 0)) return false;
   const estimate at_z = top_at(z, w, top, turn, side);
-  // Compares C (S - l) at z with zero.
+  // Bounds C (S - l) at z from above.
   const double excess = at_z.value - w.ray.c + tolerance_ * (c_size + at_z.size);
   if (excess < 0) return true;
   const double turn_at_most = turn + cross_depth * frame_.rho() * (2 * reach);
@@ -357,7 +360,8 @@ bool star_gap::closed_towards(const neighbour& z, const candidate& w, const uppe
                       {at_z.value + step * at_end, at_z.size + step * top.magnitude});
 }
 
-// True if C S at z itself is less than `value` and the tolerance of `size`.
+// Bounds C S in the direction of z from above: it is less than `value` plus the tolerance times
+// `size`.
 star_gap::estimate star_gap::top_at(const neighbour& z, const candidate& w, const upper_bound& top,
                                     double turn, double side) const {
   const auto& d = w.site.offset;
@@ -378,8 +382,8 @@ star_gap::estimate star_gap::top_at(const neighbour& z, const candidate& w, cons
   return {at_z.value + root, at_z.size + root};
 }
 
-// True if z's lower bound, times C, is more than `top` in the direction z + step n. Being concave,
-// it is then more than `top` from u to there.
+// True if z's lower bound, times C, is certainly more than `top` in the direction z + step n. It
+// then exceeds C S from u up to that direction, as it is concave and S convex.
 bool star_gap::met_first_at(const neighbour& z, const candidate& w, const direction_beyond& e,
                             const estimate& top) const {
   const auto& d = w.site.offset;

@@ -34,8 +34,9 @@ class star_gap {
   // how ties are broken.
   uncertain_bool accepts(const site& w) const;
 
-  // Finds the gap's Voronoi vertex, f_v = f_x = f_y, to about ten digits, not trusted; meaningless
-  // when there is none because Newton's method did not converge.
+  // True if the gap's Voronoi vertex, with f_v = f_x = f_y, was found, by Newton's method to about
+  // ten digits and without an error bound. If false, vertex() and vertex_distance_squared() are
+  // meaningless.
   bool has_vertex() const { return has_vertex_; }
   point vertex() const { return frame_.original(u_); }
   double vertex_distance_squared() const { return frame_.scale() * u_squared_; }  // f_v there
@@ -52,11 +53,11 @@ class star_gap {
     displacement<double> dual;    // N d
     displacement<double> seen_u;  // N u
     double c = 0, a = 0;          // of the ray equation along u
-    // Bounds of s along u at the first meeting of the ray with the neighbour's bisector. The root
-    // of a concave lower bound is no smaller than the first meeting's s.
+    // Bounds of s along u at the first meeting of the ray with the neighbour's bisector. `lowest`
+    // is also at most the concave lower bound of s at u, and 0 if no such bound is known.
     double lowest = 0, highest = 0;
-    // Coefficient of the bound for directions other than u: the bound is at least slope . direction
-    // where |u|^2 >= bend (u x d)^2.
+    // Linear part of the lower bound of s in other directions e: the bound is at least slope . e
+    // where |e|^2 >= bend (e x d)^2.
     displacement<double> slope;
     double slope_magnitude = 0, bend = 0;
     // Inverse root of the ray equation's discriminant, if the bound is the tangent at u (bend is
@@ -69,8 +70,8 @@ class star_gap {
   struct estimate {
     double value, size;
   };
-  // Gives the direction z + step n, where n is the vector at a right angle to w on z's side (`side`
-  // 1 for x, -1 for y). `turn` is the area spanned by w and z.
+  // The direction z + step n, where n is the vector at a right angle to w on z's side (`side` is 1
+  // for x, -1 for y). `turn` is the area spanned by w and z.
   struct direction_beyond {
     double turn, side, step;
   };

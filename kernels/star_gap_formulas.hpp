@@ -47,7 +47,8 @@ Number steepness_towards(const Number& s, const displacement<Number>& d, const N
   return ((c_x - (along + along)) * s + (across + across)) * s + a_x;
 }
 
-// Returns the radicand, with S linear in u plus its root, over C, at u = z, turn = d x z.
+// Returns the discriminant of the ray equation in the direction z, where turn = d x z. Its root
+// plus a function linear in z is C S.
 template <class Number>
 Number radicand_on_ray(const Number& c, const Number& determinant, const displacement<Number>& z,
                        const Number& turn) {

@@ -54,7 +54,7 @@ struct tier_counters {
   // Work of the exact answers about sites, in products of two 64-bit limbs (core/integer.hpp). One
   // answer takes from hundreds to hundreds of millions.
   std::uint64_t limb_products = 0;
-  // Number of items visited to find the questions, such as subsegments near a line of sight.
+  // Number of items visited while questions are prepared, such as subsegments near a line of sight.
   std::uint64_t looked_at = 0;
 
   std::uint64_t& at(predicate p, tier t) {

@@ -32,8 +32,8 @@ uncertain_bool is_root_on_arc(const visible_arc<Number>& arc, Root& root) {
                  is_positive(Arithmetic::sign_at(arc.a, root)));
 }
 
-// Decides where f vanishes, given that its norm does: returns true if f is zero on a whole section
-// of the arc, false if only where P and beta are.
+// Decides on which zeros f has, given that its norm vanishes identically: true if f is zero on a
+// whole section of the arc, false if f is zero at common zeros of P and beta alone.
 template <class Arithmetic, class Number>
 uncertain_bool vanishes_on_a_section(const visible_arc<Number>& arc, const arc_function<Number>& f,
                                      const polynomial<Number, 2>& rational_part) {
@@ -50,8 +50,8 @@ uncertain_bool vanishes_on_a_section(const visible_arc<Number>& arc, const arc_f
   return false;
 }
 
-// Returns how many of the roots, if they are known, lie on the arc and are zeros of f, which
-// is_zero_at(root) decides.
+// Returns the number of roots that lie on the arc and at which f is zero, by is_zero_at(root);
+// undecided if the roots are not known.
 template <class Arithmetic, class Number, class Roots, class IsZero>
 uncertain_int count_zeros_on_arc(const visible_arc<Number>& arc, Roots roots,
                                  const IsZero& is_zero_at) {
@@ -86,8 +86,8 @@ uncertain_int arc_intersection_count(const visible_arc<Number>& arc, const basic
   const uncertain_bool everywhere = vanishes_on_a_section<Arithmetic>(arc, f, p);
   if (!everywhere.certain()) return {};
   if (everywhere.value()) return -1;
-  // Uses that f = 2 P on the arc wherever beta is not zero, so its zeros are common ones of P and
-  // beta.
+  // Uses that f = 2 P on the arc wherever beta is not zero: the zeros of f are the common zeros of
+  // P and beta.
   const uncertain_bool no_p = vanishes(p);
   if (!no_p.certain()) return {};
   if (no_p.value()) return 0;

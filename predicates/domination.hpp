@@ -43,7 +43,7 @@ struct ray_difference {
   // Returns the number of roots in (0, 1), given that the difference is negative at t = 1: 0, 1
   // (tangent) or 2.
   uncertain_int roots_before_negative_end() const {
-    // Decides most cases: two roots in (0, 1) have a product -C/A below 1.
+    // Decides most cases by the product of two roots in (0, 1): it is -C/A, and below 1.
     const uncertain_bool steep = is_negative(sign_of(a + c * square(weight)));
     if (steep.certainly(false)) return 0;
     const uncertain_bool top_inside = is_negative(sign_of(a + half_b * weight));
@@ -57,8 +57,8 @@ struct ray_difference {
     return discriminant.value() == sign::zero ? 1 : 2;
   }
 
-  // Returns the number of roots in (0, 1], given that t = 1 is one: the other, -C/A, lies in (0, 1)
-  // iff A + C < 0.
+  // Returns the number of roots in (0, 1], given that t = 1 is a root. The other root is -C/A,
+  // which lies in (0, 1) iff A + C < 0.
   uncertain_int roots_up_to_zero_end() const {
     const uncertain_bool second = is_negative(sign_of(a + c * square(weight)));
     return second.certain() ? uncertain_int(second.value() ? 2 : 1) : uncertain_int();
@@ -81,7 +81,8 @@ uncertain_sign dominates(const basic_site<Number>& v, const basic_site<Number>& 
   const uncertain_sign nearer =
       sign_of(squared_length(v.metric, from_v) - squared_length(w.metric, from_w));
   if (!nearer.certain()) return {};
-  // Counts one point: along the ray of the farther site the difference changes sign once.
+  // Starts from one meeting each: f_v - f_w changes sign once on the segment from the farther site
+  // to p.
   uncertain_int of_v = 1, of_w = 1;
   if (nearer.value() == sign::negative) of_v = seen_from_v().roots_before_negative_end();
   if (nearer.value() == sign::positive) of_w = seen_from_w().roots_before_negative_end();

@@ -55,10 +55,11 @@ plane_quadratic<Number> gradient_orientation(const basic_point<Number>& origin,
           ij.constant + jk.constant + ki.constant};
 }
 
-// `sites` are v, w, x, y. `side_allowed` says for x and for y on which side of its bisector the
-// section lies that it allows: positive where it is farther than v; negative in the rare case that
-// it is nearer there but hidden behind the cells of v and w, so that pushing it away closes what
-// it opens elsewhere. sign_at_contact(quadratic about v) is the exact sign at the contact q.
+// `sites` are v, w, x, y. `side_allowed` states for x and for y on which side of its bisector the
+// section lies that it allows: positive where that neighbour is farther than v; negative in the
+// rare case that the neighbour is nearer there, but hidden behind the cells of v and w. Moving a
+// hidden neighbour farther away closes the section instead of opening it. sign_at_contact(quadratic
+// about v) is the exact sign at the contact q.
 template <class Number, class SignAtContact>
 bool tie_goes_to_edge(const std::array<basic_site<Number>, 4>& sites,
                       const std::array<point, 4>& positions,

@@ -95,8 +95,8 @@ struct visible_arc {
     return {{squared_length(form, d), mixed + mixed, squared_length(form, n)}};
   }
 
-  // Returns a linear q along the arc, multiplied by s alone: degrees are one less, and there is no
-  // zero where the arc runs to infinity (s = 0) unless the line does.
+  // Returns q along the arc. A linear q is multiplied by s alone: the degrees are one less, and the
+  // function has no zero where the arc runs to infinity (s = 0), unless the line q = 0 does too.
   arc_function<Number> restrict(const plane_quadratic<Number>& q) const {
     const polynomial<Number, 1> linear{{dot(q.linear, d), dot(q.linear, n)}};
     if (is_certainly_zero(q.form)) {
@@ -106,7 +106,7 @@ struct visible_arc {
     return {c * restrict_form(q.form) + q.constant * a, c * linear + (q.constant + q.constant) * h};
   }
 
-  // Returns the part of C (alpha + beta s) = P + beta sqrt E that has no root.
+  // Returns P, the part without a square root of C (alpha + beta s) = P + beta sqrt E.
   polynomial<Number, 2> rational_part(const arc_function<Number>& f) const {
     return c * f.alpha + f.beta * h;
   }

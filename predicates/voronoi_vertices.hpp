@@ -91,7 +91,8 @@ uncertain_int count_common_points(const conic_in_y<Number>& g1, const conic_in_y
 template <class Arithmetic, class Number>
 uncertain_int count_points_on_line(const plane_quadratic<Number>& line,
                                    const plane_quadratic<Number>& conic) {
-  // Inserts r = (x J linear - constant linear) / k, with k = |linear|^2, and multiplies by k^2.
+  // Substitutes r = (x J linear - constant linear) / k into the conic, with k = |linear|^2, and
+  // multiplies by k^2.
   const displacement<Number> normal = line.linear, along{Number(0) - normal.y, normal.x};
   const Number k = dot(normal, normal);
   const displacement<Number> foot = (Number(0) - line.constant) * normal;
@@ -119,7 +120,8 @@ uncertain_int voronoi_vertex_count(const basic_site<Number>& u, const basic_site
   if (!line1.certain() || !line2.certain()) return {};
   if (line1.value()) return count_points_on_line<Arithmetic>(g1, g2);
   if (line2.value()) return count_points_on_line<Arithmetic>(g2, g1);
-  // Uses that two forms that are not zero have at most four isotropic directions together.
+  // Tries five directions: two quadratic forms that are not zero vanish in at most four directions
+  // together.
   constexpr std::array<std::array<int, 2>, 5> directions = {
       {{0, 1}, {1, 1}, {1, 2}, {1, -1}, {2, -1}}};
   for (const auto& direction : directions) {
