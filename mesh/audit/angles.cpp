@@ -124,7 +124,8 @@ class angle_check {
   };
 
   // True if all angles are ordinary and certainly above the bound by their quick bounds alone: then
-  // the triangle needs no further test. Where its vertices have one metric, one of them is tested.
+  // the triangle needs no further test. If its three vertices have one metric, angles are measured
+  // in that metric once.
   bool passes_at_once(vertex_index t, const triangle& c, const plain_triangle& plain) {
     if (beside_) return false;
     constexpr std::size_t perspectives = 3;
@@ -169,8 +170,8 @@ class angle_check {
     return forced ? angle_standing::exempt : angle_standing::collateral;
   }
 
-  // Enters an angle into the least ones found. Skips the computation of its degrees where its bound
-  // shows that a smaller one is known.
+  // Enters an angle into the least angles found so far. Skips computing its degrees if its quick
+  // bound proves that a smaller angle of its kind is known.
   void note(const angle& a) {
     const auto kind = static_cast<std::size_t>(a.standing);
     if (a.above < greatest_cotangent_[kind]) return;
@@ -179,10 +180,10 @@ class angle_check {
     const double degrees = angle_in_degrees(context_, a.at, a.perspective);
     if (!(degrees < worst[kind]->degrees)) return;
     *worst[kind] = {degrees, a.triangle, a.at.at, a.perspective};
-    // The margin covers the roundings of the degrees and of their tangent, some 2^-50 of each: an
-    // angle passed over is larger than the least one known by more than these roundings. In a
-    // metric so thin that the degrees themselves have larger errors, the least angle named may
-    // differ from the true one by such an error.
+    // The margin covers the roundings of the degrees and of their tangent, some 2^-50 of each: a
+    // skipped angle exceeds the least known one by more than these roundings. In a metric so thin
+    // that the degrees themselves have larger errors, the reported least angle may differ from the
+    // true one by such an error.
     constexpr double margin = 1e-9;
     const double cotangent = 1 / elementary::tan(degrees * std::numbers::pi / 180);
     greatest_cotangent_[kind] = cotangent - margin * (1 + std::abs(cotangent));
@@ -285,9 +286,8 @@ bool has_no_free_edge(const audit_context& context, std::size_t& inner) {
 
 }  // namespace
 
-// Refuses a mesh of which most triangles have no angle to judge: more than half of them have an
-// exempt angle, and segments for all their sides. With the domain given, the mesher had no choice
-// in any of these.
+// Refuses a mesh of which most triangles have no angle to judge, as the domain decides their shape:
+// more than half of them have an exempt angle, and segments for all their sides.
 void check_something_judged(audit_context& context) {
   const std::vector<vertex_index>& exempt = context.report.exempt_triangles;
   if (exempt.empty()) return;

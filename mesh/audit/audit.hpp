@@ -22,9 +22,9 @@
 //
 // Input: any mesh, however damaged; indices out of range or numbers that are not finite are
 // findings, never undefined behaviour. Cost: O(n log n) for points 0 to 3 but for long axis-aligned
-// sides, where pairs of boundary boxes are compared; point 4 likewise where the metric is smooth at
-// the scale of an edge, and O(n^2) at worst; so does point 5.
-// Source: the thesis, definitions 2 to 6 and 9, theorem 4.
+// sides, where pairs of boundary boxes are compared; points 4 and 5 likewise where the metric is
+// smooth at the scale of an edge, and O(n^2) at worst. Source: the thesis, definitions 2 to 6 and
+// 9, theorem 4.
 #pragma once
 
 #include "asterism/core/export.h"

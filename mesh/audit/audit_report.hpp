@@ -149,10 +149,11 @@ struct audit_report {
   // mesh.
   bool stars_cut_short = false;
 
-  // Every angle in each of three metrics is of one kind. Exempt are those at a sharp corner in a
-  // metric that measures the domain's own angle there below the bound, as the corner's does;
-  // collateral all others of triangles at a sharp corner, or across a narrow wedge of which one
-  // side is internal; ordinary the rest. The bound is asked of the last two.
+  // Every angle in each of three metrics is of one kind. Exempt are angles at a sharp corner, in
+  // the corner's metric and in other metrics in which the domain's own angle there is below the
+  // bound. Collateral are all other angles of triangles at a sharp corner, or across a narrow wedge
+  // of which one side is internal. The rest are ordinary. Collateral and ordinary angles must meet
+  // the bound.
   audited_angle worst_ordinary, worst_collateral, worst_exempt;
   // Returns the lesser of the least ordinary and the least collateral angle, in degrees: the angles
   // that must meet the bound.

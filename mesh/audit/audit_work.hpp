@@ -82,8 +82,9 @@ class audit_work_guard {
 
 // Calls `check` as check_in_parallel does, within the work that is left for the audit. Each chunk
 // gets an even share. A chunk that exceeds its share, as one star may need hundreds of times the
-// work of another, is repeated with the work that the others left, in order. So the report does not
-// depend on threads, and the total keeps to the limit. A check must write the same when repeated.
+// work of another, is repeated with the work that the others did not use, in order. So the report
+// does not depend on threads, and the total keeps to the limit. A check must write the same when
+// repeated.
 template <class Check>
 void check_in_shares(audit_context& context, std::size_t count, const Check& check,
                      std::size_t chunk) {
@@ -94,7 +95,7 @@ void check_in_shares(audit_context& context, std::size_t count, const Check& che
     if (!tallies[i].unfinished || !(left > 0) || context.options.stop.is_requested()) continue;
     audit_tally again;
     again.findings_kept = tallies[i].findings_kept;
-    // Counts the work of the first try of a chunk that is repeated.
+    // Counts the work of the first try of a chunk, which is repeated now.
     const double done = audit_units(tallies[i].part, tallies[i].looked_units);
     again.looked_units = done;
     again.most_units = done + left;

@@ -15,8 +15,8 @@
 // changed.
 //
 // Open questions. While a mesh is being mended, questions that take long need no answer at once:
-// where doubles do not decide whether a star accepts a site, its tensors may be changed for another
-// reason, or because the question is open. Such questions are left open, and a mesh is not
+// where doubles do not decide whether a star accepts a site, the tensors of both may be changed
+// later anyway, or because the question is open. Such questions are left open, and a mesh is not
 // certified while there is one.
 #pragma once
 
@@ -81,9 +81,9 @@ class auditor {
   const audit_report& check_angles();
 
   // Tries the filters of edge_test on the open questions for which `is_asked` is true, in order.
-  // Closes those answered in the mesh's favour. Calls `refuse` for all others, which includes gaps
-  // of unknown reach and questions that only exact numbers answer. The mesh is certified if no
-  // finding and no open question is left.
+  // Closes those answered in the mesh's favour. Calls `refuse` for the others: those answered
+  // against the mesh, gaps of unknown reach, and questions that only exact numbers answer. The mesh
+  // is certified if no finding and no open question is left.
   void ask_filters(const std::function<bool(const open_question&)>& is_asked,
                    const std::function<void(const open_question&)>& refuse);
 

@@ -173,8 +173,8 @@ struct audit_context {
 };
 
 // Calls check(tally, begin, end) for chunks of [0, count), in parallel, and returns their tallies
-// in order. Of the context a check may write only the entries of its own chunk. Each chunk has an
-// even part of `units` of work, if it asks for its work.
+// in order. A check may write only the entries of its own chunk into the context. The work limit of
+// each chunk is an even share of `units`.
 template <class Check>
 std::vector<audit_tally> tallies_of(const audit_context& context, std::size_t count,
                                     const Check& check, std::size_t chunk, double units) {

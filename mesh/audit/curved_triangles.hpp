@@ -3,12 +3,13 @@
 // Proves that the quadratic maps of second-order triangles turn nothing over: that the determinant
 // of the derivative, which is quadratic itself, is positive all over each triangle.
 //
-// A polynomial in Bernstein's form lies between its least and its greatest coefficient. The six of
-// the determinant are computed in doubles that carry a bound of their error; where these do not
-// show that all are positive, in rationals. Coefficients that are not all positive decide nothing:
-// the triangle is halved, up to `most_halvings` times one after another, until those of every part
-// are, or the value at a corner of a part, which is a coefficient, is not positive: in the second
-// case the triangle certainly folds or collapses there. docs/math/curves.md has the formulas.
+// A polynomial in Bernstein's form lies between its least and its greatest coefficient. The six
+// coefficients of the determinant are computed in doubles that carry a bound of their error; if
+// these do not prove that all are positive, in rationals. Coefficients that are not all positive
+// decide nothing. The triangle is then halved, each part up to `most_halvings` times, until the
+// coefficients of every part are positive, or a coefficient at a corner of a part is not. A
+// coefficient at a corner is the value there: the triangle then certainly folds or collapses at
+// that corner. docs/math/curves.md has the formulas.
 #pragma once
 
 #include <cstddef>

@@ -118,13 +118,13 @@ std::optional<rational> curve_measure::arc_distance(const point& q0, const point
   return greatest(radius_above_ - root_below(nearest), root_above(farthest) - radius_below_);
 }
 
-// Bounds with the control points of the piece, b0 to b3, off the chord's line by d0 to d3, those of
-// the ends off the chord's ends by e. In Bernstein's basis the inner two have at most three
-// quarters of the weight, so that the piece is within m = max(|d0|, |d3|) + 3/4 max(|d1|, |d2|) of
-// the line. Where b1 and b2 are beside the chord, so is the piece, but for e: it is within m + e of
-// the chord; else it is within the largest distance of a control point from the chord, which is
-// convex. The chord's points have a point of the piece beside them, but for those within e of its
-// ends, which are within 2 e of b0 or b3.
+// Bounds the distance by the control points b0 to b3 of the piece. Their distances from the chord's
+// line are d0 to d3; b0 and b3 are within e of the chord's ends. In Bernstein's basis b1 and b2
+// have at most three quarters of the weight, so that the piece is within m = max(|d0|, |d3|) + 3/4
+// max(|d1|, |d2|) of the line. If the feet of b1 and b2 are on the chord, the piece is within m + e
+// of the chord; else it is within the largest distance of a control point from the chord, as the
+// chord is convex. Each point of the chord is the foot of a point of the piece, except within e of
+// the chord's ends; there it is within 2 e of b0 or b3.
 rational curve_measure::cubic_distance(const point& q0, double t0, const point& q1,
                                        double t1) const {
   const std::array<rational_point, 4> b = {blossom(t0, t0, t0), blossom(t0, t0, t1),
@@ -218,8 +218,8 @@ bool curve_audit::check_vertices(std::size_t curve) {
 }
 
 // Checks that an arc's pieces together turn less than once around the centre, or once for a circle:
-// no piece but the first leaves, crosses or reaches the direction of the start, or the last reaches
-// it where the circle closes. That each turns forward is seen when it is measured.
+// no piece but the first passes the direction of the start, and only the last may end on it. That
+// each piece turns forward is checked when it is measured.
 bool curve_audit::check_turn(std::size_t curve) {
   const domain& d = *context_->options.original;
   const domain_curve& c = d.curves[curve];

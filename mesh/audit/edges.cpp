@@ -82,8 +82,8 @@ void check_matched(const audit_context& context, audit_tally& tally, const direc
                 edge_text(context, e) + " has no triangle across and is no boundary edge");
 }
 
-// True if each edge's end is among `arrivals`. Compares all pairs: for so few, sorting would cost
-// more in mispredicted branches.
+// True if each edge's end is among `arrivals`. Compares all pairs: for lists this short, sorting
+// would cost more in mispredicted branches.
 bool all_are_matched(std::span<const directed_edge> edges,
                      const std::vector<vertex_index>& arrivals) {
   constexpr std::size_t few = 16;

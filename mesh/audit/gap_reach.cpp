@@ -53,8 +53,9 @@ struct measured_direction {
   sized_value squared;
 };
 
-// Returns the neighbour's contribution to R of lemma 4.3: infinite where the bound of section 4.2
-// is not certainly positive, or u and the way to z not certainly within a right angle.
+// Returns the neighbour's contribution to R of lemma 4.3: infinite if the bound of section 4.2 is
+// not certainly positive, or the angle between u and the direction of z not certainly below 90
+// degrees.
 double reach_beside(const site& v, const measured_ray& z, const measured_direction& to) {
   const point &u = to.u, &d = z.way;
   const metric_tensor &own = v.metric, &other = z.end->metric;
@@ -71,8 +72,8 @@ double reach_beside(const site& v, const measured_ray& z, const measured_directi
   return std::max(std::sqrt(to.squared.value) / bound, z.on_edge) * (widened * widened);
 }
 
-// Completes a ray whose end and way are set: adds the squares of its length as both ends measure
-// it; `own` is v's metric.
+// Completes a ray whose end and `way` are set: adds the squares of its length in the metrics of
+// both ends; `own` is v's metric.
 void measure(measured_ray& ray, const metric_tensor& metric, double determinant, double own,
              double c, double other_determinant) {
   ray.is_known = true;

@@ -8,9 +8,9 @@ namespace asterism {
 namespace {
 
 // Returns C of docs/math/guarantee.md, "How many sites", rounded up, for a field that varies by no
-// more than `sigma`. The disks of radius rho around the sites inside are disjoint, and inside: no
-// near site is nearer than the spacing over tau, and by Stewart's theorem no subsegment is nearer
-// than `beside`.
+// more than `sigma`. The disks of radius rho around the sites inside are disjoint and lie in the
+// domain: no other site is nearer than the spacing over tau, and by Stewart's theorem no subsegment
+// is nearer than the root of `square`.
 std::optional<double> times_least(const theorem_hypotheses& h, double sigma) {
   constexpr double up = 1 + 0x1p-30;
   const double near = h.spacing / h.distortion, half = 0.5 * h.distortion * h.longest_subsegment;

@@ -3,14 +3,15 @@
 // Decides which segments the ball around a site certainly misses, measured by the site's own
 // metric.
 //
-// Errors. In the frame in which the metric is the identity a way d from the site is
+// Errors. In the frame in which the metric is the identity a displacement d from the site is
 //   ( (m11 dx + m12 dy) / sqrt(m11), sqrt(det / m11) dy ).
 // The determinant must be more than 2^-20 of its monomials, so it is known to 2^-28 of itself, and
 // |m12 dy| / sqrt(m11) is at most 2^11 times the second coordinate: both coordinates are off by
 // less than 2^-26 of |p|_1, the sum of their absolute values. So the distance from the site to a
 // segment p-q is off by less than 2^-25 (|p|_1 + |q|_1); the few roundings of measuring it in the
-// frame are 2^-49 of that. `misses` asks for 2^-24, and adds 2^-20 of the radius for the roundings
-// of the comparison itself. In the range of numbers that is checked first, underflow takes less.
+// frame are 2^-49 of that sum. `misses` requires 2^-24 of the sum, and adds 2^-20 of the radius for
+// the roundings of the comparison itself. In the range of numbers that is checked first, underflow
+// takes less.
 #pragma once
 
 #include <cmath>

@@ -24,9 +24,9 @@ directed_edges reversed_sides(const audit_context& context) {
   return reversed;
 }
 
-// Returns the sectors at v between a subsegment that leaves it and the next one, counter-clockwise,
-// that reaches it, where that is less than a half turn. `arriving` has the sides reversed: those
-// that reach v are listed as leaving it.
+// Returns the sectors of the domain at v that are below 180 degrees: each from a subsegment that
+// leaves v counter-clockwise to the next one, which reaches v. `arriving` has the sides reversed:
+// those that reach v are listed as leaving it.
 std::vector<corner> sectors_at(const audit_context& context, const directed_edges& arriving,
                                vertex_index v) {
   std::vector<vertex_index> out, in;
@@ -67,7 +67,7 @@ std::vector<vertex_index> corners_to_prove(const audit_context& context) {
   std::vector<vertex_index> corners = context.options.exempt_corners;
   if (context.options.find_exempt_corners)
     for (const directed_subsegment& side : context.sides)
-      // Skips vertices that are not given: elsewhere the boundary is straight but for rounding.
+      // Leaves out vertices that split segments: the boundary is straight there but for rounding.
       if (side.a < context.subject.given) corners.push_back(side.a);
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());

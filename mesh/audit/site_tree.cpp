@@ -322,11 +322,11 @@ bool site_tree::is_measurable(const site& v, double reach) {
 }
 
 // Rounds the square down: of m11 dx^2 + 2 m12 dx dy + m22 dy^2 no monomial passes more than seven
-// roundings, 2^-49 of it, and the middle one is no more than the others together, as the metric is
-// positive definite: 2^-48 of those covers all, and they are taken with 2^-46 less. Places are less
-// than 2^399 apart, so that underflow takes less than 2^-670, in values that are compared with
-// 2^-400 or more. A value that overflows means too far, or is NaN, for which every comparison is
-// false.
+// roundings, 2^-49 of it, and the middle one is no more than the sum of the others, as the metric
+// is positive definite: 2^-48 of that sum covers all, and m11 and m22 are reduced by 2^-46 of
+// themselves. Positions are less than 2^399 apart, so that underflow loses less than 2^-670, in
+// values that are compared with 2^-400 or more. An infinite value means that the site is too far; a
+// NaN makes every comparison false, which keeps the site.
 void site_tree::measure(nearby_sites& nearby, const site& v) {
   constexpr double down = 1 - 0x1p-46;
   const auto& [place, m] = v;
@@ -450,8 +450,8 @@ bool site_tree::too_far(const point& d, const metric_tensor& m, double inverse_d
   return plain.is_beyond(v.reach) || too_far_from_both(d, {d, d}, v, inverse);
 }
 
-// Uses that (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2, or 1, is at most the trace of M_w^-1 M_v,
-// or 1.
+// Bounds ((1 + sigma) reach)^2: (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2 is at most the trace of
+// M_w^-1 M_v, or 1 if that is more.
 double site_tree::far_squared(const node& n, const centre& v) {
   if (!(n.spread_squared < 0x1p200 && v.reach < 0x1p200)) return infinity;
   const double trace = trace_above(n.inverse, v.metric) * n.spread_squared * up;
@@ -459,9 +459,10 @@ double site_tree::far_squared(const node& n, const centre& v) {
   return far > 0x1p-500 && far < 0x1p700 ? far : infinity;
 }
 
-// Uses that (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2 is at most the spreads times the greater
-// eigenvalue of B M, B the node's tensor and M that of the stars, or 1. The radicand has an error
-// of a few roundings of the trace's square.
+// Bounds 1 / (1 + sigma)^2 from below: (1 + sigma)^2 <= 2 + 2 sigma^2, and sigma^2 is at most the
+// product of both spreads and the greater eigenvalue of B M, or 1 if that is more. B is the node's
+// tensor and M that of the stars. The radicand has an error of a few roundings of the trace's
+// square.
 double site_tree::share_of(const node& n, const centre& stars) {
   if (!(n.spread_squared < 0x1p200)) return 0;
   const double half = 0.5 * trace_above(n.inverse, stars.metric), square = half * half,

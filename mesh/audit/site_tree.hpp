@@ -32,7 +32,7 @@ class site_tree {
   // Builds the tree of sites that are finite and positive definite, and that must outlive it.
   explicit site_tree(const std::vector<site>& sites);
 
-  // Returns all sites, near ones near each other.
+  // Returns the numbers of all sites, ordered so that sites near each other are close in the list.
   const std::vector<vertex_index>& order() const { return order_; }
   // Returns the starts of groups of neighbouring sites in that order, then the number of sites.
   const std::vector<std::size_t>& groups() const { return groups_; }
@@ -74,8 +74,8 @@ class site_tree {
   };
   // Descends as the other gather() does, and sets `nearby` to the leaves and, unless they are more
   // than `most_leaves` and have bounds by covectors, their sites. Beyond about 40 leaves, testing
-  // leaves before their sites costs less, as in two fronts that cross: 2.2 thousand million
-  // instructions for 2.5 in a pass of 2,000 sites.
+  // leaves before their sites costs less: with two crossing fronts 2.2 instead of 2.5 thousand
+  // million instructions in a pass of 2,000 sites.
   bool gather(const std::vector<reaching>& stars, nearby_sites& nearby,
               std::size_t most_leaves = 40) const;
   // Calls visit(w, squared) for each site that is not certainly too far from v, one of the stars of
@@ -162,8 +162,8 @@ class site_tree {
   // one of the four covectors, or the one that separation_along chooses for the node.
   bool are_beyond(std::size_t self, const centre& v) const;
   static bool is_beyond(const point& d, const by_covector& length, const centre& v);
-  // Returns the value of g . (w - v) beyond which a site w is too far, whose dual length of g is at
-  // most `length`.
+  // Returns the value of g . (w - v) beyond which a site w is too far, if the dual length of g in
+  // w's metric is at most `length`.
   static double bound_along(const centre& v, std::size_t covector, double length) {
     constexpr double roundings = 1 + 0x1p-47, underflow = 0x1p-900;
     const double own = v.length[covector];
@@ -184,14 +184,13 @@ class site_tree {
   void list_sites(const centre& stars, nearby_sites& nearby) const;
   // True if measure() is valid for v, and its results may be compared with the square of the reach.
   static bool is_measurable(const site& v, double reach);
-  // Sets `measured` to lower bounds of |w - v|_v^2 times the site's factor, one for each nearby
-  // site.
+  // Sets `measured` to lower bounds, one for each nearby site: |w - v|_v^2 times the site's factor.
   static void measure(nearby_sites& nearby, const site& v);
   // True if a site with metric m at displacement d is too far; takes an upper bound of 1 / det m.
   static bool too_far(const point& d, const metric_tensor& m, double inverse_determinant,
                       const centre& v);
-  // Returns the square of a distance from v beyond which no site of the node matters, whatever its
-  // direction, though nearer ones may not either; infinite where none is known.
+  // Returns the square of a distance from v beyond which no site of the node matters in any
+  // direction; infinite where none is known. Nearer sites need not matter.
   static double far_squared(const node& n, const centre& v);
   // True if the squared length of d in the metric m is certainly more than `far_squared`.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);

@@ -34,7 +34,8 @@ void star_check::hold_all(std::span<const prepared_fan> fans) {
   for (const prepared_fan& p : fans)
     if (p.has_concerned && is_finite(p.reach_concerned))
       reaching_.push_back({at(p.v), p.reach_concerned});
-  // Least number of stars for which one search pays: it visits three times the nodes of a star's.
+  // Least number of stars for which one common search pays: it visits three times as many nodes as
+  // the search for one star.
   constexpr std::size_t few = 4;
   const bool are_many = reaching_.size() >= few;
   const bool gathered = are_many && around_.sites->gather(reaching_, nearby_);
@@ -184,8 +185,8 @@ void star_check::check_other(const prepared_fan& p, vertex_index w, double squar
   const fan_gap* gap = gap_of(p, w);
   if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
   if (site_tree::is_too_far_by(squared, gap->reach)) return;
-  // Skips the distance test by w's own metric if the tree has made it: `squared` is 0 then, and the
-  // gap's reach is that of the fan.
+  // Skips the distance test by w's own metric if the tree has made it with the same reach: it has
+  // if `squared` is 0 and the gap's reach is that of the fan.
   const bool is_known = squared == 0 && !(gap->reach < p.reach);
   if (!is_known && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
   ++tally_.part.star_pairs;
@@ -203,8 +204,8 @@ bool star_check::is_accepted(vertex_index v, vertex_index w, const fan_gap& gap)
     const uncertain_bool by_v = prepared->accepts(at(w));
     if (by_v.certain()) return by_v.value();
   }
-  // Tries the filter of v's gap before the kernel's gap of w: it is made once for this gap, and is
-  // cheaper.
+  // Tries the filter of v's gap before the kernel's gap of w: the filter is cheaper, and prepared
+  // once for all sites.
   if (filter_of(v, gap).excludes(at(w))) return false;
   if (prepared != nullptr) {
     // Evaluates the gap of w, which answers the same question and often has the smaller error.

@@ -83,8 +83,8 @@ class star_check {
   // each fan.
   void hold_all(std::span<const prepared_fan> fans);
   void hold_all(const prepared_fan& p, bool gathered);
-  // Tests w against one fan; `squared` is the lower bound that the tree measured of it, or 0 if it
-  // measured none.
+  // Tests w against one fan; `squared` is the lower bound of its squared distance that the tree
+  // measured, or 0 if the tree measured none.
   void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
     guard_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
     if (w != p.v && !is_neighbour(p, w) && !guard_.is_over())
@@ -103,7 +103,7 @@ class star_check {
   // to test it. With other metrics this test would cost more than it spares.
   bool is_accepted_in_one_metric(vertex_index v, vertex_index w, vertex_index x,
                                  vertex_index y) const;
-  // False where x to y is a half turn or more, or w inside the triangle v, x, y.
+  // False if the gap from x to y is 180 degrees or more, or w is inside the triangle v, x, y.
   bool is_asked(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const;
   void report_rejected(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
   // Prepares the fans of v and remembers their reaches. Leaves out fans that have no changed site
@@ -115,8 +115,8 @@ class star_check {
   void prepare(vertex_index v, const vertex_fan& fan);
   bool is_left_open(const fan_gap& gap) const;
   // Returns the reach of the gap without preparing its tests, which most gaps do not need. Sharper
-  // bounds are not computed once the reach is a few edges of the gap: they would cost more than
-  // they spare.
+  // bounds are not computed once the reach is a few times the length of the gap's edges: they would
+  // cost more than they save.
   double reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
                   const measured_ray& to_x, const measured_ray& to_y) const;
   // Returns the kernel's gap, made when a test first needs it; null where the kernel is not to be

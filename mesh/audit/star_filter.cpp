@@ -73,7 +73,7 @@ gap_side::gap_side(const site& v, const site& z) : offset(offset_of(v, z)) {
 bounded gap_side::bound(const vector2<bounded>& u, const bounded& length_squared) const {
   const bounded turned = cross(u, offset);
   const bounded radicand = length_squared - bounded(bend) * turned * turned;
-  // A root that is not certainly real makes the bound prove nothing.
+  // Makes the bound prove nothing if its root is not certainly real.
   const bounded rooted = radicand.certainly_positive()
                              ? root(radicand)
                              : bounded::within(0, std::numeric_limits<double>::infinity());
@@ -136,9 +136,9 @@ struct upper_bound {
 };
 
 // True if no direction between the middle one and `end` is left for w. `end` is at a right angle to
-// w on the side of z. Either z alone blocks all of these directions, or it does so beyond some
-// direction, and the triangle of v, w and the point on the way contains z. `turned` is the area of
-// z and w, positive.
+// w on the side of z. Either z's lower bound alone excludes w in all of these directions; or it
+// does so up to some direction, and beyond it the triangle of v, w and the point on the ray
+// contains z. `turned` is the area spanned by z and w, positive.
 bool closed_towards(const gap_side& z, const upper_bound& w, const vector2<bounded>& end,
                     const bounded& turned) {
   const bounded end_length_squared = w.determinant * w.v_length_squared;

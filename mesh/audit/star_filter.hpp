@@ -18,12 +18,12 @@
 
 namespace asterism::internal::audit_detail {
 
-// A neighbour x or y, as the lower bound of s needs it.
+// Numbers of a neighbour x or y from which the lower bound of s is computed.
 struct gap_side {
   gap_side(const site& v, const site& z);
 
   bounded bound(const vector2<bounded>& u, const bounded& length_squared) const;
-  // Returns the greater of |d|_v / bound(d), where bound(d) = 1 + |d|_v / |d|_z, and |d|_v / 2.
+  // Returns the greater of |d|_v / 2 and |d|_v / bound(d), where bound(d) = 1 + |d|_v / |d|_z.
   double reach_along_edge() const;
 
   vector2<bounded> offset;      // z - v

@@ -8,10 +8,10 @@
 // a site in a gap is beyond the gap's edge. Source: the thesis, section 3.3 (INSERTIONTEST) and
 // definition 9.
 //
-// A mesh whose metric varies much over an edge has stars that see far, and thousands of sites to
-// test against each. It also has edges that are refused at once, by the site across them. So edges
-// are tested first, and where some are refused the mesh is, without the rest. Where all sites have
-// one metric and no edge is refused, no other test is needed.
+// Where a mesh's metric varies much over an edge, stars have a great reach, and thousands of sites
+// must be tested against each. Such a mesh also has edges that the test against the site across
+// them refuses. So edges are tested first; if some are refused, so is the mesh, and the other tests
+// are left out. Where all sites have one metric and no edge is refused, no other test is needed.
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -85,9 +85,9 @@ look_end check_others(audit_context& context, star_surroundings& around, std::si
   return check_in_turn(context, around, in_order_of_tree(*around.sites), false, most);
 }
 
-// Tests against all sites although the tests of neighbours suffice, as a second route to the
-// answer, with half of the work limit. Where that is too little, as with thousands of sites on a
-// line, each of whose stars reaches all, the answer of the first route counts.
+// Tests against all sites although the tests of neighbours suffice, as a second proof, with half of
+// the work limit. If the limit is too low, as for thousands of sites on a line, each of which is in
+// reach of all others, the first proof counts.
 look_end check_others_again(audit_context& context, star_surroundings& around, std::size_t most) {
   const double share = context.share_of_work;
   context.share_of_work = share / 2;
@@ -100,10 +100,11 @@ look_end check_others_again(audit_context& context, star_surroundings& around, s
 
 }  // namespace
 
-// Tests stars against their neighbours first, then against all sites in reach. Ends once more edges
-// are refused than a tenth of the number of sites, unless every finding is to be kept: such stars
-// see far, and testing them all would only refuse the mesh again. Ends, too, at the work limit
-// (audit/audit_work.hpp), of which a mesh that is refused already gets a part.
+// Tests stars against their neighbours first, then against all sites in reach. Ends once the number
+// of refused edges exceeds a tenth of the number of sites, unless every finding is to be kept: such
+// stars have a great reach, and testing them all would only refuse the mesh again. Ends, too, at
+// the work limit (audit/audit_work.hpp), which is a part of the usual one if the mesh is refused
+// already.
 void check_stars(audit_context& context) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max(), part = 10;
   const std::size_t most = context.options.findings_kept == all ? all : context.report.sites / part;

@@ -158,8 +158,8 @@ double distortion_allowed(const pair_measures& known, double distance_below) {
   return t > 1 && t < 0x1p20 ? t : 0;
 }
 
-// Decides what is_within() decides where the answer is clear: the compared values have errors of at
-// most 2^-44 of their magnitudes.
+// Decides is_within() where the answer is clear: the compared values have errors of at most 2^-44
+// of their magnitudes.
 bool is_clearly_within(const pair_measures& known, const site& p, const site& q) {
   const point d = plain_between(p, q);
   const sized_value from_p = sized_square_norm(p.metric, d),
@@ -187,9 +187,9 @@ double distance_above(const site& p, const site& q) {
   return d < infinity ? d : infinity;
 }
 
-// Bounds the covering radius of a triangle. A point x of it and one point on each edge cut it into
-// six triangles, each with one corner of it; that corner is within R of such a small triangle if it
-// is within R of the two other points.
+// Bounds the covering radius of a triangle. A point x in it and one point on each edge cut it into
+// six small triangles, each with one corner of the large one. Every point of a small triangle is
+// within R of that corner if the two other vertices are.
 double covering_radius_above(const std::array<site, 3>& t) {
   const offset x = at(t, middle_place(t));
   double radius = 0;
@@ -205,7 +205,7 @@ double covering_radius_above(const std::array<site, 3>& t) {
   return radius;
 }
 
-// Covers all points of the triangle: none is farther from a corner, as that measures, than one of
+// Covers all points of the triangle: in the metric of a corner, none is farther from it than one of
 // the other two corners.
 double quick_covering_radius_above(const std::array<site, 3>& t, double enough) {
   const point to_b = plain_between(t[0], t[1]), to_c = plain_between(t[0], t[2]);
@@ -259,8 +259,9 @@ pair_measures measure_pair(const site& p, const site& q) {
   return pair;
 }
 
-// Decides by polynomials: tau <= t when no eigenvalue of M_p^-1 M_q or of its inverse is more than
-// c = t^2: for M_p^-1 M_q when c^2 |M_p| - c S + |M_q| > 0 and 2 c |M_p| > S, S the trace times
+// Decides by polynomials. tau <= t when no eigenvalue of M_p^-1 M_q or of its inverse is more than
+// c = t^2. For M_p^-1 M_q this holds when c^2 |M_p| - c S + |M_q| > 0 and 2 c |M_p| > S, S the
+// trace times
 // |M_p|. sigma d <= s d when tau <= 1 / (1 - s d).
 bool is_within(const pair_measures& known, const site& p, const site& q) {
   if (is_clearly_within(known, p, q)) return true;

@@ -14,8 +14,8 @@ namespace asterism::internal::theorem {
 // Returns an upper bound of |q - p| as p measures it.
 double distance_above(const site& p, const site& q);
 
-// Returns a radius R such that each point of the triangle is within R of one of its corners, as
-// that measures; infinite when none was found. Any order of corners.
+// Returns a radius R such that each point of the triangle is within R of one of its corners, in
+// that corner's metric; infinite when none was found. Any order of corners.
 double covering_radius_above(const std::array<site, 3>& corners);
 
 // Returns a radius of the same kind, seldom much larger, that takes a twentieth of the work;

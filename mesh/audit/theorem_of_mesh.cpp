@@ -36,9 +36,9 @@ constexpr double useless_distortion = 1.272;  // beyond it no arc is sure to be 
 constexpr std::size_t chunk = 1024, looked_for_together = 8;
 
 // Returns the work limit for the pairs of this number of sites, in units of kernels/work_units.hpp:
-// a second, and 0.2 milliseconds a site. Their subsegments have the same limit again. Meshes that
-// keep to their size have 15 near pairs a site and take less than one unit for them. Where a few
-// triangles are far larger than the others every site is near every other.
+// a second, and 0.2 milliseconds a site. Their subsegments have the same limit again. Meshes whose
+// edges have about the wanted length have 15 near pairs a site and take less than one unit a site
+// for them. If a few triangles are far larger than the others, every two sites are near.
 double most_units(std::size_t sites) {
   constexpr double at_least = 1e5, for_each = 20;
   return at_least + for_each * static_cast<double>(sites);
@@ -108,10 +108,10 @@ double covering_radius(const mesh& m) {
   return radius;
 }
 
-// Returns the radius of disks around sites that must meet for the pair to matter to the measures:
-// the covering radius, or, where all metrics are one, half the shortest edge. Pairs farther apart
-// than that edge need not be measured there: their metrics do not differ. Where sites are spread
-// unevenly, as random ones are, that spares nearly all pairs.
+// Returns the radius of disks around sites for which a pair of sites can be left unmeasured if
+// their disks are disjoint: the covering radius; or, if all sites have one metric, half the
+// shortest edge, since metrics do not differ, and pairs farther apart than that edge do not reduce
+// the spacing. For random sites this leaves out nearly all pairs.
 double radius_that_matters(const mesh& m, double covering_radius) {
   const metric_tensor& one = m.sites.front().metric;
   const bool is_one = std::all_of(m.sites.begin(), m.sites.end(),
@@ -229,9 +229,10 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
     const double by_a = theorem::distance_above(a, b), by_b = theorem::distance_above(b, a);
     part.longest_subsegment = greatest_bound(part.longest_subsegment, greatest_bound(by_a, by_b));
     farthest.push_back(farthest_from_nearer_end(by_a, by_b));
-    // Measures from the end in whose metric the subsegment is shorter, of length s: no point of it
-    // is farther from that end than s, nor, as both ends measure along it linearly, from its nearer
-    // end. So g . (w - end) is at most (|g|_end + |g|_w) s for a w that is as near (site_tree.hpp).
+    // Starts from the end in whose metric the subsegment is shorter, of length s. No point of the
+    // subsegment is farther than s from that end; nor is it from its nearer end, as both metrics
+    // are linear along the subsegment. For a site w that is as near to such a point, g . (w - end)
+    // is therefore at most (|g|_end + |g|_w) s (site_tree.hpp).
     starts.push_back(by_b < by_a ? site_tree::reaching{b, by_b} : site_tree::reaching{a, by_a});
   }
   std::vector<std::size_t> leaves;
@@ -315,10 +316,9 @@ measured_part measure_some_neighbours(const mesh& m, double radius) {
   return some;
 }
 
-// True if some neighbours alone show that the theorem does not apply: metrics differ too much, or
-// sites are far too near to each other, so that it would not if they were several times as far
-// apart. Near pairs may be very many then, as among random sites, where every site is near
-// hundreds.
+// True if some neighbours alone prove that the theorem is far from applying: metrics differ too
+// much, or some sites are so near to each other that four times their distance would be too little.
+// Such meshes may have very many near pairs, as among random sites, each of which is near hundreds.
 bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, double angle_bound) {
   constexpr double times = 4;
   if (!some.failure.empty()) return true;
@@ -329,8 +329,8 @@ bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, doubl
   return !obstacle(h, some.nearest, angle_bound).empty();
 }
 
-// Returns hypotheses with a reason and no numbers: a part of the measures could be taken for all of
-// them.
+// Returns hypotheses with a reason and no numbers: incomplete measures could be mistaken for
+// complete ones.
 theorem_hypotheses unmeasured(const std::optional<std::string>& why) {
   theorem_hypotheses nothing;
   nothing.reason = std::string(not_all_measured) +

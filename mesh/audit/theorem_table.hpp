@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Tabulates the angles that the angle theorem proves: a triangle of three sites within R of their
-// Voronoi vertex, no two nearer than lambda as both measure, whose metrics vary by sigma, has no
-// smaller one. Source: docs/math/angle-theorem.md; bench/angle_theorem proves it.
+// Voronoi vertex, no two of them nearer than lambda in both metrics, whose metrics vary by sigma,
+// has no smaller angle. Source: docs/math/angle-theorem.md; bench/angle_theorem proves it.
 #pragma once
 
 #include <array>

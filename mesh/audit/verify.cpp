@@ -106,8 +106,8 @@ void compare_theorems(contradictions& all, const std::optional<theorem_hypothese
 bool is_step_of_sizes(double factor) { return ladder_factor(ladder_step_below(factor)) == factor; }
 
 // Compares a guarantee with the hypotheses as measured again, which depend on the mesh alone and
-// not on the angle bound of this verification. Its factor is compared with the covering radius,
-// which is that many times smaller, and with the size.
+// not on the angle bound of this verification. Its size factor must be a step of the ladder of
+// sizes, and its product with the covering radius at most guaranteed_covering.
 void compare_guarantee(contradictions& all, const certificate& claim,
                        const std::optional<theorem_hypotheses>& found) {
   const bool is_asked = option_of(claim, "guarantee") == "asked";
@@ -265,7 +265,8 @@ bool is_of_mesh(const std::string& metric) {
                      [&lower](std::string_view ending) { return lower.ends_with(ending); });
 }
 
-// Compares with the rule for a metric that nobody limited.
+// Compares with the limits for a run without a metric tolerance: on the median distance of the
+// delivered metric, and on the ratio of densities.
 void compare_with_rule(contradictions& all, const delivered_report& delivered) {
   if (delivered.median > most_median_distance)
     all.add(
@@ -288,9 +289,10 @@ bool is_size_delivered(const certificate& claim) {
          std::abs(*delivered * claim.guarantee->size_factor - *size) <= 0x1p-40 * *size;
 }
 
-// Derives from the numbers of the certificate whether its mesh was completed, where it says so. A
-// metric farther from the one wanted than is tolerated is no reason to refuse a mesh, but the run
-// was not complete then; nor was it with longer edges. The numbers themselves are measured again.
+// Checks against the numbers of the certificate whether a mesh that it calls complete was
+// completed. A metric farther from the wanted one than tolerated, or longer edges than wanted, do
+// not refuse a mesh, but the run was then not complete. The numbers themselves are measured again
+// elsewhere.
 void compare_completeness(contradictions& all, const certificate& claim) {
   const std::string tolerance = option_of(claim, "metric-tolerance");
   const bool is_limited = !tolerance.empty() && tolerance != "none";
@@ -311,7 +313,7 @@ void compare_completeness(contradictions& all, const certificate& claim) {
 }
 
 // Accepts certificates of library callers, who need not state the question in words: then there is
-// no metric, and no option but the tolerance, which decides whether the mesh was complete.
+// no metric, and no option except the metric tolerance, which decides whether the run was complete.
 void compare_unworded(contradictions& all, const certificate& claim) {
   for (const auto& [name, value] : claim.options)
     if (name != "metric-tolerance")

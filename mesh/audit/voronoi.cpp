@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Decides whether the mesh is the dual of the anisotropic Voronoi diagram of its sites, restricted
-// to the domain.
-// Checked: (i) each triangle has a Voronoi vertex in the wedges of its three pairs; (ii) around
-// each edge those of its two triangles are in order, and that of a triangle on the boundary is not
-// beyond it; (iii) every other site is farther from each point of a Voronoi arc between them than
-// the two ends of its edge, but at Voronoi vertices that are its own; (iv) every other site is
-// farther from each point of a boundary edge than the nearer end, with the same exception.
-// Requires what points 0 to 2 prove. Internal edges are edges like others here.
-// Source: docs/math/voronoi-certificate.md, which proves that this is enough; the thesis,
-// theorem 4.
+// to the domain. Checked: (i) each triangle has a Voronoi vertex in the wedges of its three pairs;
+// (ii) beside each edge the Voronoi vertices of its two triangles are in order, and that of a
+// triangle at a boundary edge is not beyond the edge; (iii) every other site is farther from each
+// point of a Voronoi arc between them than the two ends of its edge, except at its own Voronoi
+// vertices; (iv) every other site is farther from each point of a boundary edge than the nearer
+// end, with the same exception. Requires what points 0 to 2 prove. Internal edges are edges like
+// others here. Source: docs/math/voronoi-certificate.md, which proves that this is enough; the
+// thesis, theorem 4.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -76,7 +75,8 @@ class arc_check {
     if (order_ == sign::positive) enclosed_.emplace(at(edge.v), at(edge.u), edge.from, edge.to);
   }
 
-  // Returns a distance from v: only sites as near as v to a point within that distance matter.
+  // Returns a distance from v: only sites that are as near as v to a point within this distance of
+  // v matter.
   double reach() const {
     double reach = enclosed_ ? enclosed_->reach() : 0;
     if (edge_.on_boundary) {

@@ -120,8 +120,8 @@ offset enclosed_arc::difference_of_distances::gradient(const offset& r) const {
   return half + half + linear;
 }
 
-// Encloses the vertex by Newton's method in plain doubles, then Krawczyk's test on a box around
-// where it ends.
+// Encloses the vertex by Newton's method in plain doubles, then applies Krawczyk's test to a box
+// around the result.
 std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const site& c) {
   const enclosed_arc::difference_of_distances to_b(a, b), to_c(a, c);
   vector2<double> p = centre_in_sum(a, b, c), move{};
@@ -249,7 +249,7 @@ std::optional<offset> enclosed_arc::middle(const offset& from, const offset& to)
 }
 
 // Extends the reach to a span: f_v on it is at most the greatest value at the corners of a
-// parallelogram that contains it, its ends moved aside in both directions.
+// parallelogram that contains it, whose corners are the span's ends moved aside in both directions.
 void enclosed_arc::extend_reach(const span& s) {
   const offset aside = bounded(0.25 * s.bulge) * exactly(s.across);
   const tensor<bounded> own = tensor_of_doubles(v_.metric);

@@ -76,7 +76,8 @@ sign dual_edge_question::excess_at_right(vertex_index w) const {
 arc_meeting dual_edge_question::meeting_with(vertex_index w) {
   if (has_equal_metrics(w)) {
     const sign left = w == edge_.left_apex ? sign::zero : excess_at_left(w);
-    // Takes no tie at an end on the boundary: a site as near there meets the boundary edge.
+    // Accepts no tie at an end on the boundary: a site that is equally near there is found by the
+    // test of the boundary edge.
     const sign right = edge_.on_boundary       ? sign::positive
                        : w == edge_.right_apex ? sign::zero
                                                : excess_at_right(w);

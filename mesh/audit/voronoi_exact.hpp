@@ -61,7 +61,7 @@ class exact_voronoi_arc {
 segment_meeting meeting_with_segment(const site& a, const site& b, const site& w);
 
 // Returns, for equal metrics, where bisectors are lines, the sign of f_d - f_a at the Voronoi
-// vertex of a, b, c, which turn counter-clockwise. Microseconds.
+// vertex of a, b, c, which turn counter-clockwise. Takes microseconds.
 sign excess_at_centre(const metric_tensor& metric, const point& a, const point& b, const point& c,
                       const point& d);
 
