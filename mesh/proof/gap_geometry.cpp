@@ -64,7 +64,8 @@ std::optional<proof_point> point_along(const offset& part, double bound, double 
 double part_of_edge(const site& v, const offset& z, const site& at, const offset& q) {
   const tensor<double> own(v.metric), other(at.metric);
   const double first = 1 / first_meeting(v, z, at, z);
-  // The product of both differences is slope t + constant at t z.
+  // Uses the polar form of f_v - f_z in the points q and t z, which is slope t + constant. It is
+  // zero where the bisector's tangent at q meets the edge.
   const double constant = dot(other * z, q - z), slope = dot(own * z, q) - constant;
   const double tangent = -constant / slope;
   return slope > 0 && tangent > first ? tangent : first;

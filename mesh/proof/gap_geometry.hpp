@@ -13,7 +13,7 @@ namespace asterism::internal::proof_detail {
 
 using offset = vector2<double>;
 
-// Returns the way from v to z.
+// Returns the displacement from v to z.
 offset from(const site& v, const site& z);
 
 // Returns the coefficients of p in the basis of x and y.
@@ -35,10 +35,11 @@ double first_meeting(const site& v, const offset& z, const site& at, const offse
 // greater of the parameters at which the ray meets the bisector and the bisector's tangent at q.
 double part_of_edge(const site& v, const offset& z, const site& at, const offset& q);
 
-// Returns the grid point at (1 + slack) / bound times `part`, its coefficients rounded up.
+// Returns the grid point at (1 + slack) / bound times `part`, with coefficients rounded up.
 std::optional<proof_point> point_along(const offset& part, double bound, double slack);
 
-// The sites of a gap with the ways from its centre. Directions are given as parts of these.
+// The sites of a gap, with the displacements from its centre to its neighbours. Directions are
+// given as parts of these.
 struct gap_ends {
   const site &v, &x, &y;
   offset to_x, to_y;

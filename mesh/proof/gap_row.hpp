@@ -35,15 +35,15 @@ struct gap_row {
 // of the one before, and its segments are no nearer to v than to x before `turn`, or to y after it.
 bool is_sound(const gap_sites& g, const gap_row& row);
 // True if all points are within the radius of v in v's metric, and the first and the last point
-// within it of x and y in the metrics of these.
+// also within the radius of x and of y in the metrics of these.
 bool is_within(const gap_sites& g, const gap_row& row, double squared_radius);
 // Returns an upper bound of the square of the least radius for which is_within() holds.
 double squared_reach(const gap_sites& g, const gap_row& row);
-// True if w is farther than v from the region of a sound row, and farther than x and y from the
-// rest of the edges to them: then the gap refuses w.
+// True if w is farther than v from each point of the region of a sound row, and farther than x, or
+// y, from each point of the rest of the edge from v to it: then the gap refuses w.
 bool refuses(const gap_sites& g, const gap_row& row, const site& w);
-// True if it is so without the point at which the row turns, which is neither the first nor the
-// last: what is left is the triangle of this point and those beside it.
+// True if refuses() holds without the triangle of the point at which the row turns and the two
+// points beside it. False if the row turns at its first or its last point.
 bool refuses_but_at_turn(const gap_sites& g, const gap_row& row, const site& w);
 
 // The rows of the gaps of a mesh, by number.

@@ -101,8 +101,9 @@ bool is_less(const site& a, const site& b) {
   return lexicographically_less(a.position, b.position);
 }
 
-// True if the rule for ties gives the place to x and y: the greatest of the four sites is v or w,
-// and the weight of v, which is what the others lack to 0, is negative, as that of w is.
+// True if the rule for ties gives the edge to x and y: the greatest of the four sites is v or w,
+// and the weight of v is negative, as that of w is. The four weights add up to 0, which determines
+// that of v.
 bool has_rule_for_edge(const meeting_sites& s, std::span<const whole> weights) {
   const site& ours = is_less(s.x, s.y) ? s.y : s.x;
   if (is_less(std::max(s.v, s.w, is_less), ours)) return false;
@@ -113,8 +114,9 @@ bool has_rule_for_edge(const meeting_sites& s, std::span<const whole> weights) {
   return is_positive(sum);
 }
 
-// True if the excess of x and that of y change their signs across the box, each between its own two
-// sides, and their gradients turn counter-clockwise everywhere: they vanish in one common point.
+// True if the excess of x changes its sign across the box between two sides, that of y between the
+// two others, and their gradients turn counter-clockwise everywhere: both vanish in one common
+// point.
 bool have_common_zero(const std::array<box_polynomial<whole>, 3>& excess) {
   const auto &x = excess[0], &y = excess[1];
   if (!is_positive({x[0], x[2], x[5]}) || !is_positive({y[0], y[1], y[3]})) return false;
@@ -176,7 +178,7 @@ box_polynomial<whole> meeting_plane::expansion(const whole_site& of) const {
           product(of, d1, d1),     2 * product(of, d1, d2),   product(of, d2, d2)};
 }
 
-// `side` is 1 for what is on the left of the way from x to y, -1 for what is on its right.
+// `side` is 1 for points on the left of the line from x to y, -1 for points on its right.
 bool meeting_plane::is_outside(const whole_site& z, int side) const {
   const vector &x = sites_[1].at, &y = sites_[2].at;
   const auto all = [&](const auto& holds) {
@@ -197,7 +199,7 @@ bool meeting_plane::is_seen() const {
     for (const vector& p : corners_)
       if (product(a, p - a.at, way) <= 0) return false;
   }
-  // v, x, y turn counter-clockwise: v is on the left of the way from x to y.
+  // Uses that v, x, y turn counter-clockwise: v is on the left of the line from x to y.
   return is_outside(sites_[0], 1) && is_outside(sites_[3], -1);
 }
 

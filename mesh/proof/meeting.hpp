@@ -45,8 +45,10 @@ class meeting_plane {
 
   // f_z - f_v on the box, for x, y and w.
   const std::array<box_polynomial<whole>, 3>& excess() const { return excess_; }
-  // True if both x and y see the box from each other's side, v and w see it from both, and neither
-  // v nor w is in a closed triangle of x, y and a point of the box.
+  // True if these angles between directions are below 90 degrees for every point of the box, in the
+  // metric of the site they are at: at v and at w between the point and x, and the point and y; at
+  // x between the point and y; at y between the point and x. And neither v nor w may be in a closed
+  // triangle of x, y and a point of the box.
   bool is_seen() const;
 
  private:
@@ -68,11 +70,11 @@ class meeting_plane {
 // the list has no valid length.
 std::size_t weight_size(std::span<const whole> weights);
 
-// True if x and y are equally far with v in one point of the box, and see what is_seen() says.
+// True if one point of the box is equally far from v, x and y, and is_seen() holds.
 bool has_meeting(const meeting_plane& plane);
 
 // True if the weights of x, y and w, each of 1, 3 or 6 coefficients, show that x and y keep each
-// other between v and w, and that v refuses w wherever in the box it could accept it.
+// other between v and w, and that v accepts w at no point of the box.
 bool is_edge_at_meeting(const meeting_sites& sites, const meeting_box& box,
                         std::span<const whole> weights);
 

@@ -14,8 +14,9 @@
 namespace asterism::internal::proof_detail {
 namespace {
 
-// The Voronoi vertex of a gap, and the ways along the bisectors of x and of y to where the other of
-// them is farther, as long as the vertex is from v.
+// The Voronoi vertex of a gap, as displacement from v; and the tangents there to the bisectors of v
+// and x, and of v and y, each towards points farther from the other neighbour. Both are as long as
+// the displacement, in v's metric.
 struct meeting_place {
   offset at, along_x, along_y;
 };
@@ -112,7 +113,8 @@ bool add_row(const gap_ends& g, const site& w, const meeting_box& box, proof_exc
   return false;
 }
 
-// Returns a meeting of the gap with w, whose row shows, too, that the gap refuses w if it must.
+// Returns a meeting of the gap with w. With `is_refused` the meeting's row also shows that the gap
+// refuses w.
 std::optional<proof_exception> meeting_of_gap(const gap_ends& g, const site& w, bool is_refused) {
   const auto place = place_of(g);
   if (!place) return std::nullopt;

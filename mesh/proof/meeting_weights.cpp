@@ -49,7 +49,7 @@ rational rounded_to(const rational& x, int bits) {
 
 using excesses = std::array<polynomial, 3>;  // of x, y and w
 
-// The point of the box where the excess of x and that of y vanish, but for 2^-160 of its sides.
+// The point of the box where the excesses of x and y vanish, to within 2^-160 of the box's sides.
 struct box_point {
   rational s, t;
 };
@@ -94,9 +94,11 @@ std::optional<frame> frame_at(const excesses& g, const box_point& z) {
                {z.t, -rows[1][1] / area, rows[0][1] / area}};
 }
 
-// Returns weights, by s and t, with which the weighted sum is what w has in excess at the point, up
-// to terms of order 3, or 4 for degree 2. With g_x = u + ..., g_y = w + ... and g_w = a u + b w +
-// ... they begin with a, b and -1; each further degree removes the next order of the sum.
+// Returns weights, as polynomials in s and t, with which the weighted sum of the three excesses is
+// constant, up to terms of order 3, or of order 4 for degree 2. The constant is the excess of w at
+// the point, up to its sign. With g_x = u + ..., g_y = w + ... and g_w = a u + b w + ... the
+// weights begin with a, b and -1; each further degree removes the terms of the next order from the
+// sum.
 excesses near_weights(const excesses& g, const frame& f, int degree) {
   excesses of;
   for (std::size_t k = 0; k < 3; ++k) of[k] = substituted(g[k], f.s, f.t);
@@ -141,7 +143,7 @@ std::vector<whole> with_digits(const excesses& weights, std::size_t size, int bi
 
 std::optional<std::vector<whole>> near_meeting(const meeting_sites& sites, const meeting_box& box,
                                                const excesses& g, const box_point& z) {
-  // Away from ties w is farther from all of the box.
+  // Tries the weight of w alone first: away from ties w is farther than v from the whole box.
   std::vector<whole> alone = {0, 0, -1};
   if (is_edge_at_meeting(sites, box, alone)) return alone;
   const auto f = frame_at(g, z);
@@ -199,16 +201,16 @@ std::vector<whole> in_lowest_terms(const row& weights, const box_point& z) {
   return found;
 }
 
-// True for the coefficients that multiples of one excess in the weight of another can bring to 0:
-// by s and t of w's weight, by s of y's. The sides of the box are nearly along the bisectors, so
-// that the excess of x grows by s, and that of y by t.
+// True for the coefficients that can be brought to 0 by adding multiples of one excess to the
+// weight of another: those of s and t in w's weight, and that of s in y's. The sides of the box are
+// nearly along the bisectors, so that the excess of x grows by s, and that of y by t.
 bool is_of_multiples(std::size_t column, std::size_t size) {
   const std::size_t z = column / size, i = column % size;
   return (z == 2 && (i == 1 || i == 2)) || (z == 1 && i == 1);
 }
 
-// Returns a basis of the weights of this size with which the weighted sum vanishes altogether;
-// without the coefficients above if they are `few`.
+// Returns a basis of the weights of this size with which the weighted sum vanishes altogether. With
+// `are_few` the coefficients for which is_of_multiples() holds are zero.
 std::vector<row> vanishing_weights(const excesses& g, std::size_t size, bool are_few) {
   const int degree = size == 1 ? 2 : size == 3 ? 3 : 4;
   std::vector<std::pair<int, int>> monomials;
@@ -257,8 +259,8 @@ std::optional<std::vector<whole>> find_weights(const meeting_sites& sites, const
   const auto z = common_zero(g);
   if (!z) return std::nullopt;
   const rational left = abs(value_at(g[2], z->s, z->t)), change = abs(g[2][1]) + abs(g[2][2]);
-  // A place that the four have in common is found to 2^-160; no rounding of sites and tensors
-  // leaves them apart by so little.
+  // Uses that a common point of all four bisectors is found to 2^-160, whereas bisectors without
+  // one are farther apart, as sites and tensors are doubles.
   const rational nothing(whole(1), whole(1) << 120);
   return left < change * nothing ? exact_meeting(sites, box, g, *z)
                                  : near_meeting(sites, box, g, *z);

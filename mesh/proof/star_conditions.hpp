@@ -80,9 +80,9 @@ uncertain_bool is_behind(const gap_region<Number, Capacity>& r, std::size_t i,
          (reaches_zero(between) | reaches_zero(at_p * at_q - between * between));
 }
 
-// True if w is farther than v from every point of the region, and farther than x or y from the rest
-// of the edges to these: all coefficients of the differences in the Bernstein basis are positive
-// (theorem 3).
+// True if w is farther than v from every point of the region, and farther than x, or y, from the
+// rest of the edge from v to it: all coefficients of the differences in the Bernstein basis are
+// positive (theorem 3).
 template <class Number, std::size_t Capacity>
 uncertain_bool is_refused(const gap_region<Number, Capacity>& r, const site& v, const site& w) {
   const tensor<Number> metric(w.metric);
@@ -109,9 +109,10 @@ struct edge_sites {
   const site &v, &w, &x, &y;
 };
 
-// True if f_z - f_s is positive on the triangle of s and two points: its coefficients in the
-// Bernstein basis are, or the square of one of s and a point is less than the product of that of s
-// and the least of the other three.
+// True if f_z - f_s is positive on the triangle of s and two points: if its six coefficients in the
+// Bernstein basis are. A coefficient that belongs to s and one point may also be negative, if its
+// square is less than the coefficient of s times each of the three coefficients that belong to
+// points alone.
 template <class Number>
 uncertain_bool is_nearest(const site& s, const site& z, const point& origin,
                           const std::array<vector2<Number>, 2>& p) {

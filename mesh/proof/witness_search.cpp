@@ -80,8 +80,8 @@ std::optional<proof_gap> witness_along(const gap_ends& g, const vector& part, do
   return proof_gap{*on_x, *q, *on_y};
 }
 
-// Number of steps between the rays for the direction at `turn` of a row of more than three points:
-// few enough that two points of the grid can be on one such direction.
+// Number of steps from one ray to the other in which a row of more than three points counts its
+// directions: low enough that two points of the grid can lie in one such direction.
 constexpr int turns = 256;
 
 vector direction_of_turn(int turn) {
@@ -89,8 +89,8 @@ vector direction_of_turn(int turn) {
   return {1 - t, t};
 }
 
-// Returns the direction in which both bisectors are met and the distance to the farther one is
-// greatest.
+// Returns the direction u, among the steps, whose ray meets both bisectors and for which |u| / t is
+// greatest, with t u the farther meeting.
 std::optional<int> common_direction(const gap_ends& g) {
   const metric own(g.v.metric);
   std::optional<int> best;
@@ -115,8 +115,9 @@ std::optional<proof_point> point_on_turn(int turn, double bound, double slack) {
   return proof_point{*steps * (turns - turn), *steps * turn};
 }
 
-// Returns a row of 2 (each + 1) points: a factor 1 + slack beyond the bisector of x from its ray to
-// the common direction, and beyond that of y from there to the other ray.
+// Returns a row of 2 (each + 1) points. From the ray to x to the common direction they are a factor
+// 1 + slack beyond the bisector of v and x, from there to the ray to y as much beyond that of v and
+// y.
 std::optional<proof_exception> make_row(const gap_ends& g, int turn, std::size_t each,
                                         double slack) {
   const vector middle = direction_of_turn(turn);
@@ -138,7 +139,7 @@ std::optional<proof_exception> make_row(const gap_ends& g, int turn, std::size_t
   return row;
 }
 
-// Returns the first row for which accept(row), of rows with more and more points.
+// Returns the first row for which accept(row) holds, trying rows of more and more points.
 template <class Accept>
 std::optional<proof_exception> first_row(const gap_ends& g, const Accept& accept) {
   const auto turn = common_direction(g);
@@ -195,7 +196,7 @@ std::optional<proof_exception> find_refusing_meeting(const plane& all, std::uint
 
 std::optional<proof_exception> find_edge_meeting(const plane& all, std::uint32_t edge) {
   const std::uint32_t left = plane::previous(edge), right = gap_behind(all, left);
-  // One that shows that the gap refuses the site across, too, is looked for first.
+  // Prefers a meeting that also shows that the gap refuses the site opposite.
   for (const bool is_refused : {true, false}) {
     if (auto found = find_meeting(all, left, all.corner(right), is_refused)) return found;
     if (auto found = find_meeting(all, right, all.corner(left), is_refused)) return found;

@@ -18,12 +18,12 @@ std::optional<proof_gap> find_row(const gap_sites& g);
 // Returns a sound row of more than three points, for gaps that have none of three.
 std::optional<proof_exception> find_wide_row(const gap_sites& g);
 
-// Returns a meeting that shows that both ends of an inner edge keep the other, where it has no such
-// point.
+// Returns a meeting that shows that both ends of an inner edge keep the other, for edges without a
+// point that shows it.
 std::optional<proof_exception> find_edge_meeting(const plane& all, std::uint32_t edge);
 
-// Returns a reason why the gap refuses w that the gap's own row does not show; or a meeting from
-// the other side of the edge across, which shows the same.
+// Returns a reason why the gap refuses w, for pairs that the gap's own row does not decide; or a
+// meeting of the gap on the other side of the opposite edge that shows the same.
 std::optional<proof_exception> find_exception(const plane& all, std::uint32_t gap, vertex_index w);
 
 }  // namespace asterism::internal::proof_detail

@@ -47,7 +47,7 @@ void box_tree::divide(std::uint32_t at, const std::vector<space_box>& boxes) {
   };
   const auto start = items_.begin();
   std::nth_element(start + begin, start + middle, start + end, before);
-  // Sorts both parts: the order determines them as sets, and sorting as sequences.
+  // Sorts both parts: the selection determines only which items each part has.
   std::sort(start + begin, start + middle);
   std::sort(start + middle, start + end);
   nodes_[at].first_child = static_cast<std::uint32_t>(nodes_.size());

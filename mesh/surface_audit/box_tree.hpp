@@ -22,8 +22,8 @@ struct space_box {
   double diagonal() const;
 };
 
-// Returns the squared distance of p from the box, rounded as the mode in force has it: not below
-// the true one where that is upward, up to the rounding of three differences.
+// Returns the squared distance of p from the box, rounded in the present rounding mode. Upward, it
+// is at least the true one, but for the rounding of three differences.
 inline double squared_distance(const space_box& box, const plain_vector& p) {
   const std::array<double, 3> at = {p.x, p.y, p.z};
   double sum = 0;

@@ -22,8 +22,8 @@ namespace asterism::internal {
 struct deviation_options {
   double relative_width = 0.01;   // of an enclosure, at most, unless work ends before
   std::optional<double> at_most;  // a distance to decide about: enclosures are made to exclude it
-  // Bounds the work: numbers of cells for each triangle, and of further ones in all, that are
-  // bounded in each of the two directions (surface to mesh, mesh to surface).
+  // Bounds the work in each of the two directions (surface to mesh, mesh to surface): at most this
+  // number of cells for each triangle, and `cells_beside` further ones in all.
   std::size_t cells_of_a_triangle = 200, cells_beside = 2'000'000;
 };
 

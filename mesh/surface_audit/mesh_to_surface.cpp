@@ -77,9 +77,9 @@ interval_vector point_between(const interval_vector& a, const interval_vector& b
   return a + rounded_interval(share) * (b - a);
 }
 
-// Returns how far the corners' nearest places are beyond a side of the piece, where its polynomials
-// are continued; for the side that has both signs and the greatest excess. All zero if there is
-// none.
+// Returns how far the nearest places of the three corners are beyond one side of the piece, in its
+// parameters; negative inside. Takes the side with corners on both sides of it and the greatest
+// excess. All are zero if no side has that, or if nearly all of the cell is on one side.
 std::array<double, 3> excesses(const deviation_scene& scene, const mesh_cell& cell) {
   constexpr double reach = 1;
   std::array<surface_place, 3> at;
@@ -94,14 +94,16 @@ std::array<double, 3> excesses(const deviation_scene& scene, const mesh_cell& ce
     const double high = std::max({by[0], by[1], by[2]}), low = std::min({by[0], by[1], by[2]});
     if (low < 0 && high > most) most = high, found = by;
   }
-  // Halves a cell that is nearly all on one side.
+  // Returns zeros for a cell that is nearly all on one side of the piece's side: halving it is
+  // better.
   const double high = std::max({found[0], found[1], found[2]});
   const double low = std::min({found[0], found[1], found[2]});
   if (!(high > 0.02 * (high - low) && -low > 0.02 * (high - low))) return {};
   return found;
 }
 
-// Divides the triangle along a line near which it crosses the side.
+// Divides the triangle along a line near which it crosses a side of the piece. `by` is how far each
+// corner is beyond that side.
 std::vector<interval_triangle> parted(const mesh_cell& cell, const std::array<double, 3>& by) {
   std::size_t lone = 0;  // the corner alone on its side
   for (std::size_t k = 0; k < 3; ++k)

@@ -35,9 +35,9 @@ struct narrowed {
 
 // A Cell has squared distances `above` and `below`. divide(cell) returns its parts with their
 // distances, or none if the cell cannot be divided further; give_up(cell) is then called, for one
-// cell after the other. confirm(cell) is called before a proposal becomes the greatest, and may
-// make `below` less: cells are not divided because of the greatest, so that one that went astray
-// would widen all bounds.
+// cell after the other. confirm(cell) is called before a cell's proposal `below` becomes the
+// greatest, and may reduce it. Cells that cannot exceed the greatest proposal are not divided, so
+// that a wrong proposal would widen all bounds.
 template <class Cell, class Divide, class GiveUp, class Confirm>
 narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, const Divide& divide,
                       const GiveUp& give_up, const Confirm& confirm) {
@@ -57,7 +57,7 @@ narrowed<Cell> narrow(std::vector<Cell> cells, const narrowing_limits& limits, c
     double enough = std::max(found.below * ratio, limits.negligible * limits.negligible);
     if (limits.at_most) {
       const double limit = *limits.at_most * *limits.at_most;
-      // Continues as long as the limit is between both bounds.
+      // Continues as long as the distance to decide about is between both bounds.
       if (found.below <= limit && limit < enough) enough = limit;
     }
     std::vector<Cell> kept;

@@ -30,8 +30,8 @@ struct share_rows {
   const double* at(std::size_t k) const { return shares.data() + k * row; }
 };
 
-// Computes each row from the shares of one argument less, times (1 - s) + s z. Its arguments are
-// those of the multi-index without one corner, the last one.
+// Computes each row as the coefficients of the product of (1 - s) + s z over the arguments s of its
+// multi-index.
 void find_shares(int degree, const std::array<double, 3>& at, share_rows& rows) {
   rows.row = static_cast<std::size_t>(degree) + 1;
   rows.count = 0;
@@ -48,8 +48,9 @@ void find_shares(int degree, const std::array<double, 3>& at, share_rows& rows) 
     }
 }
 
-// Numbers in the bounds of errors: |P_i| <= greatest w_i, half-widths of control points and weights
-// over w_i, the distance of true corners from those taken, and the ratio of weights.
+// Numbers on which the bounds of errors depend: |P_i| <= greatest w_i; the half-widths of control
+// points and of weights, divided by w_i; the distance of the true corners from those used; and the
+// ratio of weights.
 struct net_facts {
   double greatest = 0, half_width = 0, weight_half_width = 0, corner_off = 0, weight_ratio = 1;
   bool usable = true;
@@ -138,18 +139,17 @@ void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) 
 [[gnu::noinline]] std::optional<plain_triangle_net> to_nearest(const tensor_net& from,
                                                                const parameter_triangle& corners,
                                                                bool is_rational) {
-  // Largest relative error of weights for this way; intervals are used beyond. Weights known to
-  // that share differ from those computed by a factor below 1 + 2 weight_off, as the last step
-  // takes it.
+  // Greatest relative error of weights that is accepted; beyond it intervals are used. True weights
+  // differ from computed ones by a factor below 1 + 2 weight_off then, which the last step uses.
   constexpr double rough = 0x1p-30;
   plain_start start;
   take_corners(corners, start);
   take_control(from, is_rational, start);
   const net_facts& f = start.facts;
   const int p = from.degree_u, q = from.degree_v;
-  // Bounds the change by an argument's error: a polar form is affine in each of p + q arguments,
-  // and between 0 and 1 of two values of it at the ends, so that an argument off by h changes it by
-  // at most 2 h times the greatest value.
+  // Bounds the change by an argument's error. A polar form is affine in each of p + q arguments,
+  // and for an argument between 0 and 1 lies between its values at 0 and 1: an argument off by h
+  // changes it by at most 2 h times the greatest value.
   const double moved = 2 * (p + q) * f.corner_off * f.weight_ratio;
   if (!f.usable || !(moved + f.weight_half_width < rough)) return std::nullopt;
   plain_triangle_net net;

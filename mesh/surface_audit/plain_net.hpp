@@ -21,20 +21,20 @@
 
 namespace asterism::internal {
 
-// Coordinates x, y, z (times the weight) and the weight of each point; the true ones differ by at
-// most `off` and `weight_off`, each times the computed weight, and the weights by weight_off times
-// it.
+// Coordinates x, y, z (times the weight) and the weight of each point. The true coordinates differ
+// from these by at most `off`, the true weights by at most `weight_off`, both times the computed
+// weight.
 struct plain_triangle_net {
   int degree = 0;
   std::vector<std::array<double, 4>> points;
   double off = 0, weight_off = 0;
 };
 
-// Returns the largest number of roundings in a summand: degrees p and q, share and rest.
+// Returns the largest number of roundings in a summand, for degrees p and q:
 //   3 p and 3 q in the shares of the two directions: 1 - s, its product, the sum, p times;
 //   1 + p and 1 + q for products with control points and their sums;
 //   1 for the number of ways, net_size(min(p, q)) for sums of pairs of one multi-index;
-//   2 for one over all ways, and its product.
+//   2 for the inverse of the number of all ways, and the product with it.
 constexpr int roundings_of_net(int p, int q) {
   return 4 * (p + q) + static_cast<int>(net_size(p < q ? p : q)) + 5;
 }

@@ -26,9 +26,9 @@ namespace {
 
 constexpr int deepest = 9;          // quarterings of a triangle
 constexpr double finite = 0x1p500;  // its square is below infinity
-// Share of the distance asked below which bounds of trimmed patches are not narrowed further:
-// places inside of trims are moved inward, and no bound comes below that. Bounds are valid for any
-// value.
+// Part of the chord distance asked for, below which bounds of trimmed patches are not narrowed
+// further: places inside of trims are moved inward, so that no bound falls below about that. Bounds
+// are valid for any value.
 constexpr double negligible_at_trims = 1e-6;
 
 error no_triangle() {
@@ -203,7 +203,7 @@ bool gives_up(const lifted_cell& cell) {
 }
 
 // Returns false if the surface is folded over the triangle, by tests in doubles at a few places, or
-// if that is open after much work.
+// if that is undecided after `most_cells` parts.
 bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
   constexpr std::size_t most_cells = 1000;
   std::vector<lifted_cell> waiting = first_cells(scene, t, look_at_normals);

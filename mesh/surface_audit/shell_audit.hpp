@@ -36,11 +36,12 @@ namespace asterism::internal {
 result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
                                  const shell_question& asked);
 
-// Measures for the maker of a shell: an upper bound of the distances between a plane triangle and
-// its piece of the surface, either no more than 5 % above a point's distance or below `enough`;
-// whether the surface is not folded over the triangle, as far as doubles tell in a few places; and
-// a place, u and v of the patch, where the surface itself is folded, which no finer mesh mends.
-// Made only for the plane triangles that are wanted, face by face.
+// Measures for the maker of a shell, made only for the `wanted` plane triangles, numbered face by
+// face. `distance` is an upper bound of the distances between a triangle in space and its piece of
+// the surface, either no more than 5 % above the distance of some point or below `enough`.
+// `is_unfolded` states whether the surface is not folded over the triangle, by tests in doubles at
+// a few places. `fold` is a place, u and v of the patch, where the surface itself is folded: no
+// finer mesh unfolds it.
 struct shell_measure {
   double distance = 0;
   bool is_unfolded = false;

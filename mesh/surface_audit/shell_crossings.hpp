@@ -14,8 +14,8 @@ namespace asterism::internal {
 
 // Returns the first two triangles that cross or touch, in the order of their least first
 // coordinates; none if the triangles make an embedded shell. A triangle without area that is
-// crossed counts too. Cost: pairs whose boxes overlap, and those whose ranges of the first
-// coordinate do.
+// crossed counts too. Compares the boxes of all pairs whose ranges of the first coordinate overlap,
+// and tests the pairs whose boxes overlap.
 std::optional<std::array<std::uint32_t, 2>> crossing_triangles(const space_mesh& m);
 
 }  // namespace asterism::internal

@@ -136,9 +136,9 @@ void visit_sides(const surface& s, const surface_shell& shell,
   }
 }
 
-// Returns the edges of plane triangles on sides of a single patch, in the shell's orientation.
-// Edges of triangles collapsed in space count: where one lies between the shell and such a side,
-// its two edges are the same one in space.
+// Returns the edges of plane triangles on sides that belong to one patch alone, in the shell's
+// orientation. Edges of triangles collapsed in space count: where such a triangle lies between the
+// shell and a side, two of its edges are one edge in space.
 std::set<shell_edge> edges_at_open_sides(const surface& s, const surface_shell& shell,
                                          const std::vector<shell_triangle>& triangles,
                                          const side_facts& facts) {

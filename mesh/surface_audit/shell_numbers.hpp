@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-//
-// Lists the numbers of a shell's report that certificates state, once for whoever writes, reads,
-// compares or tells them.
+// Lists the numbers of a shell's report that certificates state, in one place for all functions
+// that write, read, compare or print them.
 #pragma once
 
 #include "asterism/mesh/surface_audit/shell_report.hpp"
 
 namespace asterism::internal {
 
-// Calls visit(key, words, member) for each: its name in files, its name in messages, and where a
-// shell_report has it.
+// Calls visit(key, words, member) for each number: its name in files, its name in messages, and the
+// member of shell_report that holds it.
 template <class Visit>
 void visit_numbers(const Visit& visit) {
   visit("vertices", "vertices", &shell_report::vertices);
@@ -24,7 +23,7 @@ void visit_numbers(const Visit& visit) {
   visit("least_angle", "least angle", &shell_report::least_angle);
 }
 
-// Calls it for those that are written for trimmed patches alone.
+// Calls visit(key, words, member) for the numbers that are written for trimmed patches alone.
 template <class Visit>
 void visit_trim_numbers(const Visit& visit) {
   visit("trims", "trimming curves", &shell_report::trims);

@@ -93,8 +93,8 @@ located project(const std::vector<bezier_piece>& pieces, surface_place from, con
     std::array<double, 2> by = step(jet, gap, false, false);
     const bool hold_s = leaves(at.s, by[0], low, high), hold_t = leaves(at.t, by[1], low, high);
     if (hold_s || hold_t) by = step(jet, gap, hold_s, hold_t);
-    // Ends if the step is negligible: at the nearest point no step leads nearer, and no half of
-    // one.
+    // Ends if the step is negligible: at the nearest point neither a step nor a part of it leads
+    // nearer.
     if (!(std::max(std::abs(by[0]), std::abs(by[1])) >= negligible)) break;
     bool nearer = false;
     double moved = 0;

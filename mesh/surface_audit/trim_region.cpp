@@ -45,7 +45,7 @@ trim_region::trim_region(std::vector<parameter_segment> border) : border_(std::m
   rows_.resize(height_ > 0 ? count : 1);
   for (std::uint32_t k = 0; k < border_.size(); ++k) {
     const parameter_segment& s = border_[k];
-    // Adds a row at either end: later searches for rows are rounded differently.
+    // Adds a row at either end: a later search for a row may be rounded differently.
     const std::size_t first = row_of(std::min(s.from[1], s.to[1])),
                       last = row_of(std::max(s.from[1], s.to[1]));
     for (std::size_t row = first > 0 ? first - 1 : 0; row <= last + 1 && row < rows_.size(); ++row)
