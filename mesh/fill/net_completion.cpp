@@ -20,11 +20,11 @@
 namespace asterism::internal {
 namespace {
 
-// Part of the covering radius that a point has to be away from all sites to lead to another one.
-// Boxes without a point as far are divided until the rest of the radius spans them, as sites
-// measure; only boxes beside points that are nearly as far become so small.
+// Part of the covering radius: a point farther than this from all sites leads to a new site. A box
+// without such a point is divided until its parts, in the sites' metrics, are no longer than the
+// rest of the radius; only boxes beside points that are nearly as far become so small.
 constexpr double part_of_covering = 1 - 0x1p-20;
-// Bounds the boxes looked at, for each site and at all: about 200 a site are usual.
+// Bounds the number of boxes, for each site and in all: about 200 a site are usual.
 constexpr std::size_t most_boxes_a_site = 4096, most_boxes = 1U << 20U;
 // Factor by which search boxes are enlarged, since the metrics of two sites measure the distance
 // between them differently. Where they differ by more, sites may be missed; the theorem is then not
@@ -114,7 +114,8 @@ class net_completion {
       if (++looked_at > most_boxes + most_boxes_a_site * sites_.size()) return false;
       open_box next = std::move(open.back());
       open.pop_back();
-      // Counts what is looked at to cover the box, find out whether it is wanted, and divide it.
+      // Counts the sites and segments compared by the tests of the box, of its middle, and by its
+      // division.
       work_.count_candidates(6 * (1 + next.sites.size() + next.segments.size()));
       charge();
       if (options_.stop.is_requested()) return false;
@@ -159,7 +160,8 @@ class net_completion {
     return b.segments.empty() && !locator_.contains(kernel_, b.box.low);
   }
 
-  // True if the point is inside the domain and far from all sites.
+  // True if the point is inside the domain and farther than part_of_covering times the covering
+  // radius from all sites.
   bool is_wanted(const open_box& b, const point& q) const {
     const double least = part_of_covering * options_.covering;
     return std::all_of(
@@ -168,8 +170,8 @@ class net_completion {
            locator_.contains(kernel_, q);
   }
 
-  // Returns the squared distance of a point from the nearest site, as that measures, among those
-  // near it in a metric; infinite where there is none.
+  // Returns the squared distance of q from the nearest site, in that site's metric. Searches the
+  // sites near q as measured by m; infinite where there is none.
   double nearest_squared(const point& q, const metric_tensor& m) {
     const bounding_box near = box_around({q, m}, 2 * search_margin * options_.covering);
     double least = infinity;
@@ -181,8 +183,9 @@ class net_completion {
     return least;
   }
 
-  // Climbs from a wanted point to about the farthest from all sites in its hole, so that sites come
-  // no nearer to each other than the domain is covered. Each step is to a farther point inside.
+  // Climbs from a point that is far from all sites to about the farthest point of the hole around
+  // it. Each step is to a farther point inside the domain. Sites then come no nearer to each other
+  // than about the covering radius.
   point farthest_from(const open_box& b, point q) {
     constexpr int halvings = 12, most_moves = 64;  // of each length of a step
     if (b.sites.empty()) return q;

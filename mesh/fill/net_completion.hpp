@@ -27,8 +27,8 @@ struct net_options {
 
 struct net_report {
   std::size_t taken_out = 0, added = 0;
-  // False where the limit on sites was reached, the run is to stop, or doubles end before the boxes
-  // by which the domain is covered are small enough.
+  // False if the limit on sites was reached, the run is to stop, or the boxes that cover the domain
+  // would have to be smaller than doubles can represent.
   bool covered = false;
 };
 

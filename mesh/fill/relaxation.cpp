@@ -31,8 +31,8 @@ bool is_similar(const metric_tensor& a, const metric_tensor& b) {
                  most_times * most_times);
 }
 
-// True if all triangles of the site with two successive neighbours turn left and have circles of at
-// most that radius in the metric, at the old and the new places of both neighbours.
+// True if all triangles of the site with two successive neighbours turn left, and their circles in
+// the metric m have at most this radius, for the old and the new places of both neighbours.
 bool keep_small(const metric_tensor& m, const std::vector<ways_to_neighbour>& ways, double radius) {
   const double most = 4 * radius * radius * (m.m11 * m.m22 - m.m12 * m.m12);
   int all = 1;

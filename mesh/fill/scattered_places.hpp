@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-//
-// Visits places all over a box, coarse ones first, finer ones where they are wanted: from these a
-// fill begins that has only the boundary's sites. Farthest first, the first few sites would be in
-// reach of all of the boundary's, and each of their stars would be made anew for every site inside.
+// Visits places all over a box, in coarse cells first and finer cells where they are wanted. A fill
+// that has only the boundary's sites begins with these places. If it began farthest first, the
+// first few sites would be in reach of all sites of the boundary, and each of these sites' stars
+// would be made anew for every site inside.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace asterism::internal {
 
-// Visits one place in each cell of a quadtree over the box, level by level; whether the cell is cut
-// in four is what `visit` answers, given the place and the displacement from the cell's middle to
-// its upper right corner. No more than `most` are visited, and none where the box has no extent. A
-// place is within half of that displacement from the middle, at a position that depends on the cell
-// alone: a lattice would make exact ties. `announce`, where given, is called from time to time with
-// the places that come next.
+// Visits one place in each cell of a quadtree over the box, level by level. visit(place, half)
+// returns whether the cell is to be divided in four; `half` is the displacement from the cell's
+// middle to its upper right corner. At most `most` places are visited, and none where the box has
+// no extent. A place is within half / 2 of the cell's middle, at a position that depends on the
+// cell alone: a lattice would make exact ties. `announce`, where given, is called from time to time
+// with a function that returns the places that come next.
 void visit_scattered(
     const bounding_box& box, std::size_t most,
     const std::function<bool(const point& place, const point& half)>& visit,

@@ -29,8 +29,8 @@ result<arc_length> length_along(const metric_field& field, const point& a, const
       fine);
 }
 
-// Returns, for each vertex, the metric length wanted of the first subsegments at it, the same on
-// all its segments.
+// Returns, for each vertex, the metric length that the first subsegments at it should have, on all
+// its segments alike.
 std::vector<double> first_subsegments(const domain& d, const std::vector<arc_length>& measured,
                                       double longest) {
   // Factor by which the first subsegments are shorter than the others, whose length is rounded down
@@ -43,9 +43,9 @@ std::vector<double> first_subsegments(const domain& d, const std::vector<arc_len
   return wanted;
 }
 
-// Returns the shift of points that divide a segment in this direction, as a part of a subsegment:
-// about all points of the boundary are moved by one vector, which no likely symmetry leaves as it
-// is.
+// Returns the shift of points that divide a segment in this direction, as a part of a subsegment's
+// length. All points of the boundary are shifted by about one common vector, which breaks the
+// likely symmetries of a domain.
 double shift_along(const point& direction) {
   constexpr double most = 1.0 / 64, aside = 0.375;
   return most * (direction.x + aside * direction.y) /
@@ -109,8 +109,8 @@ division divide(const point& a, const point& b, const arc_length& measured, doub
   return at_lengths(a, b, measured, lengths);
 }
 
-// Returns the number n of equal parts whose length is nearest to `wanted` as a ratio: n rather than
-// n + 1 where the geometric mean of both lengths is below it.
+// Returns the number n of equal parts whose length has the ratio nearest to 1 to `wanted`: n rather
+// than n + 1 where the geometric mean of both lengths is below `wanted`.
 std::size_t parts_nearest_to(double total, double wanted) {
   const double fewer = std::max(1.0, std::floor(total / wanted));
   const bool one_more = total * total > fewer * (fewer + 1) * wanted * wanted;

@@ -47,9 +47,9 @@ class site_proposals {
   // star, until no place keeps that distance or `sites` is full.
   void scatter(double distance);
 
-  // Returns the Voronoi vertices of the stars that changed that are farther than `distance` from
-  // all sites, encroach on no subsegment and are inside the domain. Fails where the field does,
-  // inside the domain.
+  // Returns Voronoi vertices of the changed stars: those that are farther than `distance` from all
+  // sites, encroach on no subsegment and are inside the domain. Fails where the field fails inside
+  // the domain.
   result<std::vector<site_proposal>> collect(double distance) const;
 
   // Places as many of the proposals as keep their distance from each other, the farthest from

@@ -24,10 +24,10 @@ class work_meter {
   void count_gaps(std::uint64_t looked_at) { gaps_ += looked_at; }
 
   // True if `parts` times the work done exceeds the limit for this number of sites. Fills of
-  // metrics that sites can follow disturb 5 to 110 stars a site and go through 30 to 2600
-  // candidates a site; where metrics vary wildly every site disturbs a part of all others, and both
-  // grow with the number of sites. So 200 stars and 25 x 200 candidates a site are about twice the
-  // most that was seen of the first kind.
+  // metrics that sites can follow disturb 5 to 110 stars a site and test 30 to 2600 candidates a
+  // site. Where metrics vary wildly every site disturbs a part of all others, and both numbers grow
+  // with the number of sites. The limits, 200 stars and 25 x 200 candidates a site, are about twice
+  // the largest numbers that fills of the first kind took.
   bool is_overworked(std::size_t sites, std::uint64_t parts = 1) const {
     constexpr std::uint64_t at_least = 500'000, for_each = 200, candidates_for_one = 25;
     const std::uint64_t most = at_least + for_each * sites;

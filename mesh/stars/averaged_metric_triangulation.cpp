@@ -80,7 +80,8 @@ double averaged_metric_triangulation::excess(vertex_index a, vertex_index b, ver
   return -(one + other) / (std::abs(one) + std::abs(other));
 }
 
-// Keeps an edge whose two diagonals tie but for rounding.
+// Decides on an edge by the mean metric. If the two diagonals of its quadrangle tie but for
+// rounding, the edge stays.
 bool averaged_metric_triangulation::is_better(vertex_index a, vertex_index b, vertex_index c,
                                               vertex_index d) const {
   constexpr double tie = 0x1p-30;
@@ -107,9 +108,9 @@ bool averaged_metric_triangulation::is_better_in_stars(vertex_index a, vertex_in
   return comes.certain() && comes.value();
 }
 
-// Returns the flips left to the next site: those that a site does not use are left to later sites.
-// With a limit of 64 for each site alone a circle of 30,000 equal segments was left to stars with
-// thousands of neighbours, and took 62,000 sites in place of 52,000.
+// Returns the number of flips that the next site may take: flips that a site does not use are left
+// to later sites. With 64 for each site alone, a circle of 30,000 equal segments got stars with
+// thousands of neighbours, and its mesh had 62,000 sites in place of 52,000.
 std::size_t averaged_metric_triangulation::flips_left() const {
   const std::size_t in_all = most_flips * sites_.size(),
                     done = from_.delaunay.flips_of_insertions();

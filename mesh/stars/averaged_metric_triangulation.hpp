@@ -31,7 +31,7 @@ class averaged_metric_triangulation {
   // Returns the number of faces, some of which are outside of the domain.
   std::size_t faces() const { return from_.delaunay.faces().size(); }
   bool is_inside(std::uint32_t face) const { return inside_[face] != 0; }
-  // Returns the corners of a face inside by the numbers of the sites, the least first.
+  // Returns the corners of a face inside the domain by the numbers of the sites, the least first.
   triangle corners(std::uint32_t face) const;
 
   // Walks over inside faces to the place of q among the faces; none where q is on or beyond a
@@ -51,9 +51,9 @@ class averaged_metric_triangulation {
   // Follows a renumbering: the former site v of the mesh is now site to[v].
   void renumber(const std::vector<vertex_index>& to);
 
-  // Flips edges by the stars of both ends, where these and the mean metric may differ. Returns the
-  // neighbours of each site, counter-clockwise from the nearest, and marks the sites all of whose
-  // neighbours are plainly accepted in doubles.
+  // Flips edges that the stars of both ends refuse, though the mean metric does not. Returns the
+  // neighbours of each site, counter-clockwise from the nearest. Marks the sites all of whose
+  // neighbours are accepted in doubles without doubt.
   neighbour_lists settled_neighbours();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that the stars agree: holds every triangle of every star against the stars of its other
+// Checks that the stars agree: compares every triangle of every star with the stars of its other
 // vertices.
 //
 // Source: the thesis, definition 9. Two kinds of defect go beyond it, each named by its vertex. A

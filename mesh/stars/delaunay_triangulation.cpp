@@ -259,7 +259,7 @@ bool delaunay_triangulation::insert(vertex_index v) {
   return flip_around(v);
 }
 
-// Notes that the face has changed.
+// Adds the face to the list of changed faces, whose edges are to be tested.
 void delaunay_triangulation::suspect(const face& f) {
   for (std::uint32_t i = 0; i < 3; ++i) suspects_.emplace_back(f.corner[i], f.corner[after(i)]);
 }
@@ -419,7 +419,7 @@ vertex_index delaunay_triangulation::split_towards(const site& s, const place& a
   return v;
 }
 
-// Tests only edges across from the new site: each flip leaves two more of these.
+// Tests only edges across from the new site: each flip adds two such edges.
 void delaunay_triangulation::flip_around_towards(vertex_index v, const comparison& is_better,
                                                  std::size_t most) {
   std::size_t flips = 0;

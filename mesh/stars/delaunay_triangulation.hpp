@@ -45,9 +45,8 @@ class delaunay_triangulation {
   // must outlive the triangulation.
   delaunay_triangulation(std::vector<site> sites, const star_predicates& kernel);
 
-  // Each of the following functions returns false, and leaves a triangulation of no use, where the
-  // sites are not as required, or where it takes more steps than are allowed for this number of
-  // sites.
+  // Each of the following functions returns false, and leaves an unusable triangulation, if the
+  // sites are not as required or the limit of steps for this number of sites is reached.
 
   // Inserts site v. Requires that it was not inserted yet and that no segment was.
   bool insert(vertex_index v);

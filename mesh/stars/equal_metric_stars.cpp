@@ -107,7 +107,8 @@ class star_reader {
   }
 
   // Adds the face to the star; false if it is not proved Delaunay, or reaches out of the domain.
-  // The reach becomes infinite where a subsegment closes the gap, as a split opens it.
+  // The reach becomes infinite where a subsegment closes the gap, as a split of the subsegment
+  // would open the gap.
   bool take(const place& p) {
     const face& f = from_.delaunay.faces()[p.face];
     for (const vertex_index corner : f.corner)
@@ -136,8 +137,8 @@ bool have_one_metric(const std::vector<site>& sites) {
                      [&](const site& s) { return identical(s.metric, sites.front().metric); });
 }
 
-// Collects the faces inside the domain as triangles, by the sites' own numbers. Returns fewer where
-// one reaches out of the domain or, by_mesher, is not sound.
+// Collects the faces inside the domain as triangles, by the sites' own numbers. Leaves out faces
+// that reach out of the domain and, if stars are confirmed by_mesher, faces that are not sound.
 std::vector<triangle> sound_triangles(const site_oracle& oracle, const site_triangulation& from,
                                       const std::vector<char>& inside,
                                       star_confirmation confirmed) {

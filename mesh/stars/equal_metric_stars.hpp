@@ -22,8 +22,8 @@
 namespace asterism::internal {
 
 // Returns the triangles of all these stars, which agree, in the order of triangles_of_consistent();
-// none where stars_of_equal_metrics() has none. By_auditor, the edges are not tested again after
-// the exact flips.
+// none where stars_of_equal_metrics() returns none. If stars are confirmed by_auditor, the edges
+// are not tested again after the exact flips.
 std::optional<std::vector<triangle>> triangles_of_equal_metrics(const site_oracle& oracle,
                                                                 const cancellation& cancelled,
                                                                 star_confirmation confirmed);

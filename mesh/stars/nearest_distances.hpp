@@ -21,8 +21,9 @@ double shortest_distance(const std::vector<site>& sites, vertex_index count, con
                          const proximity& near, double most);
 
 // Returns the median over all sites of the distance to the nearest other site, each at most `most`.
-// The distance of two sites is the lesser of what both measure. Requires at least one site. For
-// half the sites the nearest other one is no nearer, so darts that far apart find room.
+// The distance of two sites is the lesser of what both measure. Requires at least one site. Half of
+// the sites have no other site nearer than this, so that darts at this distance from each other
+// find room.
 double median_distance(const std::vector<site>& sites, const proximity& near, double most);
 
 }  // namespace asterism::internal

@@ -27,7 +27,7 @@ class proximity {
   const box_index& subsegments() const { return subsegments_; }
   // Returns the subsegments, indexed by the box of the sites that could encroach on them.
   const box_index& influences() const { return influences_; }
-  // Returns the sites along a space-filling curve, later ones behind all others.
+  // Returns the sites along a space-filling curve, those added later after all others.
   const std::vector<vertex_index>& order() const { return order_; }
   // Returns the sites along that curve; a few later ones may be at the end. Loops in this order
   // find what they read in the cache.

@@ -146,8 +146,9 @@ std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
 
 // True if v and each neighbour measure the edge between them about alike: squares of lengths differ
 // by less than a half. Of 36 meshes of 1,000 to 10,000 random sites in steep metrics the audit
-// refused 7 for a site that a star missed, and 15 without the limit, which costs 2 percent of the
-// instructions of others; a limit of 1.25 spared one more, limits from 3 on spared few.
+// refused 7 because a star missed a site, and 15 without this limit. The limit costs other meshes 2
+// percent of their instructions. A limit of 1.25 avoided one more refusal, limits from 3 on avoided
+// few.
 bool is_calm(const site_oracle& oracle, vertex_index v, const star& s) {
   constexpr double most = 1.5;
   for (const sector& part : s.sectors)
@@ -158,9 +159,9 @@ bool is_calm(const site_oracle& oracle, vertex_index v, const star& s) {
   return true;
 }
 
-// Returns the star with the neighbours proposed if each is accepted and, unless that is left to the
-// auditor, exact tests confirm it at once against all sites. Where it is left to the auditor, only
-// neighbours whose acceptance is in doubt are tested here: the auditor tests all edges.
+// Returns the star with the proposed neighbours if each is accepted and, unless the auditor
+// confirms stars, exact tests confirm it at once against all sites. If the auditor confirms it,
+// only neighbours whose acceptance is in doubt are tested here: the auditor tests all edges.
 std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_index v,
                                              const star_proposal& proposed) {
   if (proposed.guess.empty()) return std::nullopt;
@@ -184,8 +185,8 @@ std::vector<vertex_index> ring_of(const approximate_star& guess) {
 }
 
 // Returns the star to begin with: the guessed neighbours that v sees and that pass their tests,
-// which are most. A star begun without neighbours first accepts many in far directions, which only
-// exact numbers remove.
+// which are most. A star begun without neighbours first accepts many sites in far directions, which
+// only exact numbers remove.
 star begun_star(const site_oracle& oracle, vertex_index v, const approximate_star& guess) {
   auto s = ring_star(oracle, v, ring_of(guess));
   if (!s) return empty_star(oracle.edges(), v);
@@ -325,11 +326,11 @@ star_extent extent_of(const site_oracle& oracle, vertex_index v, const approxima
 
 // Constructs the star of v from the sites near it. Searches farther and farther, until the star's
 // farthest vertex is well within the radius searched. The first radius is two spacings, times the
-// margin of reach_of_vertices, which contains the star in an even lattice. It requires six sites,
-// the average number of neighbours. The star found in too small a radius gives the radius that it
-// needs. The next search takes that with 2 % for its own rounding, but at least a quarter more than
-// the last, so that the radius grows, and at most twice as much, as a guess from too few sites may
-// have a vertex anywhere.
+// margin of reach_of_vertices, which contains the star in an even lattice. The radius must contain
+// six sites, the average number of neighbours. The star found in too small a radius gives the
+// radius that it needs. The next search takes that with 2 % for its own rounding, but at least a
+// quarter more than the last, so that the radius grows, and at most twice the last, as a star of
+// too few sites may have a vertex anywhere.
 //
 // The number of searches is limited. Where metrics vary wildly some gaps of less than half a turn
 // have no vertex at any distance, and far sites are refused there only after long exact tests; then

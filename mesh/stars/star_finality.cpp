@@ -137,8 +137,8 @@ std::optional<double> final_reach(const site_oracle& oracle, vertex_index v, con
                                   unbounded_gaps unbounded) {
   std::vector<prepared_sector> sectors;
   sectors.reserve(s.sectors.size());
-  // Tests a site only against the gap that contains it, or the two gaps beside its ray: a gap with
-  // a longer reach adds no sites to the tests of other gaps.
+  // Multiple of the median reach up to which gaps share one search around v. Each gap with a longer
+  // reach is searched by itself, so that it adds no sites to the tests of the other gaps.
   constexpr double much = 1.5;
   double reach = 0, common = 0;
   bool at_boundary = false;

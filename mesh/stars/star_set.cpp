@@ -20,15 +20,15 @@
 namespace asterism::internal {
 namespace {
 
-// Work limit of making all stars, as a multiple of refinement's. It is more than 1, as refinement
-// ends once its own is reached.
+// Work limit of making all stars, as a multiple of the refinement's limit. It is above 1, so that
+// the refinement ends by its own limit first.
 constexpr double most_work = 1.1;
 // Least number of sites for which guesses of stars are made.
 constexpr vertex_index worth_guessing = 100;
 
-// Returns the stars that a new site is offered to: those of its own neighbours, as a site is mostly
-// a neighbour of its neighbours. A thorough search finds what this local one misses
-// (stars/star_construction.hpp).
+// Returns the stars that a new site is offered to: those of its own neighbours, since in most cases
+// a site belongs to the stars of its neighbours. A thorough search finds the stars that this choice
+// misses (stars/star_construction.hpp).
 std::vector<vertex_index> candidate_stars(const site_oracle& oracle, vertex_index w,
                                           const star& own) {
   // Radius of the search, as a multiple of the farthest vertex's distance: twice holds all
@@ -309,8 +309,8 @@ void star_set::note_final(vertex_index v, vertex_index against,
   final_[v] = {against, *reach < most ? above(std::max(*reach, least)) : infinity};
 }
 
-// Returns an index of the sites that came after the first of these stars was found to be final.
-// Empty if they are too many for a separate index to pay; is_still_final() takes account of
+// Returns an index of the sites that were added after the first of these stars was found to be
+// final. The index is empty if these sites are too many for it to pay; is_still_final() detects
 // that.
 site_index star_set::latest_sites(const site_oracle& oracle,
                                   const std::vector<vertex_index>& which) const {
@@ -323,7 +323,7 @@ site_index star_set::latest_sites(const site_oracle& oracle,
   return latest;
 }
 
-// True if none of the sites that came since v's star was found to be final is in its reach.
+// True if no site that was added after v's star was found to be final is in its reach.
 bool star_set::is_still_final(const site_oracle& oracle, vertex_index v,
                               const site_index& latest) const {
   const finality& then = final_[v];

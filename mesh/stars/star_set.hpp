@@ -35,9 +35,9 @@ class star_set {
   // refinement.
   void cancel_by(cancellation cancelled) { cancelled_ = std::move(cancelled); }
 
-  // Bounds the work of making stars: gives up, even inside a star, once the kernel has done twice
-  // `share` of the work bound (stars/work_limit.hpp) for the number of sites, `given` vertices
-  // among them. Other stars then stay as they are.
+  // Bounds the work of making stars: ends it, even inside a star, once the kernel's work exceeds
+  // 1.1 times `share` of the work limit (stars/work_limit.hpp) for the number of sites, `given`
+  // vertices among them. Other stars then stay as they are.
   void bound_work(std::size_t given, double share = 1) {
     given_ = given;
     work_share_ = share;
@@ -84,8 +84,8 @@ class star_set {
                                      const std::vector<vertex_index>& which,
                                      const neighbour_lists& others);
 
-  // Returns how many stars were tested against sites added one by one, in all: every star, each
-  // time, where metrics vary wildly.
+  // Returns the total number of stars that were tested against sites added one by one. Where
+  // metrics vary wildly, each site added is tested against every star.
   std::size_t candidates_looked_at() const { return candidates_; }
 
   // Stars that were changed, and the neighbours they had before; an index may occur twice in either
