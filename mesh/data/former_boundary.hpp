@@ -11,8 +11,9 @@
 
 namespace asterism {
 
-// The former boundary, with internal segments, along the segments of a domain. Each leads from one
-// former vertex to another; so do all chords of a curve together, whose first has their vertices.
+// The former boundary, with internal segments, along the segments of a domain. Each segment leads
+// from one former vertex to another. The chords of a curve do so together: the first chord's list
+// has the former vertices along all of them.
 struct former_boundary {
   // The former vertices between the ends of each segment, from its first to its second: one list
   // for each segment of the domain.

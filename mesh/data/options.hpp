@@ -46,9 +46,10 @@ struct mesh_options {
   // Greatest distance allowed between the metric delivered and the one wanted, at any site: ln of
   // the greatest ratio of the two lengths of a displacement, as delivered_report::greatest. 0: no
   // tensor is changed, and where stars cannot agree in the metric wanted a run ends with triangles
-  // that disagree. Beyond it a run is not complete, and says the distance. Default: any, unless
-  // half of the sites are beyond most_median_distance, or the two complexities most_density_ratio
-  // apart (data/delivered_report.hpp).
+  // that disagree. If the distance is greater, a run is not complete, and reports the distance.
+  // Default: any distance is allowed, unless that of half of the sites exceeds
+  // most_median_distance, or the ratio of the two complexities most_density_ratio
+  // (data/delivered_report.hpp).
   std::optional<double> metric_tolerance = {};
   // Has make_certified_mesh prove or refuse that the mesh is the dual of the anisotropic Voronoi
   // diagram of its sites. make_mesh ignores it.

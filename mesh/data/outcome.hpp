@@ -160,14 +160,14 @@ struct mesh_outcome {
   // Set if the mesh is in one metric for all sites; `delivered` has its distance from the one
   // wanted, unless both are equal.
   std::optional<last_resort_report> one_metric;
-  // How a refinement in one metric ended that was stopped; the mesh is then in the metric given,
-  // and `ended` tells how refinement ended there.
+  // Set if the mesh was first refined in one metric for all sites and that was stopped: how it
+  // ended. The mesh is then in the metric given, and `ended` states how refinement ended there.
   std::optional<refinement_ending> stopped_in_one_metric;
   // Distance of the mesh's metric from the one wanted; set if the mesh was made by local changes,
   // or in one metric for all sites.
   std::optional<delivered_report> delivered;
-  // Set if only a metric beyond the tolerance led to a mesh. With a tolerance of 0 the mesh is in
-  // the metric wanted, else in that one.
+  // Set if only a metric beyond the tolerance led to a mesh. With a tolerance of 0 this mesh is in
+  // the metric wanted, else in the metric beyond the tolerance.
   std::optional<intolerable_distance> intolerable;
   // Attempts of the run, in order, and the one that made this mesh; set by make_mesh
   // alone.

@@ -14,10 +14,10 @@ namespace asterism::internal {
 // Marks a vertex that is removed, in place of its new number.
 inline constexpr vertex_index no_number = std::numeric_limits<vertex_index>::max();
 
-// Moves each vertex to its new number, which is at most its own, with its reference; of several
-// vertices with one number the first stays. New numbers are 0, 1, ... in the order of the first of
-// each. `given` counts those that stay. Triangles and edges name the new numbers: none of them may
-// be of a vertex that is removed.
+// Moves each vertex, with its reference, to its new number, which is at most the old one. Of
+// several vertices with one new number the first stays. New numbers are 0, 1, ... in the order of
+// the first vertices that have them. `given` becomes the number of given vertices that stay.
+// Replaces the numbers in triangles and edges, none of which may have a vertex that is removed.
 inline void renumber_vertices(mesh& m, const std::vector<vertex_index>& number) {
   const bool has_references = m.references.size() == m.sites.size();
   vertex_index kept = 0, given = 0;

@@ -21,9 +21,9 @@ struct border_place {
 };
 
 // The plane mesh of a patch, in the chart (u 2^scale_u, v 2^scale_v). Its first four sites are the
-// corners of the patch, counter-clockwise from the least u and v; the rest of those given lie on
-// its sides. Of a trimmed patch the first sites are the starts of its curves, and the rest of those
-// given stand for points inside the curves; segments join those that follow each other.
+// corners of the patch, counter-clockwise from the least u and v; the other given sites lie on its
+// sides. Of a trimmed patch the first sites are the starts of its curves, and the other given sites
+// are points inside the curves; segments join successive sites of a curve.
 struct shell_face {
   std::uint32_t patch = 0;
   int scale_u = 0, scale_v = 0;

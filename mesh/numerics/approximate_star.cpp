@@ -162,7 +162,7 @@ bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_ga
   return cross(y, x) > certainly * std::sqrt(dot(y, y) * dot(x, x));
 }
 
-// Compares signed squares of the sine between directions, as v measures it.
+// Compares signed squares of the sine of the angle between successive directions, in v's metric.
 bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
                        const approximate_star& star) {
   constexpr double least_sine = 0x1p-10, least = least_sine * least_sine;
@@ -179,8 +179,9 @@ bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
 
 namespace {
 
-// Keeps, of the candidates around the full turn from one that stays, those that pass the test
-// between their present neighbours: calls stands(before, candidate, after).
+// Returns those of the candidates that pass the test between their present neighbours,
+// stands(before, candidate, after). Goes around the full turn from a candidate that certainly
+// stays.
 template <class Stands>
 const std::vector<const candidate*>& those_that_stand(const std::vector<candidate>& all,
                                                       const Stands& stands) {

@@ -85,11 +85,12 @@ struct line_equation {
 // Improves q by Newton's method for f_a = f_b = f_c. Returns nothing when the iteration leaves the
 // plane or does not reach a zero.
 //
-// Each step squares the error where bisectors cross. Where they touch, it halves the error, and the
-// miss is the square of that: 20 steps then leave 2^-40. A step of 1e-15 is about the rounding of
-// the point. The limit of the miss separates two heaps: of the starts of 20,000 random triples for
-// each of 15 kinds (aspects 1 to 30, metrics alike or up to e^3 apart), points found miss by less
-// than 1e-11 of the squared distance and others by more than 1e-6, but for one in a thousand.
+// Each step squares the error where bisectors cross. Where they touch, it halves the error; the
+// difference of the squared distances is about the square of the error, so that 20 steps leave
+// 2^-40 of it. A step of 1e-15 is about the rounding of the point. The limit on the remaining
+// difference was found with 20,000 random triples for each of 15 kinds (aspects 1 to 30, metrics
+// alike or up to e^3 apart): all but one start in a thousand led either to less than 1e-11 of the
+// squared distance, at a common point, or to more than 1e-6.
 std::optional<point> polish(const std::array<site, 3>& s, point q) {
   constexpr int most_steps = 20;
   constexpr double no_step = 1e-15, most_missed = 1e-9;
@@ -111,8 +112,9 @@ std::optional<point> polish(const std::array<site, 3>& s, point q) {
   return q;
 }
 
-// Adds q unless it is one of the points already. Of the same triples, equal points are computed
-// less than 1e-8 apart, but for one pair, and different ones more than 1e-4.
+// Adds q unless it is one of the points already. For the random triples of polish(), approximations
+// of one point are less than 1e-8 apart, except for one pair, and those of different points more
+// than 1e-4.
 void add_once(std::vector<point>& points, const std::optional<point>& q) {
   constexpr double same = 1e-7;
   if (!q) return;

@@ -41,10 +41,10 @@ struct sums {
   }
 };
 
-// True if variation(p, q), where the ends measure at least `shorter`, is certainly no more than
-// sigma. That is so if tau^2 is at most T^2 = 1 / (1 - sigma shorter)^2, hence if T^2 is beyond
-// both roots of det(M_q - x M_p), and of det(M_p - x M_q). The margin is far above the rounding
-// errors of distortion(); pairs beyond it are computed.
+// True if variation(p, q) of two sites whose distance is at least `shorter` in both metrics is
+// certainly no more than sigma. That is so if tau^2 is at most T^2 = 1 / (1 - sigma shorter)^2,
+// hence if T^2 is beyond both roots of det(M_q - x M_p), and of det(M_p - x M_q). The margin is far
+// above the rounding errors of distortion(); pairs beyond it are computed.
 bool varies_no_faster(const metric_tensor& p, const metric_tensor& q, double shorter,
                       double sigma) {
   constexpr double margin = 0x1p-36;

@@ -36,7 +36,8 @@ inline void add_weighted(double weight, const tensor_logarithm& term, tensor_log
 // first order.
 double difference(const tensor_logarithm& a, const tensor_logarithm& b);
 
-// True if some direction is longer in `b` than in `a` by more than `slack` of its square.
+// True if the squared length of some direction in `b` exceeds that in `a` by more than the part
+// `slack`.
 bool exceeds(const metric_tensor& b, const metric_tensor& a, double slack);
 
 // Returns a metric at least as long as both in every direction. It has the largest of their four

@@ -53,8 +53,9 @@ std::vector<double> real_roots(std::vector<double> p) {
   double largest = 0;
   for (const double c : p) largest = std::max(largest, std::abs(c));
   if (!std::isfinite(largest) || largest == 0) return {};
-  // Relative size, 45 roundings, below which a leading coefficient is taken as zero: that is left
-  // where the leading terms of a resultant cancel, and its root is at infinity.
+  // Relative size, 45 roundings, below which a leading coefficient is taken as zero: rounding
+  // leaves coefficients of this size where the leading terms of a resultant cancel and a root is at
+  // infinity.
   constexpr double noise = 1e-14;
   while (std::abs(p.back()) <= noise * largest) p.pop_back();
   if (p.size() <= 1) return {};

@@ -104,10 +104,10 @@ bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& 
 //
 // Errors. A metric that is not thin has a determinant of 2^-14 of its monomials or more, so that no
 // monomial of the inner product of two sides is more than 2^15 times N, the product of their
-// lengths, and none of their area, times the root of the determinant, more than 2^8 N. So the
-// inner product is off by less than 2^-32 N, and that area, with the root, by less than 2^-36 N. An
-// angle of at most b passes as one theta <= b with
-//   cos theta - 2^-32 < cot b (1 - 2^-24) (sin theta + 2^-36) alone, hence with
+// lengths, and none of their area, times the root of the determinant, more than 2^8 N. So the inner
+// product is off by less than 2^-32 N, and that area, with the root, by less than 2^-36 N. An angle
+// theta <= b could pass by these errors only with
+//   cos theta - 2^-32 < cot b (1 - 2^-24) (sin theta + 2^-36), hence only with
 //   sin (b - theta) + 2^-24 sin theta cos b < 2^-32 sin b + 2^-36.
 // The left side is least at theta = b, where it is more from 0.1 degrees on.
 bool all_angles_are_above(const triangle_sites& t, double cotangent) {

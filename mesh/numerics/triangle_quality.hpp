@@ -42,8 +42,8 @@ class angle_requirement {
 triangle_sites in_round_coordinates(triangle_sites t);
 
 // Returns the smallest of the nine angles, in degrees, in doubles, to rank triangles. For
-// coordinates whose products are in range, as in the unit frame; numerics/metric_angle.hpp has one
-// for any.
+// coordinates whose products are in range, as in the unit frame; numerics/metric_angle.hpp has a
+// function for coordinates of any magnitude.
 double smallest_angle(const triangle_sites& t);
 
 // An angle in degrees, used as a threshold, and its cotangent.

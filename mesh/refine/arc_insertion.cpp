@@ -68,8 +68,8 @@ bool arc_insertion::insert_at(const triangle& t, double tolerance) {
 }
 
 // Inserts sites for all triangles of the queue that are not set aside, from one state of the queue.
-// Skips triangles that earlier insertions removed. Their order matters little where only size is
-// left to mend.
+// Skips triangles that earlier insertions removed. The order of triangles matters little where all
+// of them are only too large.
 void arc_insertion::insert_for_large() {
   for (const bad_triangle& b : queue_.bad()) {
     if (state_.is_full() || state_.is_overworked() || state_.field_failure()) return;

@@ -40,9 +40,9 @@ class arc_insertion {
   // first. Splits no subsegments; insert() does, one by one. Returns false when nothing was
   // inserted.
   bool insert_in_bulk();
-  // Inserts a site for a triangle at a sharp corner whose low angles are not the corner's own
-  // alone; true if one was inserted. Keeps the distance between sites near the first tolerance, so
-  // that this cannot go on without end.
+  // Inserts a site for a triangle at a sharp corner that has other low angles besides the corner's;
+  // true if one was inserted. Keeps the distance between sites near the first tolerance, so that
+  // this cannot go on without end.
   bool insert_at_exempt_corners();
 
   // From now on, tries candidates nearer to the triangles as well: for collateral angles.

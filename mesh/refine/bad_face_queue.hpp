@@ -24,18 +24,19 @@ struct bad_face {
   }
 };
 
-// Ranks by the class of the shortest edge, within a class as if at random. Sizes grow from the
-// shortest edges: with the smallest angle first a noisy ring of 10,000 vertices took 17,206 sites
-// in place of 16,069. Along a boundary whose edges grow, each new site would be put beside one that
-// nearly all vertices are neighbours of, and take over nearly all its edges: in the order of
-// lengths alone such a circle of 30,000 vertices takes 6.9 seconds, in classes 0.9. The source of
-// the random order is that of triangulate() (stars/site_triangulation.cpp).
+// Ranks faces by the class of their shortest edge, within a class as if at random. Starting at
+// short edges lets sizes grow from these: with the smallest angle first a noisy ring of 10,000
+// vertices took 17,206 sites in place of 16,069. The random order is for boundaries whose edges
+// grow steadily. In the order of lengths alone each new site would be put beside a site that nearly
+// all vertices have as a neighbour, and take over nearly all of its edges: a circle of 30,000 such
+// edges takes 6.9 seconds, in classes 0.9. The source of the random order is that of triangulate()
+// (stars/site_triangulation.cpp).
 class bad_face_queue {
  public:
   bool empty() const { return heap_.empty(); }
 
   // Adds a face by the square of its shortest edge. Removes faces for which `has_gone` is true once
-  // they may be most of the queue.
+  // these may be more than half of the queue.
   template <class HasGone>
   void push(const triangle& where, std::uint32_t face, double squared_shortest_edge,
             const HasGone& has_gone) {
@@ -56,9 +57,9 @@ class bad_face_queue {
 
  private:
   // Returns the class of a length above 32 bits as if at random. Classes are eight to a factor of
-  // two of the square: the exponent of the double and three bits of its mantissa. With one, 10,000
-  // random sites in swirl:12 with 30 degrees become 32,124, with two 31,738, with eight 31,770 and
-  // with sixteen 31,772.
+  // two of the square: the exponent of the double and three bits of its mantissa. From 10,000
+  // random sites in swirl:12 with 30 degrees, one class to a factor of two makes 32,124 sites, two
+  // make 31,738, eight 31,770 and sixteen 31,772.
   static std::uint64_t rank_of(const triangle& where, double squared_length) {
     constexpr int mantissa_bits = 52, bits_of_class = 3, shift_for_random = 32;
     const std::uint64_t length_class =

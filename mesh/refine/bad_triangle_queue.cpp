@@ -42,8 +42,9 @@ corners_of_domain corners_in(const site_oracle& oracle, const triangle& t,
   return in;
 }
 
-// Marks, in all three metrics, the angles of the triangle that fill one of those domain corners
-// from one subsegment to the other. A corner that is divided could have wider parts.
+// Marks, in all three metrics, the angles of the triangle that fill a whole corner of the domain,
+// from one subsegment to the other. Where edges divide the corner, other edges could give it wider
+// parts.
 angle_set unavoidable(const boundary& edges, const triangle& t, const corners_of_domain& in) {
   angle_set at;
   for (std::size_t i = 0; i < 3; ++i)
@@ -279,8 +280,8 @@ void bad_triangle_queue::remember(const refine_state& state, vertex_index v, rec
 
 // Returns the stars to be examined: the changed ones and those that have a changed one as a
 // neighbour, or all stars in the first call. Findings of a star depend on itself and on the stars
-// of its neighbours. A star that has a changed star as a neighbour is a neighbour of it, now or
-// before the change, or has it on one side only.
+// of its neighbours. A star that has the centre of a changed star as a neighbour is among the
+// changed star's neighbours, now or before the change, or else is listed in claimed_by_.
 std::vector<vertex_index> bad_triangle_queue::dependents(refine_state& state) {
   auto [changed, all] = state.stars().take_touched();
   if (std::exchange(first_, false)) {

@@ -32,9 +32,9 @@ class coarser_field : public metric_field {
 void restore_lengths(int halvings, mesh_outcome& outcome);
 
 // Converts the outcome of a coarser mesh into one for the size asked for; does nothing without
-// halvings. The outcome is then not complete, and has the count of too large triangles and the size
-// delivered. Estimates from its sites how many the size wanted takes, unless the fill was stopped
-// before its end.
+// halvings. The outcome is then not complete, and has the number of triangles that are too large
+// and the length factor delivered. The number of sites that the wanted size takes is estimated from
+// its own, unless the fill was stopped before its end.
 void report_coarser(int halvings, bool fill_stopped, const mesh_options& options,
                     mesh_outcome& outcome);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds where to split the chords of curves: on the curve, beside the point of the chord.
+// Finds where to split the chords of curves: at the point of the curve that is nearest to a given
+// point of the chord.
 //
-// A chord that was split on its own line once stays split so: between a point on the curve and one
-// on the chord there is no piece of the curve to follow.
+// Once a chord was split at a point on its own line, its parts are split on that line too: there is
+// no piece of the curve between a point on the curve and one on the chord.
 #pragma once
 
 #include <optional>

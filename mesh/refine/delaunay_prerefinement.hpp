@@ -22,10 +22,10 @@ namespace asterism::internal {
 // True if prerefinement pays: many vertices are given, and only their angles are to be mended.
 bool is_refined_plainly(const mesh_options& options, std::size_t given);
 
-// Adds sites, none nearer than the start of the tolerance to others, in triangles with an angle
-// below what is required, those with the shortest edges first: at their off-centres
-// (refine/off_centre.hpp), or at their Voronoi vertices. Splits subsegments on which these would
-// encroach. Returns the neighbours that all sites then are likely to have, for
+// Adds sites in triangles with an angle below the required one, those with the shortest edges
+// first: at their off-centres (refine/off_centre.hpp), or at their Voronoi vertices. No site is
+// nearer to others than the tolerance at the start of refinement. Splits subsegments on which these
+// sites would encroach. Returns the neighbours that all sites then are likely to have, for
 // construct_stars(); nothing where no site could be added. Requires that the state has no stars
 // yet.
 neighbour_lists refine_plainly(refine_state& state, const angle_requirement& angle,

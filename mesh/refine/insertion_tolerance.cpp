@@ -25,28 +25,29 @@ constexpr double arc_finest_part = 256;
 // Constants after a fill, when defects are mended at points nearly as far from all sites as the
 // fill's own. The start is 0.6 of the fill's distance, the factor between steps 0.75, and the start
 // over the finest 32. Chosen by the number of disagreeing triangles left in a metric that varies
-// too fast, the square in polar-1 with size 0.5: 317. With 0.3 or 0.9 for 0.6 it is 821 or 530,
-// with 0.5 or 0.9 for 0.75 it is 827 or 513, with 8 for 32 it is 702, and with a ladder of 16 the
-// run ends before its stars are made. Of tamer metrics (airfoil and square with sizes) 0.3, or the
-// factor 0.5, would save 2 to 5 % of the sites.
+// too fast, the square in polar-1 with size 0.5, which is 317. With 0.3 or 0.9 in place of 0.6 it
+// is 821 or 530, with 0.5 or 0.9 in place of 0.75 it is 827 or 513, with 8 in place of 32 it is
+// 702, and with a fill_ladder of 16 the run ends before its stars are made. In metrics that vary
+// less (airfoil and square with sizes) a start of 0.3, or a factor of 0.5, would save 2 to 5 % of
+// the sites.
 constexpr double fill_fraction = 0.6;
 constexpr double fill_ladder = 128;  // start over floor
 constexpr double finest_part = 32;   // start over finest
 constexpr double fill_shrink = 0.75;
-// Constants of darts: the start as a part of the median distance, and the start over the floor.
-// Half of the median takes 92 and 115 sites on the square with 30 points in swirl:3 and sink:3; a
-// quarter takes 216 and 148, the whole 75 and 152. The number of steps, as that of arcs, matters
-// only for attempts that insert no site: it ends them.
+// Constants of darts: the start as a part of the median distance, and the start over the floor. A
+// start at half of the median takes 92 and 115 sites on the square with 30 points in swirl:3 and
+// sink:3; a start at a quarter takes 216 and 148, at the whole 75 and 152. The number of steps, as
+// for arcs, only limits attempts that insert no site.
 constexpr double dart_fraction = 0.5;
 constexpr double dart_ladder = 1024;
 
-// Returns the least distance that the domain forces between sites, as its vertices measure, at most
-// `most`: the shortest from a vertex to a site or to a subsegment not at it, and that between the
-// subsegments at a sharp corner.
+// Returns the least distance that the domain forces between sites, in the metrics of its vertices,
+// at most `most`: the shortest distance from a vertex to a site, or to a subsegment that does not
+// end at the vertex, and the width of a sharp corner between its subsegments.
 double smallest_feature(const refine_state& state, vertex_index vertices, double most) {
   double least =
       shortest_distance(state.sites(), vertices, state.edges(), *state.oracle().near(), most);
-  // Takes the width of a sharp corner where its first two subsegments end.
+  // Takes the width of a sharp corner at the nearer end of its two first subsegments.
   for (const domain_corner& c : state.segments().corners())
     if (c.is_sharp())
       for (const std::size_t subsegment : state.segments().subsegments_at(c))

@@ -6,9 +6,9 @@
 // A given tolerance is kept for Voronoi arcs, and is where darts start. Without one it follows from
 // the domain: the arcs start at a fifth of the shortest distance there is before refinement (metric
 // length, between two given sites or from a site to a segment not at it; at most 1 with a size
-// limit), and halve it whenever they are stuck, ten times at most. Darts start at half the median
-// distance of a given site to its nearest neighbour: they shrink it themselves, and starting from
-// the shortest scatters too many sites.
+// limit), and halve the distance whenever no candidate can be inserted, ten times at most. Darts
+// start at half the median distance of a given site to its nearest neighbour, and shrink it
+// themselves: a start from the shortest distance scatters too many sites.
 #pragma once
 
 #include "asterism/mesh/data/options.hpp"

@@ -13,8 +13,8 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the corner at which the shortest edge begins; lengths are those that both ends of an edge
-// measure.
+// Returns the corner at which the shortest edge begins. Edges are compared by the sum of their
+// squared lengths in the metrics of both ends.
 std::size_t shortest_edge(const triangle_sites& s) {
   std::array<double, 3> length{};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -22,10 +22,11 @@ namespace {
 constexpr double part_for_filling = 0.8;
 // Bound on the attempts. Each halves the sites at least once, and no problem takes 2^2000 of them.
 constexpr int most_attempts = 2000;
-// Least number of vertices with which sites are first spread as segments need them, and greatest
-// number of vertices for each site inside with which that is kept. Where a domain is narrow
-// everywhere vertices see few others, and refinement finds fewer sites. Without a size only ends of
-// segments count: isolated vertices are spread already.
+// Limits for a first fill that follows the lengths of segments: the least number of vertices for
+// which it is tried, and the greatest number of vertices for each site inside with which it is
+// kept. In a domain that is narrow everywhere vertices see few others, and refinement without this
+// fill takes fewer sites. Without a size limit only ends of segments count as vertices: isolated
+// vertices are spread already.
 constexpr std::size_t many_vertices = 120, fewest_for_one_inside = 5;
 
 // Returns the number of further halvings of the number of sites that bring it within the limit.

@@ -22,8 +22,9 @@ enum class placement_outcome {
 
 // Inserts a site at q if it is strictly inside the domain, farther than `tolerance` from every site
 // as measured by both, and encroaches on no subsegment. If it would encroach, the subsegments are
-// split instead, as far as the tolerance allows. A subsegment that q lies on is split too: right
-// angles across from a subsegment have their Voronoi vertex there, and nothing encroaches.
+// split instead, as far as the tolerance allows. A subsegment that q lies on is split too: the
+// Voronoi vertex of a right triangle lies on the subsegment opposite the right angle, on which no
+// site then encroaches.
 placement_outcome place_site(refine_state& state, const point& q, double tolerance);
 
 // Splits a subsegment at a corner of less than twice the bound that the bad triangle lies in; true

@@ -226,9 +226,10 @@ void split_boundary::visit_near(const boundary_edge& p, const Visit& visit) cons
       [&](vertex_index w) { return !contains(box, sites()[w].position) || visit(w); });
 }
 
-// Returns a site that encroaches. Returns the first one where the distance of that site from the
-// corner of a wedge matters, so that the answer does not depend on the order of the search.
-// Otherwise exact tests are made only if doubles decide for no site that it encroaches.
+// Returns a site that encroaches, if there is one. In a narrow wedge it is the encroaching site
+// with the least number, so that the answer does not depend on the order of the search: the
+// subsegment is split at that site's distance from the corner. Elsewhere any encroaching site is
+// returned, and exact tests are made only if doubles decide for no site that it encroaches.
 std::optional<vertex_index> split_boundary::find_encroacher(std::size_t subsegment) const {
   const boundary_edge& p = edges_.subsegments()[subsegment];
   const bool any_will_do = !wedges_.is_mirrored(p.segment);

@@ -13,8 +13,8 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   const star_set& stars = state_.stars();
   std::vector<vertex_index> stale, unconfirmed;
   std::vector<triangle> disagreeing;
-  // Work of visiting a neighbour, as a multiple of that of visiting a triangle: a third of a
-  // microsecond each where metrics are the same, else one.
+  // Work for visiting one triangle, in neighbours visited: a third of a microsecond where metrics
+  // are the same, else a microsecond.
   constexpr std::size_t as_neighbours = 110;
   for (const bad_triangle& b : queue.bad()) {
     if (b.why != badness::disagreeing) break;
@@ -31,8 +31,8 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   if (steep_.awaits_other_metric()) return false;
   if (rebuild(std::move(stale), star_search::near)) return true;
   if (exchange(disagreeing)) return true;
-  // Waits until the number of sites has grown by a tenth: where metrics vary much all sites are in
-  // reach.
+  // Waits until the number of sites has grown by a tenth: where metrics vary much, each of these
+  // searches finds all sites in reach.
   if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
   confirmed_at_ = state_.sites().size();
   return rebuild(std::move(unconfirmed), star_search::thorough);

@@ -26,8 +26,8 @@ class stale_stars {
   bool rebuild_disagreeing(const bad_triangle_queue& queue);
   bool rebuild_all();
   // Tests every star against all sites that are not certainly out of its reach, since a local
-  // search can have missed some. Done once for each number of sites: sites tested before need not
-  // be tested again because others came.
+  // search can have missed some. Does so once for each number of sites; sites that a star was
+  // tested against need not be tested again when others are added.
   bool repair();
   // Lets rebuild_disagreeing() test stars against all sites once more before refinement gives up.
   // Returns false if it has tested them against the present sites already.

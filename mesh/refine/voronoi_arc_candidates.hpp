@@ -29,9 +29,10 @@ std::optional<site> find_place(refine_state& state, const triangle& t, double to
                                std::size_t& rejected);
 
 // Splits a subsegment that hides a candidate of t outside the domain from t, if the candidate is
-// near enough to encroach on it from behind; true if one was split. In one metric, candidates are
-// outside by rounding alone where nothing is encroached: a Voronoi vertex on a slanted side, such
-// as that of a right angle across from it, is no double, and what it is rounded to may lie beyond.
+// near enough to encroach on it from behind; true if one was split. In one metric, if nothing is
+// encroached, a candidate is outside by rounding alone: the Voronoi vertex of a right triangle lies
+// on the side opposite the right angle, and if that side is slanted the rounded vertex may lie
+// beyond it.
 bool split_before_candidates(refine_state& state, const triangle& t, double tolerance);
 
 }  // namespace asterism::internal

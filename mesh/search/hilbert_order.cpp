@@ -75,8 +75,8 @@ constexpr curve_parts parts_of_curve() {
 }
 
 // Each level picks one of four quarters; the curve enters and leaves it turned or mirrored. A table
-// gives four levels at a time: branches would be mispredicted, and each look into it waits for the
-// one before.
+// gives four levels at a time: branches would be mispredicted, and each reading of the table waits
+// for the one before.
 std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y) {
   static_assert(levels % levels_of_part == 0);
   static constexpr curve_parts all = parts_of_curve();

@@ -22,12 +22,12 @@ std::uint64_t place_on_curve(const point& q, const bounding_box& box);
 // the finest grid keep their order.
 std::vector<std::uint32_t> order_along_curve(const std::vector<site>& sites,
                                              const bounding_box& box);
-// Sorts the numbers of some of the sites, or points, into that order.
+// Sorts the numbers of some of the sites, or points, into the order of the curve.
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<site>& sites,
                       const bounding_box& box);
 void sort_along_curve(std::vector<std::uint32_t>& which, const std::vector<point>& points,
                       const bounding_box& box);
-// Sorts the sites, or points, into that order.
+// Sorts the sites, or points, into the order of the curve.
 void sort_along_curve(std::vector<site>& sites, const bounding_box& box);
 void sort_along_curve(std::span<point> points, const bounding_box& box);
 

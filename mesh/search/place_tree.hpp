@@ -28,8 +28,8 @@ struct sized_place {
   double size = 0, slope = 1;  // size + slope * distance is allowed
 };
 
-// Returns the point of the segment that is nearest to q, one of its ends to the last bit where that
-// is nearest.
+// Returns the point of the segment that is nearest to q. If an end is nearest, it is returned bit
+// for bit.
 point nearest_on_segment(const point& q, const point& a, const point& b);
 // Returns the distance of q from the segment or the box; 0 inside.
 double distance_from(const point& q, const sized_place& place);

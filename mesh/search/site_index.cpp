@@ -201,11 +201,11 @@ double site_index::rough_squared_limit(const node& n, const centre& c) const {
   return 2 * (1 + (2 * t > 1 ? 2 * t : 1)) * (c.reach * c.reach * up) * up;
 }
 
-// Bounds the distance by a covector: with u any vector and g = M_v u, every w has |w|_v >= g.w /
-// |u|_v. u leads to the middle of the box; the least g.w is at one of its corners. No monomial
-// below passes more than six roundings, and `size` bounds the sum of their magnitudes, of |u|_v^2
-// as well, to within as many: 2^-48 of it covers the errors. The ranges keep underflow and overflow
-// away: |u|_v^2 is at least the least g.w.
+// Bounds the distance by a covector. With any vector u and g = M_v u, every w has |w|_v >= g.w /
+// |u|_v. The vector u leads to the middle of the box; the least g.w is at one of the box's corners.
+// No monomial of g.w or of |u|_v^2 passes more than six roundings, and `size` bounds the sum of the
+// monomials' magnitudes, itself off by no more: 2^-48 of it covers the errors. The ranges of
+// `least_below` and `size` exclude underflow and overflow, as |u|_v^2 is at least the least g.w.
 site_index::approach site_index::approach_of(const node& n, const centre& c) {
   const point& at = c.v->position;
   const point low{n.box.low.x - at.x, n.box.low.y - at.y},

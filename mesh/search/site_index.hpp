@@ -2,13 +2,13 @@
 //
 // Finds the sites near a place, with a quadtree that grows with the mesh.
 //
-// Every node knows the tight box of its sites and ranges of their inverse tensors, so that two
-// kinds of question can be asked: all sites in a box (exact), and all sites that are not certainly
-// out of a star's reach (conservative, for metrics that differ from site to site):
-// with |w|_v the length of w - v as v measures, sigma^2 the largest eigenvalue of M_w^-1 M_v, or 1
-// if that is more, and R the greatest reach of the star's gaps (the distance to the Voronoi vertex
-// or half an edge, about), a site with |w|_v > (1 + sigma) R is accepted in none. Source:
-// docs/math/certificate.md, section 4.3.
+// Every node knows the tight box of its sites and ranges of their inverse tensors. This answers two
+// kinds of query: all sites in a box (exact), and all sites that are not certainly out of a star's
+// reach (conservative, for metrics that differ from site to site). Let |w|_v be the length of w - v
+// in v's metric, sigma^2 the largest eigenvalue of M_w^-1 M_v, or 1 if that is more, and R the
+// greatest reach of the star's gaps (about the distance to the Voronoi vertex or half an edge). A
+// site with |w|_v > (1 + sigma) R is accepted in no gap. Source: docs/math/certificate.md, section
+// 4.3.
 //
 // Deterministic: sites are visited in an order that depends on the insertions alone.
 //
@@ -86,9 +86,9 @@ class site_index {
   template <class Visit>
   bool visit_reach(const std::vector<site>& sites, const site& v, double reach,
                    Visit&& visit) const;
-  // Calls visit(w) for each site in reach, as above, that is not certainly outside the closed cone
-  // at v from the ray through y counter-clockwise to the ray through x either. Requires that it is
-  // less than half a turn.
+  // Calls visit(w) for each site that is neither certainly out of reach, as in visit_reach, nor
+  // certainly outside the closed cone at v from the ray through y counter-clockwise to the ray
+  // through x. Requires that the cone is less than half a turn.
   template <class Visit>
   bool visit_cone(const std::vector<site>& sites, const site& v, double reach, const point& y,
                   const point& x, Visit&& visit) const;

@@ -2,7 +2,8 @@
 //
 // Finds the triangle that a point is in, and the weights of its corners there, in plain doubles:
 // for values that are interpolated. A point outside of all triangles gets one near it.
-// transfer/triangle_finder.hpp decides by exact orientations which closed triangle has a point.
+// transfer/triangle_finder.hpp decides by exact orientations which closed triangle contains a
+// point.
 #pragma once
 
 #include <array>

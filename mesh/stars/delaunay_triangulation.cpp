@@ -259,7 +259,7 @@ bool delaunay_triangulation::insert(vertex_index v) {
   return flip_around(v);
 }
 
-// Adds the face to the list of changed faces, whose edges are to be tested.
+// Lists the edges of the changed face, which are to be tested.
 void delaunay_triangulation::suspect(const face& f) {
   for (std::uint32_t i = 0; i < 3; ++i) suspects_.emplace_back(f.corner[i], f.corner[after(i)]);
 }

@@ -14,8 +14,8 @@ namespace asterism::internal {
 std::string printable(std::string_view text);
 
 // Returns the text as printable() does, with its long words cut: of a word of more than 240 bytes
-// the first 100 and the last 60 stay, and an ellipsis between them. Names of files rarely are as
-// long, and both ends tell which is meant.
+// the first 100 and the last 60 stay, and an ellipsis between them. Names of files are rarely
+// longer, and their two ends usually identify them.
 std::string one_line(std::string_view text);
 
 }  // namespace asterism::internal

@@ -35,11 +35,11 @@ class wide_range {
   friend wide_range operator*(const wide_range& a, const wide_range& b) {
     return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
   }
-  // Divides, as exactly as a double.
+  // Divides with the relative error of a division of doubles.
   friend wide_range operator/(const wide_range& a, const wide_range& b) {
     return {double_double(a.mantissa_.high / b.mantissa_.high), a.exponent_ - b.exponent_};
   }
-  // Returns the root of max(0, a), as good as a double.
+  // Returns the root of max(0, a), with the relative error of a root of doubles.
   friend wide_range root(const wide_range& a) {
     if (!a.is_positive()) return a.mantissa_.high == a.mantissa_.high ? wide_range() : a;
     const int odd = a.exponent_ % 2 == 0 ? 0 : 1;
