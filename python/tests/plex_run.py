@@ -138,6 +138,24 @@ def run_errors():
         return {"told": every}
 
 
+def run_built():
+    """The dm made of numbered edges has the points that PETSc's own search for edges makes."""
+    cells, points = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2))
+    if MPI.rank == 0:
+        points = np.random.default_rng(1).random((60, 2))
+        cells = np.array([(3, 1, 2), (2, 1, 0), (4, 3, 2), (5, 0, 1), (1, 3, 6)], dtype=PETSc.IntType)
+    one = asterism.petsc._plex_of(COMM, cells, points)
+    two = PETSc.DMPlex().createFromCellList(2, cells, points, interpolate=True, comm=COMM)
+    told = []
+    for dm in (one, two):
+        points_of = [[of(p).tolist() for of in (dm.getCone, dm.getConeOrientation, dm.getSupport)]
+                     for p in range(*dm.getChart())]
+        told.append([*map(list, (dm.getChart(), dm.getHeightStratum(0), dm.getDepthStratum(0))), points_of,
+                     dm.getCoordinatesLocal().array_r.tolist()])
+    if MPI.rank == 0:
+        return {"points": len(told[0][3]), "same": told[0] == told[1]}
+
+
 def run_page():
     page = (pathlib.Path(__file__).parents[2] / "docs/manual/solvers.md").read_text()
     names = {}
@@ -148,7 +166,7 @@ def run_page():
 
 if __name__ == "__main__":
     jobs = {"adapt": run_adapt, "undistributed": run_undistributed, "metric": run_metric, "errors": run_errors,
-            "page": run_page}
+            "page": run_page, "built": run_built}
     told = jobs[sys.argv[1]]()
     if MPI.rank == 0:
         print(json.dumps(told))

@@ -57,6 +57,11 @@ def test_a_metric_as_rows_and_as_a_vector():
     assert alone["digest"] == alone["same"] == several["digest"] == several["same"]
 
 
+def test_edges_are_numbered_as_petsc_numbers_them():
+    for processes in (1, 2):
+        assert run(processes, "built") == {"points": 76, "same": True}
+
+
 def test_an_error_on_one_process_is_one_on_all():
     told = run(3, "errors")["told"]
     assert told[0] == told[1] == told[2]
