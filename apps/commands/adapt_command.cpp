@@ -175,7 +175,7 @@ std::optional<error> make_next(const marked_mesh& from, const adapt_job& job,
   made.together = std::move(run.value().together);
   made.frozen = std::move(run.value().facts);
   made.border_split = run.value().border_split;
-  return std::nullopt;
+  return say_notes(made.next.made.outcome.result.notes, {job.quiet});
 }
 
 result<adapted> adapt(const adapt_job& job, run_limits& limits) {

@@ -263,6 +263,25 @@ class Periodic(command.CommandTest):
                 self.assertAlmostEqual(float(b[1] - a[1]), 0, delta=1e-12)
             self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
 
+    def test_the_note_on_sides_whose_vertices_stay(self):
+        """Of a front that leaves one side, with few vertices: one side would keep other vertices than its partner."""
+        bend = lambda y: math.sin(2 * math.pi * y) / 40  # noqa: E731
+        self.torus(40, lambda x, y: math.tanh(20 * (x + bend(y) - 0.1 - 0.3 * y)) + (x + bend(y)) ** 2)
+        self.bend_torus(bend)
+        lines = (self.folder / "t.mesh").read_text().split("\n")
+        first = lines.index("Triangles") + 2
+        for k in range(first, first + int(lines[first - 1])):
+            corners = [divmod(int(v) - 1, 41) for v in lines[k].split()[:3]]
+            if all(48 < sum(c[axis] for c in corners) < 72 for axis in (0, 1)):
+                lines[k] = lines[k][:-1] + "2"
+        self.write("t.mesh", "\n".join(lines))
+        for frozen in (), ("--frozen", "2"):
+            with self.subTest(frozen=frozen):
+                done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", "80", "--periodic", "4,2",
+                                        *frozen, "-o", "n.mesh")
+                self.assertEqual(done.stderr.count("the periodic sides with the markers 2, 4 keep all their vertices"), 1,
+                                 done.stderr)
+
     def adapt_torus(self, wanted, *more):
         """The new mesh's status and number of vertices; its sides match."""
         done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", str(wanted), "--periodic",
