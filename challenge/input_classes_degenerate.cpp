@@ -74,9 +74,9 @@ scene touching_at_common_point(random_source& random) {
   return s;
 }
 
-// Makes a touching cell: a and b are mirror images of each other, the middle of the edge ab is the
-// origin, and w is as far from the origin as a and b: on ab, which is Y = 0, f_w - f_a has its
-// double root, or nearly, where f_b meets it.
+// Makes a cell of w that touches the edge ab: a and b are mirror images of each other, the origin
+// is the middle of ab, and w is as far from the origin as a and b. On ab, which is Y = 0, f_w - f_a
+// then has a double root, or nearly one, at the origin, where f_a = f_b.
 scene touching_edge(random_source& random) {
   const double m11 = random.integer(1, 4), m22 = random.integer(1, 4), h = random.integer(1, 4);
   scene s;

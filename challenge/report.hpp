@@ -30,8 +30,8 @@ struct report_table {
 report_table table_by_class(const challenge_outcome& outcome);
 // Returns a table with a row for each predicate.
 report_table table_by_predicate(const challenge_outcome& outcome);
-// Returns a table of classes by predicates: the number of records not answered correctly, of how
-// many.
+// Returns a table of classes by predicates: the number of records that were not answered correctly,
+// and the number of all.
 report_table table_of_both(const challenge_outcome& outcome);
 
 // Returns sentences on the whole: what was not asked, and why.

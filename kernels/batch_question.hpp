@@ -52,8 +52,8 @@ constexpr std::size_t numbers_of(predicate question) {
   return 3 * shape.metrics + 5 * shape.sites + 2 * shape.points;
 }
 
-// Returns the point whose first number has the index `first`, which need not be that of a site: of
-// a record's numbers any two in a row can be read as one.
+// Returns the point whose first number has the index `first`, which need not be the first number of
+// a site: any two successive numbers of a record can be read as a point.
 constexpr point point_at(const batch_record& record, std::size_t first) {
   return {record.numbers[first], record.numbers[first + 1]};
 }

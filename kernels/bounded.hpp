@@ -18,9 +18,9 @@ namespace asterism::internal {
 // that nothing is certain any more: a test for infinities would not suffice, since an overflow
 // rounded towards zero is the largest double.
 //
-// An operation in any rounding mode is off by at most 2^-52 of its result, or 2^-1022 where that
-// is subnormal. `inflated` charges 2^-51 and 2^-1000, the difference paying for the few roundings
-// made while the bound itself is computed.
+// An operation in any rounding mode is off by at most 2^-52 of its result, or 2^-1022 where that is
+// subnormal. `inflated` adds 2^-51 of the result and 2^-1000 instead: the difference covers the few
+// roundings of the bound itself.
 class bounded {
  public:
   bounded() = default;

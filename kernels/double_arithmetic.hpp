@@ -133,8 +133,9 @@ inline arc_extent find_extent(const visible_arc<double>& arc) {
   return extent;
 }
 
-// Returns one parameter in each section of the arc between the equidistance cuts, in increasing
-// order, and the first of them, if any, at which the condition holds in doubles.
+// Parameters to try first in a search: one in each section of the arc between the equidistance
+// cuts, in increasing order, and the first of them, if any, at which the condition holds in
+// doubles.
 struct search_hints {
   std::array<double, 14> samples;
   std::size_t count = 0;

@@ -121,9 +121,9 @@ struct insertion_sections {
     return exact::sign_at(question.arc, f, root);
   }
 
-  // Returns, at contact k, positive when the section of z (x or y) allowed there is the one where z
-  // is farther than v, as usual; negative when z is nearer there but hidden behind v's and w's
-  // cells.
+  // Returns on which side of z's bisector the section lies that z (x or y) allows at contact k:
+  // positive if z is farther than v there, as usual; negative if z is nearer there but hidden
+  // behind the cells of v and w.
   sign side_allowed(const neighbour_condition<dyadic>& z, const arc_function<dyadic>& equidistance,
                     std::size_t k) const {
     const std::size_t section = allowed(z, k) ? k : k + 1;

@@ -32,7 +32,7 @@ class dense_polynomial {
   // Divides the coefficients by their common positive factor, which keeps the roots.
   void make_primitive();
 
-  // Return a positive multiple of the remainder, and one of the quotient up to sign.
+  // Return a positive multiple of the remainder, and a multiple, of either sign, of the quotient.
   friend dense_polynomial remainder(dense_polynomial a, const dense_polynomial& b);
   friend dense_polynomial exact_quotient(dense_polynomial a, const dense_polynomial& b);
 

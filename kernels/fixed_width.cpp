@@ -72,8 +72,8 @@ std::array<std::uint64_t, 5> product(const int192& a, int128 b) {
   return result;
 }
 
-// Brings the numbers to one unit, each below 2^61 in size; true if they all fit. The unit lets the
-// largest have its 53 bits and 8 more below them.
+// Converts the numbers to integers of one unit, each below 2^61 in size; true if all are whole
+// numbers of that unit. In it the largest number has its 53 bits and 8 more below them.
 template <std::size_t Count>
 bool align(const std::array<double, Count>& numbers, std::array<std::int64_t, Count>& integers) {
   constexpr int fraction_bits = 52, spare_bits = 8;

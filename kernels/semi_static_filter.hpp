@@ -10,11 +10,12 @@
 // computed bound on the sum of their absolute values the error is at most (depth + slack) eps S,
 // where the slack of 8 covers the rounding of S itself (at most 13 operations deep), of the bound
 // made from it and the second order. The depths are recomputed by a test that runs the same
-// formulas on a counting type; what stands in two lanes here are those formulas twice. Absolute
-// errors: every operand is kept below 2^200 (differences and metrics), so what multiplies an
-// underflow of a degree 5 formula stays below 2^(4*201), and a few dozen of those below 2^-200:
-// values that are not above 2^-200 + bound are undecided. The range is checked by comparison, not
-// by looking for infinities: rounding towards zero makes none. Derivation: docs/math/tiers.md.
+// formulas on a counting type; code in two lanes evaluates these formulas for two sites at once.
+// Absolute errors: every operand is kept below 2^200 (differences and metrics), so the factor of an
+// underflow in a formula of degree 5 stays below 2^(4*201), and the errors of a few dozen
+// underflows below 2^-200: values that are not above 2^-200 + bound are undecided. The range is
+// checked by comparison, not by looking for infinities: rounding towards zero makes none.
+// Derivation: docs/math/tiers.md.
 #pragma once
 
 #include <array>
@@ -146,10 +147,10 @@ inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
   return outside ? uncertain_bool(false) : uncertain_bool();
 }
 
-// True if the segment from `near` to the point at u, known to be nearer to it than to `far`,
-// certainly does not cross the bisector twice. Three sufficient conditions
-// (predicates/domination.hpp): A + C > 0, H < 0, A + H > 0. `seen_near` is |u|^2 in near's metric,
-// with its half magnitude.
+// True if the segment from `near` to the point at displacement u certainly does not cross the
+// bisector twice. Requires that the point is nearer to `near` than to `far`. Three sufficient
+// conditions (predicates/domination.hpp): A + C > 0, H < 0, A + H > 0. `seen_near` is |u|^2 in the
+// metric of `near`, and `half_magnitude` half the sum of its absolute monomials.
 inline bool crossed_less_than_twice(double seen_near, double half_magnitude,
                                     const metric_tensor& far, const displacement<double>& u,
                                     const displacement<double>& d) {

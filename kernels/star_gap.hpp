@@ -7,11 +7,12 @@
 // Method: in coordinates in which v's metric is the identity (kernels/normal_frame.hpp) find the
 // direction u of the gap's Voronoi vertex by Newton's method, and enclose the first meetings of
 // that ray with the bisectors of v, x and v, y. If the ray meets w's bisector first, that meeting
-// is a witness, once it is seen by w and dominated by w over x and y. If it certainly meets w's
-// last, a convex upper bound of w's first meeting, a concave lower bound of x's and one of y's,
-// compared at the ends of a cone each, leave w no direction. Any direction is a valid choice: that
-// of the vertex, and beyond x and y one each, where the triangle of v, w and the point takes over.
-// Statement, proof and constants: docs/math/star-gap.md, star-gap-proof.md, star-gap-errors.md.
+// is a witness, provided that w sees it and dominates it over x and y. If it certainly meets w's
+// bisector last, w is refused: a convex upper bound of s_w is compared with concave lower bounds of
+// s_x and s_y, s being the inverse of the parameter of the first meeting, at the ends of one cone
+// for each neighbour. Beyond some direction on the far side of a neighbour the triangle of v, w and
+// the point contains the neighbour instead. Any choice of these directions is valid. Statement,
+// proof and constants: docs/math/star-gap.md, star-gap-proof.md, star-gap-errors.md.
 #pragma once
 
 #include <optional>

@@ -5,8 +5,8 @@
 //
 // Measured by the processor time of runs that do little else (x86_64, Release): an orientation
 // takes 10 to 15 nanoseconds with everything around it, and 50 to 70 in exact integers; an edge
-// test 0.3 to 1 microseconds in doubles, 20 in intervals, exactly a few where all tensors are the
-// same, and 100 to 100,000 where they are not. The latter are weighed by the number of limbs
+// test 0.3 to 1 microseconds in doubles and 20 in intervals; in exact numbers a few microseconds if
+// all tensors are the same, else 100 to 100,000. The last are weighed by the number of limbs
 // multiplied. Weights bound work and are no clock: where a run ends depends on counts alone.
 #pragma once
 

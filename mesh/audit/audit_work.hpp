@@ -28,8 +28,8 @@ inline double most_audit_units(std::size_t sites) {
          for_more * (n < first_ones ? 0 : n - first_ones);
 }
 
-// Returns the work of the decisions counted in a report, plus that of looking things up, in work
-// units.
+// Returns the work of the decisions counted in a report, plus `looked_units` for operations that it
+// does not count, in work units.
 inline double audit_units(const audit_report& counted, double looked_units) {
   return work_units(counted.counters) + looked_units +
          work_weights::audited_pair *

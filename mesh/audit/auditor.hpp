@@ -77,7 +77,7 @@ class auditor {
   // report says certified if it is one.
   const audit_report& check_triangulation();
   // Checks angles alone, of a mesh that is known to be a triangulation, and the values,
-  // orientations and edges that they stand on.
+  // orientations and edges on which that check relies.
   const audit_report& check_angles();
 
   // Tries the filters of edge_test on the open questions for which `is_asked` is true, in order.

@@ -19,8 +19,8 @@ struct check_order {
   std::size_t together = 1;  // groups that follow each other and are checked together
 };
 
-// Returns the vertices in the order of the tree, those of a leaf in one group, two groups at a
-// time.
+// Returns the vertices in the order of the tree, with a group for each leaf. Two groups are checked
+// together.
 check_order in_order_of_tree(const site_tree& sites);
 
 // Returns the vertices in the order of their numbers, eight in a group.

@@ -13,9 +13,9 @@ namespace {
 using rational_point = vector2<rational>;
 
 // Largest distance of a computed point from its curve, in units in the last place of the largest
-// number it is computed from. A point of an arc, centre plus radius times a cosine, has an error
-// below four; a point of a cubic, three rounds of means, one below five, and its parameter one of
-// three.
+// number it is computed from. A point of an arc is computed as centre plus radius times a cosine,
+// with an error below four units; a point of a cubic by three rounds of means, with an error below
+// five units, and its parameter with an error of three.
 constexpr double units_off = 16;
 // Largest distance of an arc's last vertex from its circle, as a part of the radius: domains are
 // accepted up to that distance (domain/divide_curves.hpp).
@@ -32,8 +32,8 @@ point blend(const point& a, const point& b, double t) {
   return {(1 - t) * a.x + t * b.x, (1 - t) * a.y + t * b.y};
 }
 
-// Returns the scalar product of the way from q to the cubic's point at t with its derivative there,
-// in doubles: negative before the nearest point.
+// Returns the scalar product of the displacement from q to the cubic's point at t with the
+// derivative there, in doubles: negative before the nearest point.
 double progress(const std::array<point, 4>& p, const point& q, double t) {
   const point a = blend(p[0], p[1], t), b = blend(p[1], p[2], t), c = blend(p[2], p[3], t);
   const point d = blend(a, b, t), e = blend(b, c, t), at = blend(d, e, t);
@@ -171,8 +171,8 @@ std::string curve_audit::text(std::size_t curve) const {
   return "curve " + std::to_string(curve + 1) + " of the domain";
 }
 
-// Enters a valid curve: its parameters finite, increasing and in range, its chords those of no
-// other curve. Returns false for others.
+// Enters a curve if it is valid: its parameters finite and increasing, its vertices in range, and
+// its chords no chords of another curve. Returns false for invalid curves.
 bool curve_audit::add(std::size_t curve) {
   const domain& d = *context_->options.original;
   const domain_curve& c = d.curves[curve];

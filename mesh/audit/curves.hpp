@@ -29,7 +29,7 @@ class curve_measure {
   std::optional<rational> distance_of_chord(const point& q0, double t0, const point& q1,
                                             double t1) const;
   // Returns the parameter of the point of a cubic's piece that is nearest to q, in doubles; nothing
-  // if that is an end. Of an arc returns t0.
+  // if an end is nearest. Returns t0 for an arc.
   std::optional<double> parameter_of(const point& q, double t0, double t1) const;
   // True if the direction of q lies within the arc's piece from q0 to q1, its ends left out; always
   // of a cubic.

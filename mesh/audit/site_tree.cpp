@@ -11,10 +11,11 @@
 namespace asterism::internal::audit_detail {
 namespace {
 
-// An operation in any rounding mode is off by at most 2^-52 of its result. No value below is a sum
-// of monomials that meet more than eight: `step` times the magnitude, the sum of the monomials'
-// absolute values, bounds these roundings and those of the bound itself; `up` bounds the three or
-// four roundings after that. Underflow takes less within the ranges that are checked first.
+// An operation in any rounding mode is off by at most 2^-52 of its result. Every value below is a
+// sum of monomials that pass at most eight roundings: `step` times the magnitude, the sum of the
+// monomials' absolute values, bounds these roundings and those of the bound itself; `up` bounds the
+// three or four roundings after that. Underflow loses less than that within the ranges that are
+// checked first.
 constexpr double step = 0x1p-48, up = 1 + 0x1p-49;
 
 // Returns an upper bound of the greater root of l^2 - trace l + determinant, a polynomial with two
@@ -40,8 +41,9 @@ metric_tensor sum(const metric_tensor& a, const metric_tensor& b) {
   return {a.m11 + b.m11, a.m12 + b.m12, a.m22 + b.m22};
 }
 
-// Returns an upper bound of the trace of b m, which is at least |g|^2 in b over |h|^2 in m for g =
-// m h. Loses fewer digits than a bound from eigenvalues where both metrics are much stretched.
+// Returns an upper bound of the trace of b m. For g = m h the trace is at least the quotient of
+// |g|^2 in b by |h|^2 in m. Loses fewer digits than a bound from eigenvalues where both metrics are
+// much stretched.
 double trace_above(const metric_tensor& b, const metric_tensor& m) {
   const double diagonal = b.m11 * m.m11 + b.m22 * m.m22, mixed = 2 * (b.m12 * m.m12);
   return (diagonal + mixed + step * (diagonal + std::abs(mixed)) + 0x1p-300) * up;
@@ -52,8 +54,9 @@ double product_bound(double a, double b) {
   return product < infinity ? product : infinity;
 }
 
-// Returns a lower bound of the determinant; 0 where none is known. Both products are rounded once,
-// and the difference; in the range checked first, underflow takes less than the rest of 2^-50.
+// Returns a lower bound of the determinant; 0 where none is known. The roundings of both products
+// and of their difference, and underflow in the range that is checked, are less than 2^-50 of the
+// sum of the products.
 double determinant_below(const metric_tensor& m) {
   const double product = m.m11 * m.m22, square = m.m12 * m.m12;
   const double below = product - square - 0x1p-50 * (product + square);
@@ -90,8 +93,8 @@ site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sit
 }
 
 // Bounds |g|_M for each covector. |g|^2 in M is g M^-1 g, the adjugate's value times the inverse
-// determinant. The three monomials of the adjugate's meet two roundings each; underflow takes less
-// than what is added.
+// determinant. The three monomials of the adjugate's value pass two roundings each; underflow loses
+// less than the number that is added.
 site_tree::by_covector site_tree::lengths_of(const metric_tensor& m, double inverse_determinant) {
   const double sum = m.m11 + m.m22, mixed = 2 * m.m12;
   const auto length = [&](double adjugate) {
@@ -175,8 +178,8 @@ void site_tree::bound_parent(node& n, const node& left, const node& right) const
   }
 }
 
-// After d halvings all parts hold the d-th half of `sites`, rounded down or up. Where that is 8 or
-// 9, those of 9 are halved once more.
+// Uses that after d halvings all parts have sites / 2^d sites, rounded down or up. If these numbers
+// are 8 and 9, parts of 9 are halved once more.
 std::size_t site_tree::node_count(std::size_t sites) {
   std::size_t parts = 1;
   while (sites / parts > leaf_size) parts *= 2;
@@ -248,8 +251,8 @@ site_tree::centre site_tree::centre_with_covectors(const site& v, double reach) 
   return one;
 }
 
-// With B the first star's metric and tau^2 the spread, |g|_v <= tau |g|_B: the lemma holds with
-// tau |g|_B in place of |g|_v, or with tau taken out, for the reach times tau and |g|_w / tau.
+// With B the first star's metric and tau^2 the spread, |g|_v <= tau |g|_B. The lemma holds with tau
+// |g|_B in place of |g|_v; or, divided by tau, with |g|_B, |g|_w / tau, and tau times the reach.
 std::optional<site_tree::centre> site_tree::centre_of(const std::vector<reaching>& stars) {
   constexpr double most_spread = 4;
   if (stars.empty()) return std::nullopt;
@@ -419,7 +422,7 @@ bool site_tree::too_far(const site& w, const centre& v) {
 // Applies the test of a box to the single displacement d: both corners of the box are d, and the
 // bound on its metrics is the adjugate over the determinant. With h = d the left side of the lemma
 // and |g|_v^2 are one number; the values and their errors are those of separation_along, and up^3
-// pays for the roundings of the first comparison that settles.
+// covers the roundings of the comparison.
 bool site_tree::too_far(const point& d, const metric_tensor& m, double inverse_determinant,
                         const centre& v) {
   const metric_tensor& a = v.metric;

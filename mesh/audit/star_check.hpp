@@ -100,7 +100,7 @@ class star_check {
   // other end is the same question, as x and y are adjacent to v there.
   void check_neighbours(vertex_index v, const vertex_fan& fan);
   // True if all four sites have one metric and edge_test accepts the edge: then neither end needs
-  // to test it. With other metrics this test would cost more than it spares.
+  // to test it. With other metrics this test would cost more than it saves.
   bool is_accepted_in_one_metric(vertex_index v, vertex_index w, vertex_index x,
                                  vertex_index y) const;
   // False if the gap from x to y is 180 degrees or more, or w is inside the triangle v, x, y.
@@ -147,7 +147,8 @@ class star_check {
       return turned > 0 ? sign::positive : sign::negative;
     return turn(p.v, p.link[i], w);
   }
-  // Returns the gap strictly between whose rays w lies; none on a ray or outside an open fan.
+  // Returns the gap whose two rays w lies strictly between; none if w is on a ray or outside an
+  // open fan.
   const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const;
   // Tests w against the gap that contains it, if that gap is among those to be tested.
   void check_other(const prepared_fan& p, vertex_index w, double squared, bool at_concerned);

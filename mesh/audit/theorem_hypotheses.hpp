@@ -19,11 +19,12 @@ namespace asterism {
 // degrees; the theorem does not apply unless it proves that angle. Where neighbours in some
 // triangles show that it does not apply, as their metrics differ too much or they are far too
 // close, no other pairs are measured: `spacing`, `distortion` and what follows from them are then
-// of these neighbours alone. Measuring stops at the first of every thousand sites that no theorem
-// of the table could cover, so `distortion` and what follows from it are then no maxima either. O(n
-// log n) where it applies. Ended early, by `stop` or at the work limit for the number of sites, it
-// returns nothing but a reason. Charges its work to the account of `stop`, whose limit does not end
-// it: a measurement does not depend on earlier work of the run.
+// of these neighbours alone. Of every thousand sites, measuring stops at the first one with a near
+// site whose metric differs too much for any entry of the table: then `distortion`, and the numbers
+// that follow from it, are no maxima either. O(n log n) where it applies. Ended early, by `stop` or
+// at the work limit for the number of sites, it returns nothing but a reason. Charges its work to
+// the account of `stop`, whose limit does not end it: a measurement does not depend on earlier work
+// of the run.
 ASTERISM_EXPORT theorem_hypotheses measure_theorem_hypotheses(const mesh& subject,
                                                               double angle_bound,
                                                               const cancellation& stop = {});

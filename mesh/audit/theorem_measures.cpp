@@ -131,11 +131,11 @@ place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const 
 }
 
 // Returns an upper bound of |q - p|_m for two points of a triangle, given as vectors from its first
-// corner. No coordinate of either or of their difference is more than that of `extent`, the sum of
-// the absolute ones of both other corners; the computed difference has an error of at most five
-// roundings of `extent`, not of itself, as sums cancel. The form has an error of fifteen roundings
-// of `size`, each of 2^-52 at most in any rounding mode. Underflow is less in the range checked
-// first.
+// corner. `extent` has, for each coordinate, the sum of its absolute values at the two other
+// corners, which bounds that coordinate of p, of q and of q - p. The computed difference is off by
+// at most five roundings of `extent`, and the quadratic form by fifteen roundings of `size`, each
+// of 2^-52 at most in any rounding mode. Underflow loses less than that in the range that is
+// checked.
 double plain_distance_above(const metric_tensor& m, const point& p, const point& q,
                             const point& extent) {
   const point d{q.x - p.x, q.y - p.y};
@@ -232,8 +232,8 @@ double quick_covering_radius_above(const std::array<site, 3>& t, double enough) 
   return radius < infinity ? radius * (1 + 0x1p-50) : infinity;
 }
 
-// Tries lines that separate the disks: a line across u separates the disks if |u.d| > R (|u| as p's
-// inverse metric measures + as q's). u = M_p d, then M_q d.
+// Tries lines that separate the disks: a line across u separates the disks if |u.d| > R (|u| in p's
+// inverse metric + |u| in q's). Tries u = M_p d, then u = M_q d.
 bool certainly_apart(const site& p, const site& q, double radius) {
   const auto separates = [radius](const site& first, const site& second) {
     const offset d = between(first.position, second.position);

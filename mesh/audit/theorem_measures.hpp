@@ -18,8 +18,9 @@ double distance_above(const site& p, const site& q);
 // that corner's metric; infinite when none was found. Any order of corners.
 double covering_radius_above(const std::array<site, 3>& corners);
 
-// Returns a radius of the same kind, seldom much larger, that takes a twentieth of the work;
-// infinite when none was found; 0 where both radii are certainly less than `enough`.
+// Returns an upper bound of the covering radius as covering_radius_above() does, seldom much
+// larger, for a twentieth of the work; infinite when none was found; 0 where both radii are
+// certainly less than `enough`.
 double quick_covering_radius_above(const std::array<site, 3>& corners, double enough = 0);
 
 // True if the disks of this radius around p and q, each in its own metric, have certainly no point

@@ -190,8 +190,8 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
 }
 
 // Returns an upper bound of the distance from points of a subsegment to their nearer end: with its
-// length A by one end's metric and B by the other's, the point at the parameter t is t A and (1 -
-// t) B away, and the lesser is at most A B / (A + B).
+// length A in one end's metric and B in the other's, the point at the parameter t is t A from one
+// end and (1 - t) B from the other, and the lesser of these is at most A B / (A + B).
 double farthest_from_nearer_end(double by_a, double by_b) {
   constexpr double up = 1 + 0x1p-48;
   return by_a / (by_a + by_b) * by_b * up;
@@ -383,8 +383,8 @@ theorem_hypotheses measure_ordinary(const mesh& subject, double angle_bound,
 
 }  // namespace
 
-// Measures a scaled image of a mesh whose bounds of lengths would leave the range of doubles: these
-// would decide nothing, and each site would be tested against all.
+// Measures a scaled image of a mesh whose bounds of lengths would leave the range of doubles: such
+// bounds would decide nothing, and each site would be tested against all others.
 theorem_hypotheses theorem_of_mesh(const mesh& subject, double angle_bound,
                                    const cancellation& stop, const site_tree* tree) {
   const auto scaled = audit_detail::unit_subject_of(subject);

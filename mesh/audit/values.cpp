@@ -42,8 +42,8 @@ void check_sites(audit_context& context) {
   }
 }
 
-// Sorts copies of the points: those in the mesh are in any order, and each access would go to
-// another place of memory.
+// Sorts copies of the points: the mesh has them in any order, and each access would read another
+// place of memory.
 void check_positions(audit_context& context) {
   struct numbered_point {
     point at;
@@ -106,8 +106,8 @@ void check_indices(audit_context& context) {
                                                         std::to_string(m.sites.size()));
 }
 
-// Returns the triangles with their corners sorted, in order: sorted by counting for the least
-// corner, and the few that share it by comparing.
+// Returns the triangles with their corners sorted, in order: sorts by counting for the least
+// corner, and by comparisons among triangles that share it.
 std::vector<std::pair<triangle, vertex_index>> sorted_triangles(const audit_context& context) {
   std::vector<std::size_t> start(context.subject.sites.size() + 1, 0);
   const auto least = [&](vertex_index t) {

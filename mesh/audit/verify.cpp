@@ -66,7 +66,8 @@ class contradictions {
   std::vector<std::string> all_;
 };
 
-// Compares every number to the last bit: the auditor's arithmetic rounds alike on all machines.
+// Compares every number to the last bit: the auditor's arithmetic has the same roundings on all
+// machines.
 void compare_measures(contradictions& all, const theorem_hypotheses& claim,
                       const theorem_hypotheses& found) {
   all.compare("theorem.theorem_applies", claim.applies, found.applies);
@@ -228,8 +229,8 @@ void compare_mesh_names(contradictions& all, const certificate& claim) {
     for (const std::string_view name : piece_option_names)
       if (without.options.erase(std::string(name)) == 0)
         all.add("\"asked.options." + std::string(name) + "\" is missing");
-  // Accepts certificates without an option for sizes at places: those from before that option have
-  // none.
+  // Accepts certificates without an option for sizes at places: certificates made before that
+  // option existed have none.
   without.options.emplace("sizes", "none");
   erase_rare(without);
   compare_names(all, without, mesh_option_names);

@@ -157,8 +157,8 @@ std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const
   return std::nullopt;
 }
 
-// Finds the first root: f_v - f_u at l times the direction is A l^2 + 2 H l - C, negative at l = 0:
-// where it goes from negative to positive is its first root.
+// Finds the first root: f_v - f_u at l times the direction is A l^2 + 2 H l - C, negative at l = 0.
+// Its first root is where it changes from negative to positive.
 std::optional<offset> enclose_bisector_point(const site& v, const site& u,
                                              const offset& direction) {
   const tensor<bounded> own = tensor_of_doubles(v.metric), other = tensor_of_doubles(u.metric);
@@ -218,7 +218,8 @@ std::optional<enclosed_arc::span> enclosed_arc::make_span(const offset& from,
   s.bulge = 1.25 * bend / slope + least_bulge;
   if (!(s.bulge < infinity)) return std::nullopt;
 
-  // Tests that the slope across the whole span, times the bulge, exceeds the bend.
+  // Tests that the slope of f_v - f_u across the span, times the bulge, exceeds the bend of f_v -
+  // f_u along it.
   const bounded curving = dot(across, bisector_.form * across);
   const bounded lost = bounded(0.5) * bounded(s.bulge) * bounded(magnitude(curving));
   const bounded risen = (bounded(slope) - lost) * bounded(s.bulge) - bounded(bend);

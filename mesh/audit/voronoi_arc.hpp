@@ -38,8 +38,8 @@ bool is_certainly_farther_than_nearer_end(const site& a, const site& b, const si
 
 class enclosed_arc {
  public:
-  // The part of the visible arc of v, u from one of its points to another, counter-clockwise around
-  // v; displacements from v.
+  // Encloses the part of the visible arc of v and u from one of its points to another,
+  // counter-clockwise around v. Both points are displacements from v.
   enclosed_arc(const site& v, const site& u, const offset& from, const offset& to);
 
   // True if the arc, or a part of it, is enclosed.

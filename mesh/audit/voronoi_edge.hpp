@@ -24,7 +24,8 @@ struct voronoi_vertex {
 using voronoi_vertices = std::vector<voronoi_vertex>;
 
 // The edge from v to u. Its dual arc goes counter-clockwise around v, from the vertex of the
-// triangle on the right, or from the edge itself on the boundary, to that of the one on the left.
+// triangle on the right, or from the edge itself on the boundary, to the vertex of the triangle on
+// the left.
 struct dual_edge {
   vertex_index v = 0, u = 0;
   vertex_index left = 0, left_apex = 0;  // triangle, and its third corner

@@ -114,7 +114,8 @@ offset exact_voronoi_arc::enclose(parameter at) const {
 }
 
 // Decides by two differences: f_w - f_a and f_w - f_b along the segment are positive at a,
-// respectively at b. Where w meets the segment without encroaching, the greater of both is zero.
+// respectively at b. Where w meets the segment without encroaching, the greater of the two
+// differences is zero.
 segment_meeting meeting_with_segment(const site& a, const site& b, const site& w) {
   const encroachment_question<dyadic> question(convert<dyadic>(a), convert<dyadic>(b),
                                                convert<dyadic>(w));

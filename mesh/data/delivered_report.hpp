@@ -24,8 +24,8 @@ struct delivered_report {
   // Factor by which edges are longer than 1, so that the mesh has the number of sites
   // wanted.
   double length_factor = 1;
-  // Least angle, in degrees, and triangles below the bound, ascending, by the metric wanted, away
-  // from corners that are sharp in it.
+  // Least angle in degrees, and the triangles below the bound, ascending: in the metric wanted,
+  // without angles at corners of the domain that are sharp in it.
   double worst_angle_wanted = 180;
   std::vector<vertex_index> low_wanted;
 };

@@ -23,7 +23,7 @@ namespace asterism {
 using vertex_index = std::uint32_t;
 
 // A segment between two vertices of `domain::vertices`. `marker` is carried to the mesh's boundary
-// edges. The rest is found by check_domain, whatever it was before.
+// edges. The other members are set by check_domain; their values before are ignored.
 struct segment {
   vertex_index a = 0, b = 0;
   int marker = 0;

@@ -20,8 +20,8 @@ struct trim_point {
 };
 
 // Two curves with one edge name are the same curve in space, except for the gap between them. A
-// place of the edge is a share of the parameters of each curve, from 0 to 1, or from 1 to 0 of one
-// that runs backward.
+// place of the edge is a share of the parameters of each curve, from 0 to 1, or from 1 to 0 for a
+// curve that runs backward.
 struct trim_curve {
   int degree = 1;
   std::vector<double> knots;

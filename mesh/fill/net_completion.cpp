@@ -225,7 +225,8 @@ class net_completion {
     return left && right;
   }
 
-  // Puts the four quarters on the list; false where the box has no middle that is another point.
+  // Adds the four quarters to the list; false if the box is so small that its middle, in doubles,
+  // is on its border.
   bool divide(const open_box& whole, const point& middle, std::vector<open_box>& open) const {
     const bounding_box& b = whole.box;
     if (!(b.low.x < middle.x && middle.x < b.high.x && b.low.y < middle.y && middle.y < b.high.y))

@@ -67,7 +67,7 @@ class claim_list {
   vertex_index last_ = 0;
 };
 
-// Returns the claims to a range of stars, ordered by star, and those to one star in the order of
+// Returns the claims to the stars of a range, sorted by star; claims to one star keep the order of
 // the list.
 claims_by_star sort_by_star(const claim_list& claims, std::size_t first, std::size_t last);
 

@@ -14,8 +14,8 @@ namespace asterism::internal {
 // points is the corner.
 double angle_in_metric(const metric_tensor& m, const point& corner, const point& p, const point& q);
 
-// Returns the least of a triangle's three angles, in degrees, each as each of its three vertices
-// measures it; for coordinates of any magnitude. The mesher ranks triangles by a faster one
+// Returns the least of a triangle's three angles, in degrees, each angle in the metrics of all
+// three vertices; for coordinates of any magnitude. The mesher ranks triangles by a faster function
 // (numerics/triangle_quality.hpp), for coordinates of ordinary size.
 double smallest_angle(const mesh& m, const triangle& t);
 

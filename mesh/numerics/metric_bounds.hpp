@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-//
-// Bounds the lengths that a metric asks for, and the aspect of its triangles.
+// Limits the lengths of edges that a metric prescribes, and the aspect of its triangles.
 #pragma once
 
 #include <cstdint>

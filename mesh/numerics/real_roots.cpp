@@ -29,8 +29,8 @@ std::vector<double> derivative(const std::vector<double>& p) {
 }
 
 // True if p at its critical point is small relative to the terms of its sum: a double root may be
-// there. A double root that rounding lifted off zero by a few 2^-52 of the terms passes by far; a
-// point too many costs a few steps of Newton's method, which refuses it.
+// there. A double root that rounding lifted off zero by a few 2^-52 of the terms passes this test
+// by far. A place without a root costs a few steps of Newton's method, which refuses it.
 bool nearly_zero(const std::vector<double>& p, double at) {
   constexpr double part = 1e-9;
   double magnitude = 0, power = 1;

@@ -144,7 +144,7 @@ class corner_check {
     return true;
   }
 
-  // True if any angle is exempt and every inner edge is a segment: no vertex could be free.
+  // True if any angle is exempt and every inner edge is a segment: then no vertex can be free.
   bool is_nothing_free() const {
     if (std::find(exempt_.begin(), exempt_.end(), 1) == exempt_.end()) return false;
     const std::size_t inner = 3 * all_.inner_count();

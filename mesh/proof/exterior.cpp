@@ -110,8 +110,8 @@ class sweep {
   void advance(std::vector<vertex_index>& chain, vertex_index v, bool is_lower) {
     while (chain.size() > 1) {
       const vertex_index last = chain.back(), next = chain[chain.size() - 2];
-      // The triangles lie right of next -> last -> ... for the lower part, left of it for the
-      // upper.
+      // Uses that triangles lie to the right of next -> last -> ... for the lower part, and to the
+      // left of it for the upper part.
       if (turn(next, last, v) != (is_lower ? sign::negative : sign::positive)) break;
       triangles_.push_back(is_lower ? triangle{last, next, v} : triangle{next, last, v});
       chain.pop_back();
@@ -129,9 +129,9 @@ class sweep {
   bool pass(vertex_index v) {
     std::optional<open_chain>* below = find_below(v);
     if (below == nullptr) return false;
-    // Keeps two chains that end at v: `lower` is the lower part of the chain above the edge that
-    // passes just below v; `upper` is the upper part of the chain above the last edge that arrives
-    // at v, or of the former chain if none arrives.
+    // Keeps two chains that end at v. `lower` is the lower part of the chain above the edge that
+    // passes just below v. `upper` is the upper part of the chain above the last edge that arrives
+    // at v, or of the former chain if no edge arrives.
     std::optional<std::vector<vertex_index>> lower, upper;
     if (*below) {
       advance(**below, v);
@@ -152,7 +152,7 @@ class sweep {
   }
 
   // Inserts the edges that begin at v, with the chains between them, and ends the chains below and
-  // above them at v. False if the sides of the domain contradict.
+  // above them at v. False if the sides on which edges have the domain contradict each other.
   bool begin(vertex_index v, std::optional<open_chain>& below,
              std::optional<std::vector<vertex_index>> lower,
              std::optional<std::vector<vertex_index>> upper) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Estimates, in doubles, where the bisectors around a gap of a star are: witnesses are looked for
-// there. Nothing is decided by it.
+// Estimates, in doubles, where the bisectors around a gap of a star are: witnesses are searched for
+// there. Decides nothing.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,8 @@ std::optional<std::int32_t> on_grid(double part, double least);
 double first_meeting(const site& v, const offset& z, const site& at, const offset& u);
 
 // Returns the least t for which the segment from t z to q is nowhere nearer to v than to z: the
-// greater of the parameters at which the ray meets the bisector and the bisector's tangent at q.
+// greater of two parameters, at which the ray along z meets the bisector and the bisector's tangent
+// at q.
 double part_of_edge(const site& v, const offset& z, const site& at, const offset& q);
 
 // Returns the grid point at (1 + slack) / bound times `part`, with coefficients rounded up.

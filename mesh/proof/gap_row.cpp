@@ -22,7 +22,7 @@ bool is_in_order(const gap_row& row) {
 
 bool are_on_one_ray(const grid_point& p, const grid_point& q) { return p.a * q.b == p.b * q.a; }
 
-// Decides condition(region), in memory for three points if the row has no more.
+// Decides condition(region), with room for three points only if the row has no more.
 template <class Condition>
 bool decide_of(const gap_sites& g, const gap_row& row, const Condition& condition) {
   return decide([&](auto zero) -> uncertain_bool {

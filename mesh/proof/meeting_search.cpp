@@ -65,8 +65,8 @@ proof_point as_proof_point(const grid_point& q) {
   return {static_cast<std::int32_t>(q.a), static_cast<std::int32_t>(q.b)};
 }
 
-// Returns points between the ray to x (or y) and the direction of a corner of the box, without that
-// corner. With `count` 1 it is the point where the bisector's tangent at the corner meets the ray;
+// Returns the points of a row from the ray to x (or y) to a corner of the box, without that corner.
+// With `count` 1 it is the point where the bisector's tangent at the corner meets the ray;
 // otherwise `count` points just beyond the bisector.
 std::optional<std::vector<proof_point>> side_of_row(const gap_ends& g, const grid_point& corner,
                                                     bool of_x, int count, double slack) {

@@ -35,7 +35,7 @@ struct proof_exception {
   // Points from the ray to the first neighbour to the ray to the last; for a hidden site, one pair
   // of numbers: the segment's ends.
   std::vector<proof_point> points;
-  // At a meeting: of both neighbours and the site, 1, 3 or 6 coefficients each.
+  // Weights at a meeting: of both neighbours and of the site, 1, 3 or 6 coefficients each.
   std::vector<proof_detail::whole> weights = {};
 };
 
@@ -56,8 +56,8 @@ struct mesh_proof {
   // For each hole point, then each region point of the domain, a triangle that contains it. The
   // triangles of the mesh are numbered first, those outside after them.
   std::vector<std::uint32_t> places;
-  // Points of the inner edges that are asked about, in their order. Zeros where a meeting shows
-  // that an edge is kept.
+  // Points of the inner edges that need a witness (is_edge_asked), in the order of these edges.
+  // Zeros where a meeting shows that an edge is kept.
   std::vector<proof_point> edges;
   std::vector<proof_gap> gaps;              // of the gaps that are asked about, in their order
   double squared_radius = 0;                // of the balls that the walks keep to

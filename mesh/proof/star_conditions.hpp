@@ -65,8 +65,8 @@ gap_region<Number, Capacity> make_region(const site& v, const site& x, const sit
 }
 
 // True if every point of the segment from the point i of a region to the next is no nearer to v
-// than to z, which is at this offset, and within a right angle of z: then each ray from v meets the
-// bisector of v and z no later than the segment (lemma 2).
+// than to z, and its direction from v within a right angle of z's. `z` is given by its offset from
+// v: then each ray from v meets the bisector of v and z no later than the segment (lemma 2).
 template <class Number, std::size_t Capacity>
 uncertain_bool is_behind(const gap_region<Number, Capacity>& r, std::size_t i,
                          const vector2<Number>& to_z, const site& v, const site& z) {
@@ -142,8 +142,8 @@ uncertain_bool is_nearest(const site& s, const site& z, const point& origin,
 }
 
 // True if a point between the two of the witness shows that v keeps w and w keeps v (theorem 2).
-// The two points are v + (a X + b Y) 2^-26, with X from v to w and Y from v to y, and the same with
-// a + 64 for a.
+// The two points are v + (a X + b Y) 2^-26, with X from v to w and Y from v to y, and v + ((a + 64)
+// X + b Y) 2^-26.
 template <class Number>
 uncertain_bool is_kept(const edge_sites& e, const grid_point& first) {
   const point& origin = e.v.position;

@@ -124,9 +124,9 @@ class pair_check {
   }
 
  private:
-  // Lists gaps by the triangles, other than their own, that their regions may meet: none if the own
-  // triangle contains the region, the one behind if both contain it, else all triangles that the
-  // centre's ball meets.
+  // Lists gaps by the triangles, other than their own, that their regions may meet: none if the
+  // gap's own triangle contains the region, the triangle behind if these two contain it, else all
+  // triangles that the ball of the gap's centre meets.
   std::optional<error> list_gaps() {
     ball_walk walk(all_, squared_);
     for (std::uint32_t gap = 0; gap < gaps_.size(); ++gap) {

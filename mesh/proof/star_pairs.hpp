@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Enumerates the conditions that remain for the stars of a mesh: the sites that are near enough to
-// a gap that the proof must show the gap to refuse them.
+// Enumerates the conditions that remain for the stars of a mesh: pairs of a gap and a site so near
+// to it that the proof must show that the gap refuses the site.
 //
 // A site that a gap accepts is within the radius, in its own metric, of a point of the gap's region
 // (docs/math/proof-format.md, lemma 4). So the triangles that the ball of a site meets contain, or

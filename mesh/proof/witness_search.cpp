@@ -16,8 +16,8 @@ namespace {
 using vector = vector2<double>;
 using metric = tensor<double>;
 
-// Returns the t at which the point aside y + t d is equally far from v and w; w is nearer for
-// greater t.
+// Returns the t at which the point v + aside y + t d is equally far from v and w; for greater t it
+// is nearer to w.
 double balance(const edge_sites& e, const vector& d, const vector& y, double aside) {
   const metric own(e.v.metric), other(e.w.metric);
   const vector shift = aside * y, back = shift - d;
@@ -68,7 +68,8 @@ vector towards_vertex(const gap_ends& g) {
   return part.x + part.y > 0 && std::isfinite(part.x + part.y) ? part : vector{1, 1};
 }
 
-// Returns a gap's witness with its middle point in this direction, just beyond both bisectors.
+// Returns a gap's witness whose middle point lies in the direction `part`, just beyond both
+// bisectors.
 std::optional<proof_gap> witness_along(const gap_ends& g, const vector& part, double slack) {
   const auto q = point_along(part, std::min(g.meets_x(part), g.meets_y(part)), slack);
   if (!q) return std::nullopt;
@@ -177,7 +178,8 @@ std::optional<proof_exception> find_hiding(const plane& all, std::uint32_t gap, 
     const vertex_index apex = all.corner(plane::previous(reverse));
     const sign of_apex = apex == w ? sign::zero : side(apex);
     if (of_apex == sign::zero) return std::nullopt;
-    // The segment to w crosses the edge right of the apex if the apex is on its left.
+    // Uses that the segment to w crosses the edge on the right of the apex if the apex is on the
+    // segment's left.
     edge = of_apex == sign::positive ? plane::next(reverse) : plane::previous(reverse);
   }
   return std::nullopt;

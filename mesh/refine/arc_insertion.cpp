@@ -42,8 +42,8 @@ arc_insertion::pass_result arc_insertion::insert_at_worst() {
 }
 
 // Splits a subsegment only at the floor of the tolerance, where no candidate is left. Where metrics
-// vary, candidates are outside for other reasons than rounding, and smaller tolerances cost less:
-// splitting before the tolerance shrinks takes 143 sites in place of 110 for the square in
+// vary, not only rounding moves candidates out of the domain, and smaller tolerances cost fewer
+// sites: splitting before the tolerance shrinks takes 143 sites in place of 110 for the square in
 // swirl:12.
 bool arc_insertion::split_before_worst() {
   if (state_.is_full() || cancelled_.is_requested()) return false;

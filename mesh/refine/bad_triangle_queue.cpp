@@ -54,8 +54,8 @@ angle_set unavoidable(const boundary& edges, const triangle& t, const corners_of
   return at;
 }
 
-// Returns the angles that the auditor exempts: those at these corners, in metrics that measure the
-// domain's own angle there below the bound. Errors can only make the set smaller.
+// Returns the angles that the auditor exempts: angles at these domain corners, in metrics in which
+// the domain's own angle there is below the bound. Errors can only make the set smaller.
 angle_set exempt_angles(const refine_state& state, const triangle& t, const corners_of_domain& in,
                         double bound) {
   constexpr double guard = 1 - 1e-9;

@@ -6,13 +6,14 @@
 // bound from the perspective of any vertex, or, with a size limit, when it is too large. A wide gap
 // of a star and the triangles of a star that did not settle count as disagreeing.
 //
-// Exempt from the angle bound is the angle of the domain at a corner that is below it, in metrics
-// that measure it so: no mesh meets the bound there. Another corner at the same vertex exempts
+// Exempt from the angle bound is a domain corner's own angle, in metrics in which that angle is
+// below the bound: no mesh meets the bound there. Another corner at the same vertex exempts
 // nothing. Collateral are other low angles of triangles at such a corner, and those of triangles
 // across a wedge below half the bound between two segments one of which is internal. All corners of
-// the latter must be on these two segments, and each of them must measure the wedge below the
-// bound. Collateral triangles are bad only once that is demanded: mending them may go on for ever
-// (docs/math/refinement.md, "Corners"), so the rest is mended first.
+// a triangle across a wedge must be on these two segments, and the wedge's angle must be below the
+// bound in the metric of each corner. Collateral triangles are bad only after demand_collateral():
+// mending them may go on for ever (docs/math/refinement.md, "Corners"), so the rest is mended
+// first.
 //
 // Examines a star again only when it, or a star it has triangles with, has changed.
 #pragma once

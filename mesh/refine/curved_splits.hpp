@@ -23,9 +23,9 @@ class curved_splits {
   // Takes the curves of `d`, which check_domain has accepted.
   explicit curved_splits(const domain& d) : chords_(d) {}
 
-  // Returns about the nearest point to q on the curve whose chord the subsegment is; none if
-  // it is no chord, or an end of it or the point is not on the curve between its chord's
-  // ends.
+  // Returns about the nearest point to q on the curve whose chord the subsegment is; none if the
+  // subsegment is no chord, or if one of its ends or the nearest point is not on the curve between
+  // the chord's ends.
   std::optional<point> place(const boundary_edge& subsegment, const point& q) const;
   // Records that site v splits a subsegment, on its curve or on its line.
   void note_split(vertex_index v, bool on_curve);

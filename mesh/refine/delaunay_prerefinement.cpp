@@ -74,7 +74,7 @@ class delaunay_prerefinement {
       at_wedge_end_[w.first_end] = at_wedge_end_[w.last_end] = 1;
   }
 
-  // Adds sites until no face is queued; returns false if the triangulation is of no use then.
+  // Adds sites until no face is queued; returns false if the triangulation has become unusable.
   bool run() {
     state_.listen_to_splits([this](vertex_index a, vertex_index b) { note_split(a, b); });
     for (std::uint32_t face = 0; face < delaunay_.faces(); ++face) judge(face);
@@ -188,7 +188,8 @@ class delaunay_prerefinement {
   const cancellation& cancelled_;
   averaged_metric_triangulation& delaunay_;
   const vertex_index given_;  // the sites before these
-  // Flags of sites by number; shorter lists where all further sites are inside.
+  // Flags of sites, indexed by their numbers. A list ends with the last site on the boundary: all
+  // later sites are inside.
   std::vector<char> on_boundary_, at_tight_corner_, at_wedge_end_;
   bad_face_queue bad_;
   std::vector<std::uint32_t> around_;  // faces that are new or changed

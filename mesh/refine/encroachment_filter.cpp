@@ -43,12 +43,12 @@ class subsegment_distances {
   double error() const { return 0x1p-44 * magnitude_; }
 
   // True if w certainly does not encroach. Nowhere on a b are both f_a and f_b above r^2, their
-  // value at the bisector point, and r grows with either length; if f_w is above it all along a b,
-  // w does not encroach. With S the magnitude, a bound on the monomials of f_w on the segment is
-  // 2 S, so that evaluating f_w at t is off by less than 40 eps S. t itself is off by at most 64
-  // eps S / |d|_w^2, and by at most 1 as it is clamped, which raises f_w above its least value by
-  // less than 192 eps S whichever is smaller: 256 eps = 2^-44 covers both. The few roundings of r
-  // are relative. Near underflow these bounds do not hold, and nothing is decided.
+  // value at the bisector point, and r grows with either length; if f_w is above r^2 all along a b,
+  // w does not encroach. With S the magnitude, a bound on the monomials of f_w on the segment is 2
+  // S, so that evaluating f_w at t is off by less than 40 eps S. t itself is off by at most 64 eps
+  // S / |d|_w^2, and by at most 1 as it is clamped, which raises f_w above its least value by less
+  // than 192 eps S whichever is smaller: 256 eps = 2^-44 covers both. The few roundings of r are
+  // relative. Near underflow these bounds do not hold, and nothing is decided.
   bool surely_stay_clear() const {
     const double from_a = std::sqrt(squared_length_above(a_, d_));
     const double from_b = std::sqrt(squared_length_above(b_, d_));
@@ -57,10 +57,11 @@ class subsegment_distances {
     return squared_from_w(nearest_to_w()) - error() > (1 + 0x1p-47) * r * r;
   }
 
-  // True if w certainly does not encroach, found piece by piece: on one from t0 to t1 the nearer of
-  // a and b is nowhere farther than the lesser of t1 |d|_a and (1 - t0) |d|_b. t0 and t1 are exact,
-  // and so are their squares; the bounds of a and b are rounded once more. f_w is least at a t that
-  // is clamped to the piece, which makes the error of t no greater: error() holds as above.
+  // True if w certainly does not encroach, decided piece by piece: on the piece from t0 to t1 the
+  // nearer of a and b is nowhere farther than the lesser of t1 |d|_a and (1 - t0) |d|_b. t0 and t1
+  // are exact, and so are their squares; the bounds of a and b are rounded once more. f_w is least
+  // at a t that is clamped to the piece, which makes the error of t no greater: error() holds as
+  // above.
   bool surely_stay_clear_in_pieces() const {
     const double squared_a = squared_length_above(a_, d_), squared_b = squared_length_above(b_, d_);
     const double nearest = nearest_to_w(), off = error();

@@ -15,10 +15,11 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Constants of Voronoi arcs: the start as a part of the shortest distance, the start over the floor
-// (ten halvings), and the start over the finest. They hardly matter: starts of 0.05 to 0.4, ladders
-// of 16 to 1024 and finest parts of 32 to 1024 give the same meshes of the square in swirl:12 and
-// sink:12 and of the airfoil. They only end attempts at triangles that no site can mend.
+// Constants of Voronoi arcs: the tolerance at the start, as a part of the shortest distance; the
+// quotient of that at the start by that at the end (ten halvings); and the quotient of that at the
+// start by the finest distance of sites. They hardly matter: starts of 0.05 to 0.4, ladders of 16
+// to 1024 and finest parts of 32 to 1024 give the same meshes of the square in swirl:12 and sink:12
+// and of the airfoil. They only end attempts at triangles that no site can mend.
 constexpr double arc_fraction = 0.2;
 constexpr double arc_ladder = 1024;
 constexpr double arc_finest_part = 256;
@@ -47,7 +48,7 @@ constexpr double dart_ladder = 1024;
 double smallest_feature(const refine_state& state, vertex_index vertices, double most) {
   double least =
       shortest_distance(state.sites(), vertices, state.edges(), *state.oracle().near(), most);
-  // Takes the width of a sharp corner at the nearer end of its two first subsegments.
+  // Takes the width of a sharp corner at the end of the shorter of its two first subsegments.
   for (const domain_corner& c : state.segments().corners())
     if (c.is_sharp())
       for (const std::size_t subsegment : state.segments().subsegments_at(c))

@@ -34,8 +34,9 @@ std::optional<point> point_between(const point& near, const point& far, double n
                std::clamp(y, std::min(near.y, far.y), std::max(near.y, far.y))};
 }
 
-// Returns a multiple of a power of two in the middle half of [low, high], of the greatest power
-// that has one there, the one nearest to the middle. Requires 0 < low < high.
+// Returns the multiple of a power of two in the middle half of [low, high] for the greatest power
+// that has a multiple there; of several multiples the nearest to the middle. Requires 0 < low <
+// high.
 double coarsest_in_middle(double low, double high) {
   const double quarter = (high - low) / 4, middle = low + 2 * quarter;
   // Uses that one of two neighbouring multiples is in any interval at least as long as their

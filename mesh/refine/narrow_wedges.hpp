@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds where to split the segments of narrow wedges. A wedge is two segments at a sharp corner as
-// far as they go. In it each split of one segment encroaches on the other; points at the same
-// distances from the corner on both end this (docs/design/refinement.md, "Corners").
+// Finds where to split the segments of narrow wedges. A wedge is two segments at a sharp corner,
+// over their whole length. In a narrow wedge each split of one segment encroaches on the other.
+// Splits at equal distances from the corner on both segments end this (docs/design/refinement.md,
+// "Corners").
 #pragma once
 
 #include <cstddef>
@@ -54,7 +55,7 @@ class narrow_wedges {
   std::vector<const domain_wedge*> at_split(vertex_index v) const;
   // Returns the first wedge for which accepts() is true and whose two segments hold all three
   // corners of the triangle, at least one of them a point that splits a segment; none if there is
-  // none. Each segment must hold one that is not the wedge's corner.
+  // none. Each segment must hold a corner of the triangle that is not the wedge's.
   const domain_wedge* across(const triangle& t,
                              const std::function<bool(const domain_wedge&)>& accepts) const;
 

@@ -22,7 +22,8 @@ namespace {
 constexpr double shell_slack = 1e-6;
 
 // Returns a bound of the change of the distance of two points when both are rounded to doubles:
-// with half an ulp for each coordinate of each, one ulp of the larger along both axes.
+// half a unit in the last place for each coordinate of each point, and so one unit of the larger
+// coordinate along either axis.
 double rounding_of_distance(const metric_tensor& m, const point& a, const point& b) {
   const double x = 0x1p-52 * std::max(std::abs(a.x), std::abs(b.x));
   const double y = 0x1p-52 * std::max(std::abs(a.y), std::abs(b.y));

@@ -9,9 +9,9 @@
 // Corners whose angle in their own metric is below 60 degrees are *sharp*. Two subsegments at a
 // sharp corner could encroach on each other for ever. Therefore subsegments with one sharp end are
 // split at power-of-two distances from it, in the corner's metric (concentric shells, after
-// Ruppert; an internal subsegment when the corner on either side of it is sharp). The far end of
-// the subsegment across the corner does not count as encroaching unless it is nearer to the corner:
-// of two such subsegments only the longer is ever split because of the other.
+// Ruppert). An internal subsegment has a sharp end if the corner on either side of it is sharp. The
+// far end of the subsegment across the corner does not count as encroaching unless it is nearer to
+// the corner: of two such subsegments only the longer is ever split because of the other.
 #pragma once
 
 #include <array>

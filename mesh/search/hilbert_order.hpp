@@ -13,8 +13,8 @@
 
 namespace asterism::internal {
 
-// Returns the position of the point on the curve through the box; that of an end for a point
-// outside the box.
+// Returns the position of the point on the curve through the box; for a point outside the box that
+// of an end of the curve.
 inline constexpr int bits_of_place_on_curve = 40;
 std::uint64_t place_on_curve(const point& q, const bounding_box& box);
 

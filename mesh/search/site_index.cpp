@@ -247,7 +247,7 @@ bool site_index::is_right_of(const bounding_box& box, const point& from, const p
   return semi_static::orientation(from, to, leftmost).certainly(sign::negative);
 }
 
-// True if |q - v|_v is certainly above the limit. Monomials meet at most six roundings.
+// True if |q - v|_v is certainly above the limit. Monomials pass at most six roundings.
 bool site_index::is_beyond(const point& q, const centre& c, double limit) {
   const metric_tensor& m = c.v->metric;
   const point d{q.x - c.v->position.x, q.y - c.v->position.y};

@@ -27,9 +27,9 @@ struct defect {
   defect_kind kind = defect_kind::missing_edge;
   vertex_index owner = 0;  // in whose star the triangle, or gap, is
   vertex_index other = 0;  // in whose star it is missing; the owner for wide_gap and unsettled
-  // Vertices {owner, y, x} of the defect, counter-clockwise for a triangle. For a wide gap y and x
-  // bound it (y == x with one neighbour, all three the owner with none); for unsettled all three
-  // are the owner.
+  // Vertices {owner, y, x} of the defect, counter-clockwise for a triangle. A wide gap is bounded
+  // by y and x, which are equal if the star has one neighbour; if it has none, and for an unsettled
+  // star, all three are the owner.
   triangle where{};
 };
 

@@ -6,7 +6,7 @@
 //
 // An answer depends on four sites alone, which never change, so it never goes stale. The table has
 // a fixed number of places, each with the last question that was stored in it; forgetting only
-// costs time. A memory must not be shared by threads.
+// costs time. A cache must not be shared by threads.
 #pragma once
 
 #include <array>

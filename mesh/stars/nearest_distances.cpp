@@ -37,9 +37,9 @@ double least_along(const std::vector<vertex_index>& order, const std::vector<sit
   return least;
 }
 
-// Returns the squared distance of v to the nearest other site, the lesser of what both measure; at
-// most `most`. Both searches find all sites nearer than the radius, which has a factor of two to
-// spare for roundings.
+// Returns the squared distance between v and the nearest other site, in the metric of either in
+// which it is less; at most `most`. Both searches go twice as far as the radius within which they
+// must find all sites: that covers roundings.
 double nearest_other(const std::vector<site>& sites, const site_index& near, vertex_index v,
                      double most) {
   const site& s = sites[v];
@@ -64,7 +64,8 @@ double nearest_other(const std::vector<site>& sites, const site_index& near, ver
 }
 
 // Returns the least squared distance of two sites, at most `least`, as either measures it. Searches
-// a little farther, so that sites not found are farther, whatever the roundings of a distance.
+// a little beyond `least`, so that sites that are not found are farther, whatever the roundings of
+// distances.
 double least_of_pairs(const std::vector<site>& sites, const site_index& near, double least) {
   constexpr double margin = 1 + 0x1p-20;
   double look = margin * std::sqrt(least);
@@ -92,8 +93,8 @@ double least_to_subsegments(const std::vector<site>& sites, vertex_index v, cons
   return least;
 }
 
-// Returns the least squared distance of any site from a subsegment not at it, group by group: most
-// sites are not near any subsegment.
+// Returns the least squared distance of any site from a subsegment that does not end at the site,
+// group by group: most sites are not near any subsegment.
 double shortest_of_all(const std::vector<site>& sites, const boundary& edges, const proximity& near,
                        double most) {
   const double at_first = std::min(most * most, least_along(near.order(), sites));

@@ -16,8 +16,8 @@ namespace asterism::internal {
 // True if m lies in the box of the subsegment a b (anywhere, if it is on a curve), is neither of
 // its ends, and replacing a b by a m, m b leaves every other site and subsegment where it was: on
 // the same side of the boundary, uncrossed and untouched. Only the sliver a, m, b changes sides.
-// Where segments meet in a sharp corner, or a few ulps apart, m may be rounded onto another one.
-// Exact.
+// Where segments meet in a sharp corner, or a few ulps apart, m may be rounded onto another
+// segment. Exact.
 bool leaves_others_in_place(const star_predicates& kernel, const std::vector<site>& sites,
                             const boundary& edges, const proximity& near,
                             const boundary_edge& subsegment, const point& m, bool on_curve = false);

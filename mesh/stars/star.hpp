@@ -32,8 +32,8 @@ struct sector {
   // True if the sector is open but goes all around: it starts and ends at the same neighbour.
   bool is_slit() const { return !closed && neighbours.front() == neighbours.back(); }
   bool is_forced(std::size_t i) const { return !closed && (i == 0 || i + 1 == size()); }
-  // Returns the position after, or before, i. Positions wrap around a closed sector; in an open one
-  // the caller stays off the ends.
+  // Returns the position after, or before, i. Positions wrap around a closed sector; in an open
+  // sector the position must not be past its ends.
   std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
   std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : size() - 1; }
   // Returns the number of gaps; gap i lies between neighbours i and after(i).

@@ -46,9 +46,8 @@ enum class star_search { near, thorough };
 
 // Proposes neighbours that a star probably has, before it is made; none by default.
 struct star_proposal {
-  // Neighbours that the star probably has, counter-clockwise. They are its neighbours if exact
-  // tests find that each is accepted and, by_mesher, confirm them against all sites; else they are
-  // not used.
+  // Neighbours that the star probably has, counter-clockwise. They are used if exact tests find
+  // that each is accepted and, where the mesher confirms stars, confirm the star against all sites.
   std::span<const vertex_index> guess = {};
   // True if doubles decided for each of these neighbours that it is accepted, without doubt: where
   // the auditor confirms the star, that is not tested again.

@@ -110,8 +110,8 @@ class prepared_sector {
     return by_w.certain() && !by_w.value();
   }
 
-  // Returns the gap, of less than half a turn, strictly between whose rays w lies; none if doubles
-  // cannot tell.
+  // Returns the gap of less than half a turn whose two rays w lies strictly between; none if
+  // doubles do not decide which.
   const prepared_gap* gap_in_doubles(vertex_index w) const {
     if (gaps_.empty()) return nullptr;
     const point &v = at(v_).position, &q = at(w).position;

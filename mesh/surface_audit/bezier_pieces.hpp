@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Cuts the patches of a surface at their knots into Bezier pieces, whose control points are known
-// as intervals, and refuses invalid surfaces by name. Of a patch that is a Bezier patch already the
-// control points are the given doubles, and the weights' products with them enclosures.
+// as intervals, and refuses invalid surfaces by name. If a patch is already a Bezier patch, its
+// control points are the given doubles, and only their products with the weights are enclosures.
 #pragma once
 
 #include <array>

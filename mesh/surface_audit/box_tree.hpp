@@ -36,7 +36,8 @@ inline double squared_distance(const space_box& box, const plain_vector& p) {
 
 class box_tree {
  public:
-  // Halves the items at the median of their middles along the longest side, equal ones by number.
+  // Halves the items at the median of their middles along the longest side of the box; equal
+  // middles are ordered by number.
   explicit box_tree(const std::vector<space_box>& boxes);
 
   // Calls visit(item) for the items of leaves whose box is within the squared distance `limit()` of

@@ -29,8 +29,8 @@ using space_curve = std::vector<weighted_point>;
 space_curve composed(const bezier_piece& piece, const plane_curve& curve,
                      const interval_vector& origin);
 
-// Returns the pieces of a patch that a curve may reach into, so that each of its points is that of
-// one of them; none if they are more than a few, or a weight is not certainly positive. Parts
+// Returns the pieces of a patch that a curve may reach into: each point of the curve lies in one of
+// them. Returns none if they are more than four, or if a weight is not certainly positive. Parts
 // beyond the patch belong to the pieces at its sides.
 std::vector<std::uint32_t> pieces_along(const patch_spans& spans, const plane_curve& curve);
 

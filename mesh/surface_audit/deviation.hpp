@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Encloses how far a triangle mesh is from a surface, and the surface from the mesh: the greatest
-// distance of a point of the one from the other, each way. Upper bounds hold by the hulls of
-// control points, lower bounds by a witness: a point whose distance from all of the other is
-// bounded from below. Numbers are those of the surface's files; docs/math/surfaces.md has the
-// proofs.
+// distance of a point of the mesh from the surface, and of a point of the surface from the mesh.
+// Upper bounds hold by the hulls of control points, lower bounds by a witness: a point of one of
+// them whose distance from the whole other one is bounded from below. Numbers are those of the
+// surface's files; docs/math/surfaces.md has the proofs.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct deviation_options {
 };
 
 // Bounds the deviation. Fails for a mesh without triangles, or with a point that is not finite or
-// beyond 2^300, or an index out of range; and where bezier_pieces does.
+// beyond 2^300, or an index out of range; and for surfaces for which bezier_pieces fails.
 result<deviation_report> deviation(const space_mesh& mesh, const surface& s,
                                    const deviation_options& options = {});
 

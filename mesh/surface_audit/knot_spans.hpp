@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// True for 0 and for numbers of which products stay in the range of doubles (number_ranges.hpp).
+// True for 0 and for numbers whose products stay in the range of doubles (number_ranges.hpp).
 bool is_in_range(double x);
 
 // Returns the fault of a direction's knots in half a sentence, or nothing.

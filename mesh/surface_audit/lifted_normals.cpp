@@ -64,8 +64,8 @@ double squared_tangent_above(const triangle_frame& f, const two_directions& q) {
   return quotient(across, squared(rounded_interval(along.inf()))).sup();
 }
 
-// A piece turned and mirrored so that its side t = 0 is the one that is one point, with that point
-// as the origin.
+// A piece turned and mirrored so that its degenerate side, which is one point, is the side t = 0,
+// with that point as the origin.
 struct turned_piece {
   int degree_s = 0, degree_t = 0;
   std::vector<weighted_point> net;
@@ -176,9 +176,9 @@ std::vector<weighted_point> differences(const bezier_piece& p, const interval_ve
   return all;
 }
 
-// Returns r_s w and r_t w up to positive factors. For a part that a knot cut off so narrowly
-// that its own sides are nearly parallel, these give bounds that differences along the sides do
-// not.
+// Returns r_s w and r_t w up to positive factors. A part that a knot cut off may be so narrow that
+// its own sides are nearly parallel: then these give useful bounds, and differences along the sides
+// do not.
 two_directions along_parameters(const triangle_frame& f, const bezier_piece& p,
                                 const parameter_triangle& at, const triangle_net& net) {
   const auto by_s = differences(p, f.corner, true), by_t = differences(p, f.corner, false);

@@ -160,8 +160,9 @@ std::vector<mesh_cell> whole_triangles(const deviation_scene& scene) {
   return cells;
 }
 
-// Searches the whole surface for the nearest place of the cell's middle: from a place nearby the
-// projection may have ended at another one, as on the far side of a blunt edge.
+// Searches the whole surface for the nearest place of the cell's middle: the projection from a
+// place nearby may have ended at another place that is nearest only locally, for instance beyond a
+// blunt edge.
 void confirm(const deviation_scene& scene, mesh_cell& cell) {
   const floating_point_scope scope(rounding::upward);
   const located anywhere = scene.locator.nearest(cell.middle());

@@ -31,8 +31,7 @@ struct triangle_net {
   std::vector<weighted_point> points;
 };
 
-// Refers to (degree_u + 1)(degree_v + 1) control points, in rows: those of a piece or of a
-// derivative.
+// Refers to (degree_u + 1)(degree_v + 1) control points, in rows, of a piece or of a derivative.
 struct tensor_net {
   int degree_u = 0, degree_v = 0;
   const weighted_point* points = nullptr;

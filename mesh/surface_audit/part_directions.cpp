@@ -6,8 +6,9 @@
 // Let a vector d be known up to D in each component, its components at most Y, and g up to G,
 // components at most M. Then d.g, of three products and two sums, is off by at most
 //   3 (M D + G (Y + D)) + 3 * 4 * 2^-53 M Y,
-// and the ends of a range less or plus that, rounded once more, by 3 * 2^-53 M Y. A difference of
-// two vectors off by D, of components at most Y, is off by 2 D + 2 * 2^-53 Y.
+// and the ends of a range, moved outward by that error and rounded once more, by a further 3 *
+// 2^-53 M Y. A difference of two vectors off by D, of components at most Y, is off by 2 D + 2 *
+// 2^-53 Y.
 #include "asterism/mesh/surface_audit/part_directions.hpp"
 
 #include <algorithm>

@@ -28,16 +28,16 @@ struct direction_range {
   }
 };
 
-// Holds two vector fields over a part, whose cross product is a positive multiple of r_u x r_v, or
-// a negative one.
+// Holds two vector fields over a part whose cross product is r_u x r_v times a positive factor, or
+// times a negative one.
 struct two_directions {
   direction_range first, second;
   bool negative = false;
 };
 
 // Returns the derivatives along the part's own sides, times n and w: differences of the net and,
-// for a quotient, these less r w'. None where numbers leave the range of doubles, or a weight may
-// not be positive. Requires a floating_point_scope(rounding::upward).
+// for a quotient, these differences minus r w'. None where numbers leave the range of doubles, or a
+// weight may not be positive. Requires a floating_point_scope(rounding::upward).
 std::optional<two_directions> along_sides(const triangle_frame& frame, const triangle_net& net,
                                           bool is_rational);
 

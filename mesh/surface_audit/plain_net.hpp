@@ -6,11 +6,11 @@
 //
 // A net's point is sum b_i P_i with shares b_i >= 0, sum 1, as long as the corners are in the
 // piece. A computed share is a product of sums of numbers that are not negative; each rounding to
-// nearest changes it by a factor between 1 - 2^-53 and 1 + 2^-53. With k roundings on the way of
-// every summand the sum is off by at most ((1 + 2^-53)^k - 1) sum b_i |P_i|. If |P_i| <= X w_i with
-// weights w_i > 0 of the control points, that is the factor times X w, with w the net's own weight:
-// the error is no greater relative to the weight than that of the greatest control point, however
-// the weights differ.
+// nearest changes it by a factor between 1 - 2^-53 and 1 + 2^-53. If each summand passes k
+// roundings, the sum is off by at most ((1 + 2^-53)^k - 1) sum b_i |P_i|. If |P_i| <= X w_i with
+// weights w_i > 0 of the control points, that is at most the same factor times X w, with w the
+// net's own weight: the error is no greater relative to the weight than that of the greatest
+// control point, however the weights differ.
 #pragma once
 
 #include <array>
@@ -40,8 +40,8 @@ constexpr int roundings_of_net(int p, int q) {
 }
 
 // Returns the net in doubles; none where a corner may be outside of the piece, a weight may not be
-// positive, or corners or weights are known so roughly that intervals are narrower. Works in any
-// rounding mode: it sets its own, and has the same bits on every machine.
+// positive, or corners or weights are known with so large an error that intervals are narrower.
+// Works in any rounding mode: it sets its own, and has the same bits on every machine.
 std::optional<plain_triangle_net> plain_net_over(const tensor_net& from,
                                                  const parameter_triangle& corners,
                                                  bool is_rational);

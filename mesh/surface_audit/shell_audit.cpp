@@ -216,7 +216,7 @@ bool is_unfolded(const lifted_scene& scene, std::uint32_t t) {
   return true;
 }
 
-// Returns u and v of a place where the surface itself turns round within the triangle's piece, if
+// Returns u and v of a place within the triangle's piece where the surface itself is folded, if
 // doubles find one.
 std::optional<std::array<double, 2>> fold_over(const lifted_scene& scene, std::uint32_t t) {
   for (const lifted_cell& cell : cells_of_triangle(scene, t)) {
@@ -344,7 +344,7 @@ result<shell_report> audit_shell(const surface& s, const surface_shell& shell,
   if (auto wrong = fault_of(s, shell)) return *wrong;
   shell_report report;
   audit_planes(s, shell, asked, report);
-  // Ends here for meshes that are no triangulations: further points would mean nothing.
+  // Ends here for meshes that are no triangulations: further findings would be meaningless.
   if (report.found > 0) return report;
   const shell_view view(s, shell, std::move(pieces).value());
   if (view.in_space().triangles.empty()) return no_triangle();

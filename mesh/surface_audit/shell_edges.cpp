@@ -39,8 +39,8 @@ side_key key_of(const surface_patch& p, int side, bool backward) {
   return key;
 }
 
-// Sides that are the same curve as another, by face and side, and sides that are one point. The
-// sides of a trimmed patch are its curves.
+// Sides, by face and number, that are the same curve as another side, and sides that are one point.
+// The sides of a trimmed patch are its curves.
 struct side_facts {
   std::set<std::pair<std::size_t, int>> shared, points;
 };

@@ -69,7 +69,8 @@ inline interval_vector quotient(const interval_vector& a, const rounded_interval
   return {quotient(a.x, b), quotient(a.y, b), quotient(a.z, b)};
 }
 
-// Returns an enclosure of the squared length; tighter than a product of a vector with itself.
+// Returns an enclosure of the squared length; narrower than the scalar product of the vector with
+// itself.
 inline rounded_interval squared_length(const interval_vector& a) {
   return squared(a.x) + squared(a.y) + squared(a.z);
 }

@@ -13,7 +13,8 @@ namespace {
 double squared(const plain_vector& a) { return dot(a, a); }
 
 // Returns whether the side of the piece is about one point: its derivative along s (at t = 0 or 1)
-// or along t (at s = 0 or 1) is next to nothing beside that in the middle. Steers starts alone.
+// or along t (at s = 0 or 1) is negligible compared with that in the middle of the piece. Only
+// affects where projections start.
 bool is_about_a_point(const bezier_piece& piece, bool along_s, double side) {
   constexpr double nothing = 1e-16;  // of the square
   const plain_jet there = along_s ? evaluate(piece, 0.5, side) : evaluate(piece, side, 0.5);
@@ -122,8 +123,8 @@ surface_locator::surface_locator(const std::vector<bezier_piece>& pieces)
       tree_(boxes_of(samples_)) {}
 
 located surface_locator::nearest(const plain_vector& p) const {
-  // Starts from three pieces, and from all that meet where the third is nearest: at a corner or at
-  // a side that is one point any of them may contain the nearest point.
+  // Starts from the three nearest samples, and from all others as near as the third: at a corner or
+  // at a side that is one point any of the pieces that meet there may contain the nearest point.
   constexpr std::size_t starts_wanted = 3, most_starts = 12;
   struct start {
     double far;

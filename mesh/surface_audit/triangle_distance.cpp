@@ -51,8 +51,9 @@ bool certainly_zero(const dyadic& x) {
   return x.is_zero();
 }
 
-// True if p, from the edge's start and times w, is certainly farther than the bound from the edge:
-// from both ends, and from the line unless the foot on it is certainly beyond an end.
+// True if p is certainly farther from the edge than the bound: from both ends, and from the edge's
+// line unless p's foot on it is certainly beyond an end. p is given as w times its displacement
+// from the edge's start.
 template <class Number>
 bool edge_is_farther(const space_vector<Number>& p, const space_vector<Number>& edge,
                      const Number& w, const Number& squared) {

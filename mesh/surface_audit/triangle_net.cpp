@@ -76,7 +76,7 @@ weighted_point combined(const rounded_interval* weights, const weighted_point* p
 }
 
 // Adds each pair of multi-indices of sums p and q to the multi-index that is their sum, with its
-// share of the ways to choose it. The number of pairs is the product of both numbers.
+// share of the number of ways to choose it.
 void gather(int p, int q, const std::vector<weighted_point>& pairs, bool is_rational,
             triangle_net& net) {
   for (int i = p; i >= 0; --i)

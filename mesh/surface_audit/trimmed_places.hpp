@@ -41,9 +41,9 @@ bool is_on_surface(const std::vector<bezier_piece>& pieces, const trim_scene& tr
                    const std::array<surface_place, 3>& at);
 
 // Returns places of the surface for the corners of a part of a triangle, within the triangle of
-// parameters that it was lifted from: all of one piece, near the nearest places. `corners` and
-// `whole` are in space. If no three places are in one piece, returns one place three times. None if
-// no place is certain.
+// parameters from which the part was lifted: all places are of one piece, and near the places
+// nearest to the corners. `corners` and `whole` are in space. If no three places are in one piece,
+// returns one place three times. None if no place is certain.
 std::optional<held_triangle> places_in_origin(const std::vector<bezier_piece>& pieces,
                                               const trim_scene& trims,
                                               const trim_scene::origin& origin,

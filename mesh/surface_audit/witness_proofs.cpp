@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-//
-// Proves that a witness has at least its distance: by hulls of control points on the far side of a
-// plane, and by triangles, each of which is farther.
+// Proves that a witness has at least its distance: by hulls of control points that lie on the far
+// side of a plane, and by triangles that are all farther.
 #include "asterism/mesh/surface_audit/witness_proofs.hpp"
 
 #include <algorithm>
