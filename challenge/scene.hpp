@@ -39,7 +39,8 @@ bool is_valid(const scene& s);
 // Returns the record of one predicate, from a valid scene.
 batch_record cut_record(predicate question, const scene& s);
 
-// Returns a valid record of this class. `in_circle` of a plain question is in the plane.
+// Returns a valid record of this class. For a plain question (in the plane) the metric of
+// `in_circle` is left out of its text.
 batch_record draw_record(const input_class& from, predicate question, random_source& random);
 
 // Writes the record as a line of the batch protocol, without an end of line.

@@ -56,7 +56,7 @@ struct plane_quadratic {
   Number constant;
 };
 
-// A function alpha + beta s along a visible arc: from a plane quadratic there, times C s^2, or a
+// A function alpha + beta s along a visible arc: a plane quadratic on the arc, times C s^2, or a
 // linear function, times s.
 template <class Number>
 struct arc_function {

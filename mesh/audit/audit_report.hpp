@@ -84,7 +84,8 @@ struct audit_options {
   // Corners (indices from 0) at which the domain may be sharper than the bound. Each must be
   // proven: the angle of the domain at it, in its own metric, is below the bound.
   std::vector<vertex_index> exempt_corners;
-  // True to exempt every corner for which that can be proven, without a claim.
+  // True to search for corners whose exemption can be proven, and to exempt all of them, also those
+  // not in exempt_corners.
   bool find_exempt_corners = false;
   // The domain as it was meshed (after check_domain); not owned, may be null.
   const domain* original = nullptr;

@@ -98,11 +98,11 @@ whole_number reciprocal_arctangent(unsigned n, unsigned bits) {
 
 }  // namespace
 
-// Works with `bits` bits behind the point. Machin's formula, pi = 16 arctan(1/5) - 4 arctan(1/239),
-// has at most bits / 4 terms, each off by less than 2 units: pi is off by less than 10 bits. The
-// angle is at most pi / 2, so its error is below 10 bits as well. Each of the at most bits terms of
-// sine and cosine is off by less than 3 units beside the error of its angle, whose factor is at
-// most 1: together less than 2^6 bits units.
+// Works with `bits` bits behind the point, in units of the last of them. Machin's formula, pi = 16
+// arctan(1/5) - 4 arctan(1/239), has at most bits / 4 terms, each off by less than 2 units: pi is
+// off by less than 10 * bits units. The angle is at most pi / 2, so its error is below 10 * bits
+// units as well. Sine and cosine have at most `bits` terms, each off by less than 3 units, and
+// their derivative by the angle is at most 1: their errors are less than 2^6 * bits units.
 cotangent_bounds squared_cotangent_of(double degrees) {
   constexpr unsigned precision = 256;
   const int size = std::ilogb(degrees);

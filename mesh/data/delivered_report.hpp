@@ -41,8 +41,8 @@ inline constexpr double most_median_distance = 2.302585092994046;
 // Of metrics as simulations make them, the worst are again two fronts that cross, at 3.4.
 inline constexpr double most_density_ratio = 10;
 
-// Returns the ratio of the densities on the whole, that of the metric delivered and that of the one
-// wanted or its inverse: at least 1, NaN where areas have no ratio.
+// Returns the ratio of the complexities of the metric delivered and of the one wanted, or its
+// inverse, whichever is at least 1; NaN where they have no ratio.
 inline double density_ratio(const delivered_report& report) {
   const double ratio = report.complexity_delivered / report.complexity_wanted;
   return ratio < 1 ? 1 / ratio : ratio;

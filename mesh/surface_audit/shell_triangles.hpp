@@ -14,7 +14,8 @@
 
 namespace asterism::internal {
 
-// Pieces of each patch: those of neighbouring spans in order, those along v next to each other.
+// Pieces of each patch, in the order of its spans: the pieces of one span of u, along v, are next
+// to each other.
 struct patch_spans {
   std::uint32_t first = 0;   // of its pieces
   std::vector<double> u, v;  // ends of the spans, ascending
