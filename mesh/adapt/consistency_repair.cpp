@@ -243,7 +243,7 @@ bool consistency_repair::merge_away(vertex_index t) {
 }
 
 // Moves the tensors of a low triangle's nodes towards the tensor in which it is equilateral, until
-// they differ from it by no more than `enough`.
+// the log distortion from it is at most `enough`.
 void consistency_repair::follow_shape(vertex_index t) {
   constexpr double enough = 0.5;  // log 1.65: angles of 23 degrees and more
   const face& f = m_.faces()[t];
@@ -251,7 +251,8 @@ void consistency_repair::follow_shape(vertex_index t) {
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
   const double vx = wx - ux, vy = wy - uy;
-  // Uses that the inverse of the sum of e e^T over the edges is that tensor up to a factor.
+  // A triangle is equilateral in the inverse of the sum of e e^T over its edges e, and in multiples
+  // of it.
   const metric_tensor shape{uy * uy + wy * wy + vy * vy, -(ux * uy + wx * wy + vx * vy),
                             ux * ux + wx * wx + vx * vx};
   const double root = plain_root_of_determinant(shape);
@@ -262,8 +263,8 @@ void consistency_repair::follow_shape(vertex_index t) {
         own = m_.at(v).metric;
     const double apart = log_distortion(own, goal);
     if (!(apart > enough)) continue;
-    // Clips by twice the excess, half of which the clip takes from each side: only this side's
-    // change is kept.
+    // Clips by twice the excess: the clip takes half of it from each tensor, and the change of
+    // `goal` is dropped.
     if (!clip_distortion(own, goal, std::max(0.0, 2 * enough - apart))) continue;
     m_.set_metric(v, own);
     next_[v] = 1;
@@ -329,8 +330,7 @@ void consistency_repair::move_away(vertex_index v) {
   for (const vertex_index u : ring) next_[u] = 1;
 }
 
-// Makes the tensors of all pairs of these nodes alike, to a part of the greatest distortion between
-// any two.
+// Clips the tensors of all pairs of these nodes to `part` of the greatest log distortion of a pair.
 void consistency_repair::clip_distortion_at(const std::vector<vertex_index>& nodes, double part) {
   adapting::clip_distortion_at(m_, nodes, part,
                                [this](vertex_index, vertex_index) { ++report_.alike; });

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the metric delivered: tensors of the nodes of a triangulation, changed as little as makes
-// their stars agree about it, as far as doubles can tell.
+// Makes the metric delivered: changes tensors of the nodes of a triangulation as little as is
+// needed for their stars to agree with it, by tests in doubles.
 //
 // Checks at a triangle's Voronoi vertex, from which its three sites are equally far, that the site
-// across each edge is farther, and that no angle is below the bound as any of the three measures
-// it. Where that fails, edges are flipped, tensors of the nodes around it made more alike
-// (nodal_gradation.hpp), nodes moved, and all is checked again. Equal tensors give the edges of one
-// Delaunay triangulation, so making tensors alike ends: docs/math/delivered-metric.md. The number
-// of rounds is bounded as well. Internal to mesh/adapt.
+// across each edge is farther, and that no angle is below the bound in the metric of any of its
+// three sites. Where that fails, edges are flipped, tensors of the nodes around it are clipped
+// (nodal_gradation.hpp), nodes are moved, and the faces are checked again. Equal tensors give the
+// edges of one Delaunay triangulation, so the clipping ends: docs/math/delivered-metric.md. The
+// number of rounds is bounded as well. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -43,10 +43,9 @@ class consistency_repair {
   // delivered. Both references must outlive the object.
   consistency_repair(working_mesh& m, const repair_options& options);
 
-  // Mends until nothing that changed has a defect, or the limit on rounds is reached.
+  // Mends in rounds until no changed node has a defect, or the limit on rounds is reached.
   void run();
-  // Makes the tensors of these nodes more alike, for disagreements of stars that run() does not
-  // detect.
+  // Clips the tensors of these nodes, whose stars disagree in a way that run() does not detect.
   void disagreed_at(const std::vector<vertex_index>& nodes);
   // Adds the triangles of these new nodes to those that run() examines.
   void changed_at(const std::vector<vertex_index>& nodes);
@@ -77,8 +76,8 @@ class consistency_repair {
   local_tests tests_;
   double aim_;  // cotangent of the angle aimed at
   std::vector<char> active_, next_;
-  // Faces with an active node, and the faces beside these, as before the round and as changed by
-  // it. No other face needs a test.
+  // Flags of the faces to be tested: faces with an active node, and the neighbours of these, those
+  // that the round has made included.
   std::vector<char> is_due_;
   std::vector<face_centre> centres_;  // of these, as they are when the round begins
   // Test results of each face before the round changes it: one bit for each edge that agrees, and a

@@ -32,30 +32,30 @@ class edges_around {
   const face_list& faces() const { return at_; }
 
   // Computes the centre of each face across from the node, except across segments.
-  template <class Tell>
-  void tell_centres_across(const Tell& tell) {
+  template <class Visit>
+  void visit_centres_across(const Visit& visit) {
     for (std::size_t k = 0; k < at_.size(); ++k) {
       const face& f = m_.faces()[at_[k]];
       const std::size_t i = f.corner_of(v_);
-      if (f.next[i] != none && f.segment[i] == none) tell(present_.of(f.next[i]));
+      if (f.next[i] != none && f.segment[i] == none) visit(present_.of(f.next[i]));
     }
   }
   // Stores the present clearances, of the node as the mesh has it, to be compared with later ones.
   void remember() {
     clearances_.clear();
-    tell_clearances([this](std::size_t k) { return present_.of(at_[k]); },
-                    [this](double clear) {
-                      clearances_.push_back(clear);
-                      return true;
-                    });
+    visit_clearances([this](std::size_t k) { return present_.of(at_[k]); },
+                     [this](double clear) {
+                       clearances_.push_back(clear);
+                       return true;
+                     });
   }
   // True if is_enough(now, then) for each edge: its present clearance, and the stored one.
   template <class Enough>
   bool all_of(const Enough& is_enough) {
     std::size_t edge = 0;
     own_.assign(at_.size(), {});
-    return tell_clearances([this](std::size_t k) { return own_centre(k); },
-                           [&](double now) { return is_enough(now, clearances_[edge++]); });
+    return visit_clearances([this](std::size_t k) { return own_centre(k); },
+                            [&](double now) { return is_enough(now, clearances_[edge++]); });
   }
 
  private:
@@ -64,12 +64,12 @@ class edges_around {
     bool is_known = false;
   };
 
-  // Calls tell(clearance) for each edge that has the node as an end or across from it, until a call
-  // returns false; returns the last answer. Clearances are infinite at segments. An edge at the
-  // node, which two faces share, is passed once. `own(k)` returns the centre of the k-th face at
-  // the node.
-  template <class Own, class Tell>
-  bool tell_clearances(const Own& own, const Tell& tell);
+  // Calls visit(clearance) for each edge that has the node as an end or across from it, until a
+  // call returns false; returns the last result. Clearances are infinite at segments. An edge at
+  // the node, which two faces share, is visited once. `own(k)` returns the centre of the k-th face
+  // at the node.
+  template <class Own, class Visit>
+  bool visit_clearances(const Own& own, const Visit& visit);
 
   // Returns the centre of a face at the node as it is tried, computed once.
   const face_centre& own_centre(std::size_t k) {
@@ -90,8 +90,8 @@ class edges_around {
   std::vector<double> clearances_;
 };
 
-template <class Own, class Tell>
-bool edges_around::tell_clearances(const Own& own, const Tell& tell) {
+template <class Own, class Visit>
+bool edges_around::visit_clearances(const Own& own, const Visit& visit) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto is_end = [](std::size_t i, const face& f) {
     return f.next[i] == none || f.segment[i] != none;
@@ -104,13 +104,13 @@ bool edges_around::tell_clearances(const Own& own, const Tell& tell) {
       const node& d = m_.at(tests_.quad_at(at_[k], i).d);
       clear = std::min(clearance(own(k), d), clearance(present_.of(f.next[i]), m_.at(v_)));
     }
-    if (!tell(clear)) return false;
+    if (!visit(clear)) return false;
     clear = infinity;
     if (!is_end(after(i), f)) {
       const edge_quad q = tests_.quad_at(at_[k], after(i));
       clear = std::min(clearance(own(k), m_.at(q.d)), clearance(own(next), m_.at(q.c)));
     }
-    if (!tell(clear)) return false;
+    if (!visit(clear)) return false;
   }
   return true;
 }

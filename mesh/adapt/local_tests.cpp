@@ -89,9 +89,9 @@ bool local_tests::has_low_angle_beside(vertex_index t, vertex_index v) const {
   return false;
 }
 
-// True if the face is at a corner of the domain that is below the bound in its own metric. False
-// where the corner is not below it in the plane and the face has other low angles, which nothing
-// exempts: the tensor at the corner must then change.
+// True if the face is at a corner of the domain that is below the bound in the metric of its
+// vertex. False if that corner meets the bound in the Euclidean metric while the face has other low
+// angles: nothing exempts these, so the tensor at the corner must change.
 bool local_tests::is_exempt(vertex_index t) const {
   for (const vertex_index v : m_.faces()[t].v) {
     if (m_.at(v).kind != node_kind::given) continue;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Tests, in doubles, whether stars agree as far as neighbours show, and whether angles meet the
-// bound.
+// Tests, in doubles, whether the four sites around each edge agree about it, and whether angles
+// meet the bound.
 //
 // An edge agrees if from the Voronoi vertex of either face beside it, to which the face's three
-// sites are equally far, the site across the edge is farther. Farther sites are not tested, so this
-// is less than agreement of stars; the auditor decides. Internal to mesh/adapt.
+// sites are equally far, the site across the edge is farther. Other sites are not tested, so stars
+// may still disagree; the auditor decides. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -45,12 +45,12 @@ inline double clearance(const face_centre& c, const node& d) {
   return squared(d.metric, c.at.x - d.position.x, c.at.y - d.position.y) / c.squared_radius - 1;
 }
 
-// Returns the greatest cotangent of the three angles as the metric measures them; `root` is that of
-// its determinant.
+// Returns the greatest cotangent of the three angles in the metric; `root` is the root of the
+// metric's determinant.
 double greatest_cotangent(const metric_tensor& m, double root, const node& a, const node& b,
                           const node& c);
-// Returns the cotangent of an angle in degrees; for angles below a thousandth of a degree that of a
-// thousandth, which is finite.
+// Returns the cotangent of an angle in degrees. Angles below a thousandth of a degree count as a
+// thousandth, so that the result is finite.
 double cotangent_of(double degrees);
 
 // Refers to the mesh, which must outlive it, and tests its present state.
@@ -64,11 +64,11 @@ class local_tests {
   // Returns the lesser of the clearances that both faces of an edge have from the site across: a
   // part of the squared radius, minus infinity where a face has no Voronoi vertex.
   double worst_clearance(const edge_quad& q) const;
-  // True if an angle of the face is below the bound as one of its nodes measures it.
+  // True if an angle of the face is below the bound in the metric of one of its nodes.
   bool is_low(vertex_index t) const;
-  // True if the face is at a corner of the domain that is below the bound in its own metric. False
-  // where the corner is not below it in the plane and the face has other low angles, which nothing
-  // exempts: the tensor at the corner must then change.
+  // True if the face is at a corner of the domain that is below the bound in the metric of its
+  // vertex. False if that corner meets the bound in the Euclidean metric while the face has other
+  // low angles: nothing exempts these, so the tensor at the corner must change.
   bool is_exempt(vertex_index t) const;
 
  private:

@@ -11,13 +11,13 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// Number of faces in a block. With half as many a tenth of all nodes is on the frame, and with
-// twice as many a mesh of 10,000 faces has too few blocks for two threads.
+// Number of faces in a block. With half of this number a tenth of all nodes is on the frame; with
+// twice this number a mesh of 10,000 faces has too few blocks for two threads.
 constexpr std::size_t faces_in_block = 2048;
 constexpr std::size_t faces_at_once = 4096;  // for a thread
 
-// Returns the box through which the curve of a cut runs: that of the domain, grown on the lower
-// left, so that the lines across which the curve jumps are at other places in each cut.
+// Returns the box through which the curve of a cut runs: the domain's box, enlarged on the lower
+// left by an amount of the cut. So the lines across which the curve jumps differ from cut to cut.
 bounding_box box_of_cut(const bounding_box& box, unsigned cut) {
   // Steps of Roberts' sequence: their multiples, modulo one, are evenly spread in the square.
   constexpr double across = 0.7548776662466927, up = 0.5698402909980532;
@@ -83,7 +83,7 @@ void mesh_blocks::assign_blocks() {
           places[t] = place_on_curve({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, box_);
         }
       });
-  constexpr std::size_t sampled = 16;  // one face in so many
+  constexpr std::size_t sampled = 16;  // one face in this number
   std::vector<std::uint64_t> sample;
   for (std::size_t t = 0; t < faces.size(); t += sampled)
     if (faces[t].exists()) sample.push_back(places[t]);

@@ -7,8 +7,8 @@
 // the number of threads. The edges between blocks, and their ends, are the frame, which changes in
 // blocks leave as it is. As blocks are independent, and are numbered in the order of the curve when
 // they are joined, the result does not depend on the number of threads. Cuts with different numbers
-// have their frames elsewhere: only the few nodes where the frames of both cross are left out of
-// both. Internal to mesh/adapt.
+// have different frames: after two cuts only the few nodes at which both frames cross have changed
+// in no block. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -61,8 +61,9 @@ class mesh_blocks {
   std::vector<vertex_index> faces_at_frame() const;
 
  private:
-  // An edge between two blocks: for each of them, the face beside the edge and the edge's number in
-  // that face; in the numbers of the cut mesh, and after join() in those of the new one.
+  // An edge between two blocks: for each block the face beside the edge, and the edge's number in
+  // that face. Faces have the numbers of the cut mesh; after join() they have those of the joined
+  // mesh.
   struct frame_edge {
     struct side {
       vertex_index face = none;

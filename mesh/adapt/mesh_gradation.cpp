@@ -36,7 +36,8 @@ void grade_mesh(working_mesh& m, double distortion, double unit, const cancellat
 background_metric field_of(working_mesh& m) {
   std::vector<vertex_index> renumbered;
   background_metric made(m.triangulation(renumbered));
-  // Numbers the cells: they are the existing faces, in order, as every face turns left.
+  // Numbers the triangles of the field: every face turns left, so they are the existing faces in
+  // order.
   vertex_index cell = 0;
   for (const face& f : m.faces()) {
     if (!f.exists()) continue;
@@ -90,9 +91,8 @@ void clip_distortion_at(working_mesh& m, const std::vector<vertex_index>& nodes,
   for (const vertex_index v : nodes)
     for (const vertex_index w : nodes)
       if (v < w) most = std::max(most, log_distortion(m.at(v).metric, m.at(w).metric));
-  // Least log distortion that is worth a change. A relative change of lengths changes a
-  // clearance by a few times as much: here by some millionths of the least one
-  // (local_tests.hpp).
+  // Least log distortion that is worth a change. A change of 1e-9 in lengths changes a clearance by
+  // a few times 1e-9, some millionths of the least clearance (local_tests.hpp).
   constexpr double least = 1e-9;
   if (!(most > least)) return;
   for (const vertex_index v : nodes)

@@ -22,8 +22,8 @@ background_metric field_of(working_mesh& m);
 // searches cross the whole background.
 void look_up_anew(working_mesh& m, const background_metric& field);
 
-// Makes the tensors of all pairs of these nodes alike, to a part of the greatest distortion between
-// any two. Calls changed(v, w) for each pair whose tensors were changed.
+// Clips the tensors of all pairs of these nodes to `part` of the greatest log distortion of a pair.
+// Calls changed(v, w) for each pair whose tensors were changed.
 void clip_distortion_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
                         const std::function<void(vertex_index, vertex_index)>& changed);
 

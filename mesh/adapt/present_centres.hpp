@@ -22,7 +22,8 @@ class present_centres {
     forget_all();
   }
 
-  // Computes all that are not known, by all threads. Until the next change several threads may ask.
+  // Computes the Voronoi vertices that are not known, with all threads. Until the next change
+  // several threads may call of().
   void find_all() {
     constexpr std::size_t faces_at_once = 2048;
     parallel_chunks(m_.faces().size(), faces_at_once,

@@ -94,7 +94,7 @@ class sampling {
     return places;
   }
 
-  // Returns the point half way between the ends, the same in both directions.
+  // Returns the midpoint of an edge; the same bits for (b, a).
   point middle(vertex_index a, vertex_index b) const {
     const point &p = m_.at(std::min(a, b)).position, &q = m_.at(std::max(a, b)).position;
     return {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2};

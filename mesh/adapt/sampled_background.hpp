@@ -5,9 +5,9 @@
 // The metric of a formula is only known where it is evaluated. Edges are halved while the metric
 // half way along them differs from the one interpolated between their ends, or while they are long
 // in it. Edges along which nothing changes stay long, so that a front is sampled finely across and
-// coarsely along. Where the metric jumps no sampling is fine enough; there the least length ends
-// it. Narrow details between all samples are missed: the bound is on the difference at the middle
-// of every edge that was tested. Internal to mesh/adapt.
+// coarsely along. Where the metric jumps no sampling is fine enough; there halving ends at the
+// least length. Narrow details between all samples are missed: the bound is on the difference at
+// the middle of every edge that was tested. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ struct sampling_limits {
 
 struct sampled_background {
   mesh nodes;  // those of the triangulation, and those added, with the metric there
-  // Length of the longest edge that was not halved, by its ends and its middle. A limit on lengths
-  // at or above this would have given the same background.
+  // Greatest length of an edge that was not halved, in the metrics at its ends and its middle. A
+  // limit on lengths at or above this would have given the same background.
   double longest = 0;
 };
 

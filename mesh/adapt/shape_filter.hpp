@@ -5,10 +5,11 @@
 //
 // A Hessian recovered from values with noise turns and stretches at random where it is small. The
 // shape of a tensor is the trace-free part of its logarithm: the direction and the ratio of its
-// stretching. A node's shape is replaced by the neighbour's that is nearest to the other
-// neighbours' shapes, if it is farther from that one than they are, and if the neighbours are as
-// dense as the node: a feature that the background barely resolves is denser than its surroundings,
-// and keeps its shape. Densities stay, so that the number of sites wanted does not change.
+// stretching. Among the neighbours' shapes, the one nearest to the others is their middle. It
+// replaces the node's shape if most neighbours' shapes are nearer to it than the node's is, and if
+// the neighbours are as dense as the node: a feature that the background barely resolves is denser
+// than its surroundings, and keeps its shape. Densities stay, so that the number of sites wanted
+// does not change.
 //
 // Works in doubles: a mesh is made in the filtered metric, and the metric wanted stays unchanged.
 #pragma once

@@ -14,7 +14,7 @@
 namespace asterism::internal::adapting {
 namespace {
 
-// True if the clearance of an edge is the one to keep, or at least half of its former one.
+// True if the clearance of an edge is at least the one to keep, or at least half of its former one.
 bool has_room(double now, double before) {
   return now >= std::min(clearance_kept, before > 0 ? before / 2 : before);
 }
@@ -48,10 +48,10 @@ tensor_restoration::tensor_restoration(working_mesh& m, double angle_bound,
 
 void tensor_restoration::run(const cancellation& stop) {
   constexpr int most_sweeps = 8;
-  // Least share of nodes that can have the tensor wanted: one in this number. Below it the metric
-  // turns nearly everywhere, and most steps towards the wanted tensors would be undone, audit after
-  // audit.
-  constexpr std::size_t few = 10;
+  // Number of nodes of which one must have the wanted tensor after the first sweep. If fewer have
+  // it, the metric turns nearly everywhere, and audits would undo most steps towards the wanted
+  // tensors.
+  constexpr std::size_t nodes_for_one = 10;
   present_.forget_all();
   bool any = true;
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
@@ -59,7 +59,7 @@ void tensor_restoration::run(const cancellation& stop) {
     any = give_once(is_first);
     m_.charge_work(stop);
     if (!is_first) continue;
-    if (few * wanted_count() < m_.count()) return;
+    if (nodes_for_one * wanted_count() < m_.count()) return;
     any = true;
     awake_.assign(awake_.size(), 1);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Restores the wanted tensors at nodes where stars go on agreeing, as far as doubles can tell.
+// Restores the wanted tensors at nodes where stars still agree then, by tests in doubles.
 //
 // A mesh is made and mended in a metric that is graded everywhere, and its stars agree in that.
-// Most tensors need not have been changed for it. So the wanted tensor of each node is tried, and
-// otherwise a step towards it, one node after the other, as long as the edges and angles around it
+// Most of its tensors need not differ from the wanted ones. So each node's wanted tensor is tried,
+// or else a step towards it, one node after the other, as long as the edges and angles around it
 // pass their tests (local_tests.hpp). Positions and edges stay. Internal to mesh/adapt.
 #pragma once
 

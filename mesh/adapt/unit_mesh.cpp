@@ -84,9 +84,9 @@ vertex_index unit_mesher::locate(const point& q, vertex_index from) const {
   return none;
 }
 
-// True if a corner of t is nearer to the place than nodes may be, as either measures it, unless the
-// edge between them would be split twice in any case: across a jump of the metric every node is
-// near in the coarser side's metric.
+// True if a corner of t is nearer to the place than nodes may be, in the metric of either. A corner
+// does not count if the edge to it would be split twice in any case: across a jump of the metric
+// every node is near in the coarser side's metric.
 bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
   constexpr double room = 0.8, far = 4;  // units
   const double least = room * room * unit_ * unit_;
@@ -115,7 +115,7 @@ std::pair<double, std::size_t> unit_mesher::measured_area() const {
       const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
       const double twice = (b.position.x - a.position.x) * (c.position.y - a.position.y) -
                            (b.position.y - a.position.y) * (c.position.x - a.position.x);
-      // Interpolates densities geometrically, as the metric is. An arithmetic mean would count the
+      // Interpolates densities geometrically, as tensors are. An arithmetic mean would count the
       // density at one corner of a coarse face in the whole face.
       area +=
           twice / 2 * quick_exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
@@ -162,7 +162,7 @@ void unit_mesher::meet_count() {
 }
 
 // Splits, merges, flips and moves in turn, with the unit that gives the wanted number of nodes.
-// Adds rounds while the count is off by more than this part of it.
+// Adds rounds while the count is off by more than the share `tolerable`.
 void unit_mesher::fit(double tolerable) {
   constexpr int rounds = 2, sweeps = 2, most_rounds = 10;
   double ratio = 1;
@@ -198,8 +198,7 @@ void unit_mesher::refit(metric_at field) {
   m_.each_node([this](vertex_index v) { measure(v); });
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists()) note_change(t);
-  // Takes the square root of the correction: a mesh that is fitted again needs about that
-  // factor.
+  // Starts from the square root of the last crowding factor: refitting a mesh needs about that.
   crowding_ = std::sqrt(crowding_);
   constexpr double tolerable = 0.015;
   fit(tolerable);

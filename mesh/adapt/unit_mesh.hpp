@@ -3,8 +3,8 @@
 // Makes a triangulation with edges of length one and triangles as equilateral as their sites'
 // metrics allow: from nodes of the background, by splits, merges, flips and moves in turn.
 //
-// Flips and moves lower an energy, and so does each of them alone; splits and merges are bounded in
-// number: it always ends. Works in doubles; the result is a proposal. Internal to mesh/adapt.
+// Each flip and each move lowers an energy, and the numbers of splits and merges are bounded, so
+// the run ends. Works in doubles; the result is a proposal. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -31,9 +31,9 @@ struct unit_mesh_options {
   cancellation stop;
 };
 
-// Returns the energy of a triangle, 1 for an equilateral one of the area of a unit one. `unit` is
-// the length wanted of an edge, or 0 where size is not to count. Infinite unless the triangle
-// certainly turns left.
+// Returns the energy of a triangle: 1 if it is equilateral with edges of length `unit`, and more
+// otherwise. With a unit of 0 the size does not count. Infinite unless the triangle certainly turns
+// left.
 double shape_energy(const node& a, const node& b, const node& c, double unit);
 
 // Returns the part of the energy that depends on the area, for a triangle that turns left.
@@ -56,7 +56,7 @@ class unit_mesher {
   // Changes the present mesh, whose nodes have the tensors of this field, for better shapes and
   // fewer nodes, whatever the lengths of its edges: merges nodes where the mean energy of shape
   // stays nearly as low, flips edges and moves free nodes. Nothing is split, no node on a segment
-  // changes, and no face is made that is not allowed.
+  // changes, and every face that is made passes the test `allowed`.
   void improve(metric_at field, face_test allowed);
   // Splits the longest edges, or merges the shortest, until the number of nodes is as wanted.
   void meet_count(metric_at field);

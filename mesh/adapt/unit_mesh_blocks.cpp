@@ -94,8 +94,8 @@ std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
   return done;
 }
 
-// Applies `work` to each block of the next cut, after `prepare` was called with the cut. Returns
-// the sum of the results.
+// Applies `work` to each block of the next cut, after calling `prepare` with the cut. Returns the
+// sum of the results of `work`.
 std::size_t unit_mesher::in_blocks(const block_work& work,
                                    const std::function<void(const mesh_blocks&)>& prepare) {
   const std::size_t count = m_.count();
@@ -119,11 +119,11 @@ std::size_t unit_mesher::in_blocks(const block_work& work,
 
 // Splits the edges longer than this until none is left, or none can be split. Blocks split each
 // edge once and leave further splits to the next cut: beside a frame that is not yet split,
-// repeated splits would make twice as many nodes as are wanted. Where one cut has split few edges,
-// the rest is split without blocks, in less time than another cut takes.
+// repeated splits would make twice the number of nodes that are wanted. Where one cut has split few
+// edges, the rest is split without blocks, in less time than another cut takes.
 void unit_mesher::split_all_long(double longest) {
   constexpr int most_splits = 40;
-  constexpr std::size_t few = 16;  // one node in so many
+  constexpr std::size_t few = 16;  // one node in this number
   bool is_little = false;
   const auto split = [longest](unit_mesher& part, std::size_t) { return part.split_long(longest); };
   for (int i = 0; i < most_splits && !is_stopped(); ++i) {
@@ -140,7 +140,7 @@ void unit_mesher::split_all_long(double longest) {
 // large, then at the nodes that are on the frames of both. Where nothing is to be merged and few
 // faces have changed there are no blocks: cutting the mesh and joining it would take longer.
 void unit_mesher::merge_and_move(double shortest, int sweeps) {
-  constexpr std::size_t few = 8;  // one face in so many
+  constexpr std::size_t few = 8;  // one face in this number
   const bool is_little = shortest <= 0 && few * due_.size() < m_.faces().size();
   if (is_little || !mesh_blocks::are_worth_it(m_)) {
     merge_short(shortest);

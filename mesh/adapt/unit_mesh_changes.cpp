@@ -34,8 +34,8 @@ enum class than { longer, shorter };
 template <than Sought>
 std::vector<long_edge> edges_where(const working_mesh& m, double limit) {
   m.note_looked_at(m.faces().size());
-  // The length is between what the two ends measure: most edges are beyond the limit, and surely
-  // so, by the squares of these alone. Roundings of the squares and of the length are some 1e-16.
+  // The length of an edge is between the lengths in the metrics of its ends. So the squares of
+  // these alone exclude most edges. Roundings of the squares and of the length are some 1e-16.
   constexpr double roundings = 1e-12;
   const double square = limit * limit;
   const auto may_be_sought = [square](double at_a, double at_b) {
@@ -85,8 +85,8 @@ point middle(const node& a, const node& b) {
   const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
   double t = 0.5;
   // Least difference of a ratio from 1 for which the place is computed from two logarithms: with x
-  // = ratio - 1 it is at 1/2 + x / 8, to first order, so that 1/2 has an error below 2e-4 for
-  // smaller differences.
+  // = ratio - 1 the place is at 1/2 + x / 8 of the edge, to first order, so that 1/2 has an error
+  // below 2e-4 for smaller differences.
   constexpr double least_difference = 1e-3;
   if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > least_difference)
     t = std::clamp(quick_log((1 + ratio) / 2) / quick_log(ratio), 0.25, 0.75);
@@ -103,10 +103,10 @@ double length_in_field(const metric_at& field, const node& a, const node& b, ver
   return (at_a + at_b) / 2;
 }
 
-// Returns the edges that are longer than this in the field, in order. Few of the edges that are
-// long in the mesh's metric are; several threads test them.
-std::vector<long_edge> those_longer(const working_mesh& m, const metric_at& field,
-                                    const std::vector<long_edge>& edges, double length) {
+// Returns those of the edges that are longer than `length` in the field, in order. Tests them with
+// several threads: few edges that are long in the mesh's metric are long in the field.
+std::vector<long_edge> longer_in_field(const working_mesh& m, const metric_at& field,
+                                       const std::vector<long_edge>& edges, double length) {
   constexpr std::size_t edges_at_once = 1024;
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<long_edge>& longer) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -128,7 +128,7 @@ std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const leng
   field_ = std::move(wanted);
   forget_shapes();
   std::vector<long_edge> found = edges_where<than::longer>(m_, limits.own);
-  if (mesh_blocks::are_worth_it(m_)) found = those_longer(m_, field_, found, limits.wanted);
+  if (mesh_blocks::are_worth_it(m_)) found = longer_in_field(m_, field_, found, limits.wanted);
   for (const long_edge& e : found) {
     if (m_.count() >= most_nodes) break;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
@@ -180,8 +180,8 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
   const double now = shape_of(t) + shape_of(s);
-  // Energy of two triangles from which a flip is tried. The least possible is 2, of two equilateral
-  // ones, so that a flip can hardly lower a smaller one.
+  // Least energy of two triangles at which a flip is tried. Two equilateral triangles have the
+  // least possible energy, 2, so a flip can gain little below this.
   constexpr double good = 2.1;
   if (now < good) return false;
   const face& g = m_.faces()[s];

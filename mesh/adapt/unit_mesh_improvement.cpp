@@ -10,9 +10,9 @@ namespace asterism::internal::adapting {
 
 namespace {
 
-// Energy by which a merge may raise the sum above that of an unchanged mean: flips and moves around
-// it gain that back. Chosen from 0, 0.3, 0.8 and 2 as the value that removes most nodes with no
-// lower mean quality than 0 in the meshes of docs/results/improvement.md.
+// Energy by which the sum after a merge may exceed the one for an unchanged mean: flips and moves
+// around the merge regain it. Chosen from 0, 0.3, 0.8 and 2 as the value that removes most nodes
+// with no lower mean quality than 0 in the meshes of docs/results/improvement.md.
 constexpr double cost_of_merge = 0.8;
 // Least part of the energy that a move must gain here. Of six meshes in
 // docs/results/improvement.md, with 1e-3, as in fitting, none has fewer nodes, five have up to 9
@@ -21,8 +21,8 @@ constexpr double least_gain = 1e-4;
 
 }  // namespace
 
-// A node that may be merged into another, and the gain of that: the energies of its faces and the
-// cost allowed, less those of the remaining faces and twice the mean energy.
+// A node that may be merged into another, and the gain: the energies of its faces plus the allowed
+// cost, minus the energies of the remaining faces and twice the mean energy.
 struct unit_mesher::worthwhile_merge {
   double gain = 0;
   vertex_index v = none, into = none;

@@ -88,14 +88,14 @@ bool vertex_smoothing::is_in_vain() const {
 void vertex_smoothing::run(const cancellation& stop) {
   constexpr int most_sweeps = 3;
   bool any = true;
-  find_calm();
+  find_defect_free();
   for (int sweep = 0; any && sweep < most_sweeps && !stop.is_requested(); ++sweep) {
     any = false;
     for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
       const node_kind kind = m_.at(v).kind;
       if (!awake_[v] || (kind != node_kind::free && kind != node_kind::sliding)) continue;
       awake_[v] = 0;
-      if (calm_[v] == 0 && settle(v)) any = true;
+      if (is_defect_free_[v] == 0 && settle(v)) any = true;
     }
     m_.charge_work(stop);
   }
@@ -103,10 +103,10 @@ void vertex_smoothing::run(const cancellation& stop) {
 
 // Marks the nodes without a defect. These are most nodes, and take most of the time: several
 // threads work, as no node moves meanwhile.
-void vertex_smoothing::find_calm() {
+void vertex_smoothing::find_defect_free() {
   constexpr std::size_t nodes_at_once = 1024;
   const std::size_t count = m_.nodes().size();
-  calm_.assign(count, 0);
+  is_defect_free_.assign(count, 0);
   present_.forget_all();
   present_.find_all();
   parallel_chunks(count, nodes_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -117,23 +117,23 @@ void vertex_smoothing::find_calm() {
       if (kind != node_kind::free && kind != node_kind::sliding) continue;
       at.turn_to(v);
       const double now = defect_of_others(at, v, infinity) + defect_of_own(at, v);
-      calm_[v] = now > 0 ? 0 : 1;
+      is_defect_free_[v] = now > 0 ? 0 : 1;
     }
   });
 }
 
 // Unmarks the nodes whose defect depends on v: its neighbours, and those across from
 // it.
-void vertex_smoothing::disturb_around(vertex_index v) {
-  calm_[v] = 0;
+void vertex_smoothing::unmark_around(vertex_index v) {
+  is_defect_free_[v] = 0;
   for (const vertex_index t : edges_.faces()) {
     const face& f = m_.faces()[t];
     const std::size_t i = f.corner_of(v);
     const vertex_index a = f.v[after(i)];
-    calm_[a] = calm_[f.v[before(i)]] = 0;
+    is_defect_free_[a] = is_defect_free_[f.v[before(i)]] = 0;
     if (f.next[i] == none) continue;
     const face& g = m_.faces()[f.next[i]];
-    calm_[g.v[after(g.corner_of(a))]] = 0;
+    is_defect_free_[g.v[after(g.corner_of(a))]] = 0;
   }
 }
 
@@ -156,8 +156,8 @@ double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
                    [this](double greatest, double area) { return greatest / area - cotangent_; });
 }
 
-// Most angles are no defect by a wide margin, which is decided without a division. The roundings of
-// the products and of the quotient are some 1e-16 of them.
+// Most angles are above the aim by a wide margin, which is decided without a division. Products and
+// quotient have relative rounding errors of some 1e-16.
 double vertex_smoothing::defect_of(vertex_index t, vertex_index by) const {
   constexpr double roundings = 1e-12;
   return excess_as(t, by, [this](double greatest, double area) {
@@ -191,7 +191,7 @@ double vertex_smoothing::defect_of_own(edges_around& at, vertex_index v) const {
   for (const vertex_index t : at.faces()) sum += defect_of(t, v);
   node there = m_.at(v);
   there.metric = wanted_[v].metric;
-  at.tell_centres_across([&](const face_centre& c) {
+  at.visit_centres_across([&](const face_centre& c) {
     sum += weight_of_clearance * defect(room_looked_for - clearance(c, there));
   });
   return sum;
@@ -207,8 +207,9 @@ double vertex_smoothing::energy() const {
   return sum;
 }
 
-// Lists the places around v, of several tried, with a smaller defect, the best first. The energy of
-// the fitted mesh that they add counts as well: without it errors grow by 5 %.
+// Lists the places around v, of several tried, with a smaller defect, the best first. The increase
+// of the mesh's energy at a place counts as part of its defect: without that, errors of
+// interpolation grow by 5 %.
 void vertex_smoothing::find_better_places(vertex_index v) {
   constexpr double weight_of_energy = 4;
   better_.clear();
@@ -287,7 +288,7 @@ bool vertex_smoothing::settle(vertex_index v) {
     edges_.accept();
     face_list ring;
     m_.neighbours(v, ring);
-    disturb_around(v);
+    unmark_around(v);
     for (const vertex_index u : ring) awake_[u] = 1;
     awake_[v] = 1;
     return true;

@@ -3,12 +3,12 @@
 // Moves nodes to places with better angles in the wanted metric, in a mesh whose stars agree in
 // another one.
 //
-// A mesh is made and mended in a metric that is graded everywhere. The obstacle to restoring a
-// node's wanted tensor (tensor_restoration.hpp) is mostly an angle that is a few degrees below the
-// bound in it, or a face across from the node whose star it would be in. So nodes are moved a
-// little as long as these defects decrease, and as edges and angles pass their tests in the present
-// tensors. Tensors and edges stay. Works in doubles; the result is a proposal. Internal to
-// mesh/adapt.
+// A mesh is made and mended in a metric that is graded everywhere. A node's wanted tensor
+// (tensor_restoration.hpp) cannot be restored mostly because it measures an angle a few degrees
+// below the bound, or because the node would then be nearer to the Voronoi vertex of a face across
+// from it than the face's own sites are. So nodes are moved a little as long as these defects
+// decrease, and as edges and angles pass their tests in the present tensors. Tensors and edges
+// stay. Works in doubles; the result is a proposal. Internal to mesh/adapt.
 #pragma once
 
 #include <cstddef>
@@ -50,11 +50,11 @@ class vertex_smoothing {
     double defect;
   };
 
-  void find_calm();
-  void disturb_around(vertex_index v);
+  void find_defect_free();
+  void unmark_around(vertex_index v);
   wanted_tensor look_up(const point& q, vertex_index& hint) const;
   // Calls answer(greatest, area): their quotient is the greatest cotangent of the face's angles, in
-  // the tensor wanted of a node.
+  // the wanted tensor of node `by`.
   template <class Answer>
   double excess_as(vertex_index t, vertex_index by, const Answer& answer) const;
   double excess_of(vertex_index t, vertex_index by) const;
@@ -75,8 +75,8 @@ class vertex_smoothing {
   wanted_at field_;
   std::vector<wanted_tensor> wanted_;  // of each node
   std::vector<char> awake_;
-  std::vector<char> calm_;     // nodes at which nothing is amiss, as the mesh is
-  std::vector<place> better_;  // of the node at hand
+  std::vector<char> is_defect_free_;  // by node, in the present mesh
+  std::vector<place> better_;         // of the node at hand
 };
 
 }  // namespace asterism::internal::adapting

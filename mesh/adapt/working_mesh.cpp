@@ -194,8 +194,8 @@ void working_mesh::merge(vertex_index v, vertex_index w) {
       nodes_[w].face = t;
       continue;
     }
-    // Joins the faces beyond: the edge from v to the third node becomes that from w to it, across
-    // from v.
+    // Removes the face of v, w and a third node, and joins the faces beyond its other two edges:
+    // both now share the edge from w to the third node.
     const std::size_t k = f.corner_of(w);
     const vertex_index beyond_v = f.next[i], beyond_w = f.next[k];
     const vertex_index third = f.v[3 - i - k];

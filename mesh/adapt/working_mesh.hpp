@@ -81,8 +81,8 @@ inline double squared(const metric_tensor& m, double x, double y) {
   return x * (m.m11 * x + 2 * m.m12 * y) + m.m22 * y * y;
 }
 
-// Returns the length of the edge between two nodes: the mean of both ends' lengths where
-// these differ little, else about the length in a metric that changes geometrically along the
+// Returns the length of the edge between two nodes: the mean of the lengths in both ends' metrics
+// where these differ little, else about the length in a metric that changes geometrically along the
 // edge.
 inline double length_between(const node& p, const node& q) {
   const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;

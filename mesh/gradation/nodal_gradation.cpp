@@ -19,12 +19,12 @@ bool is_metric(const metric_tensor& m) {
          std::fma(m.m11, m.m22, -m.m12 * m.m12) > 0;
 }
 
-// True only if the reduced pair is within this limit, as clip_distortion_by() measures it. Needs no
-// logarithm for most pairs, since |ln x| <= |x - 1| / root x.
+// True only if the log distortion of the reduced pair is at most `most` as clip_distortion_by()
+// computes it. Needs no logarithm for most pairs, since |ln x| <= |x - 1| / root x.
 bool are_surely_alike(const simultaneous_reduction& r, double most) {
-  // Part of the limit that is used. The rest of 2 most, 2e-9 of it, exceeds the error of quick_log,
+  // Part of the limit 2 most that is used. The margin, 2e-9 most, exceeds the error of quick_log,
   // 1e-13, and roundings of some 1e-16 for limits of 1e-4 and more; limits of meshes are above
-  // 0.05. With a smaller limit a pair may stay that exceeds it by 1e-13.
+  // 0.05. With a smaller limit, a pair that exceeds it by 1e-13 may be accepted.
   constexpr double roundings = 1 - 1e-9;
   const auto is_within = [most](double ratio) {
     const double s = std::sqrt(ratio);
@@ -38,11 +38,11 @@ bool clip_distortion_by(const simultaneous_reduction& r, double most, double coa
   const double high = quick_log(r.high), low = quick_log(r.low);
   if (!(std::max(std::abs(high), std::abs(low)) > 2 * most)) return false;
   // Part of the limit that a clipped pair is brought to, so that later rounds do not approach the
-  // limit in ever smaller steps. With halves the pair moves to the nearest pair within that part of
-  // the limit.
+  // limit in ever smaller steps. If each tensor takes half of the excess, the pair moves to the
+  // nearest pair within that part of the limit.
   constexpr double aim = 0.98;
-  // Returns the signed excess of a logarithm over the aim. `part` is the share by which the tensor
-  // of a changes: a is the coarser of the two where b measures more.
+  // Returns the signed excess of a logarithm over the aim. `part` returns the share of it that
+  // changes a: a is the coarser tensor in a direction in which b measures more.
   const auto excess = [&](double logarithm) {
     const double size = std::abs(logarithm);
     return size > aim * 2 * most ? (1 - aim * 2 * most / size) * logarithm : 0;
@@ -97,8 +97,8 @@ class graph_grading {
         changed_in_(places.size(), 1),
         is_alike_(edges.size(), 0) {}
 
-  // Makes the tensors of each edge alike that exceed its limit; returns true if any were changed.
-  // Adds the number of edges visited to `pairs`.
+  // Clips the tensors of each edge that exceeds its limit; returns true if any were changed. Adds
+  // the number of edges visited to `pairs`.
   bool round(std::size_t number, std::size_t& pairs) {
     find_alike(number);
     const double coarser_part = number <= limit_.uneven_rounds ? limit_.coarser_part : 0.5;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Changes tensors at the nodes of a graph as little as makes neighbours alike.
+// Grades tensors at the nodes of a graph: clips the tensors of neighbours, with small changes.
 //
 // Reduces the two tensors of an edge simultaneously (A = W W^T, B = W diag(l) W^T) when its ends
 // measure lengths too differently. Each |ln l_i| is clipped, a part of the excess taken from the
-// coarser end, the rest from the finer one; with halves that is the projection onto the pairs
-// within the limit, which keeps the product of the determinants. This is done edge after edge in
-// their order, until none is left. With halves the rounds converge, since all sets of such pairs
-// have the equal pairs in common (docs/math/delivered-metric.md), and the number of rounds is
-// bounded as well.
+// coarser end, the rest from the finer one; with a half from each end that is the projection onto
+// the pairs within the limit, which keeps the product of the determinants. This is done edge after
+// edge in their order, until none is left. With halves the rounds converge, since equal tensors
+// satisfy the limits of all edges (docs/math/delivered-metric.md); the number of rounds is bounded
+// as well.
 //
 // Doubles throughout: the outcome is a metric, not a claim.
 #pragma once
@@ -25,9 +25,8 @@
 namespace asterism::internal::adapting {
 
 struct gradation_limit {
-  // Distortion allowed over an edge of length 1 (metric_tensor pairs: the greatest ratio of
-  // lengths). Over one of length l it is this to the power of l, at least `shortest`, at most
-  // `longest` in place of l.
+  // Distortion allowed between the tensors of an edge of length 1. For an edge of length l it is
+  // this to the power of l, where l is raised to `shortest` and lowered to `longest`.
   double distortion = 2;
   double unit = 1;  // length that counts as 1
   double shortest = 0.25, longest = 2;
@@ -43,8 +42,8 @@ struct gradation_limit {
 // ratio in which they measure a length.
 double log_distortion(const metric_tensor& a, const metric_tensor& b);
 
-// Returns the log distortion between two sites for each unit of the length between them, which is
-// that of a metric that changes geometrically on the way.
+// Returns the log distortion between two sites, divided by the length of the edge between them in a
+// metric that changes geometrically along it.
 double log_variation(const site& a, const site& b);
 
 // Clips the pair to this log distortion; true if that changed anything. `coarser_part` of the
