@@ -32,7 +32,7 @@ class audited_mesh {
   bool has_open() const { return !memory_.open.empty(); }
 
   // True if a quick audit of a mesh with this number of sites would test gaps of unknown reach
-  // against all sites: where sites are few, and such gaps are not many.
+  // against all sites: it does so if sites and such gaps are few.
   bool asks_unbounded(std::size_t sites) const { return sites < many_for_a_gap_; }
   // Leaves gaps of unknown reach open from now on, however few sites there are.
   void leave_unbounded() { many_for_a_gap_ = 0; }

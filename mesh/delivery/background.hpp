@@ -14,9 +14,9 @@
 
 namespace asterism::internal {
 
-// Returns a triangulation of the domain with hardly more sites than it is given with: in the plane,
-// or, where that takes many more, in the mean of the metric at the vertices. Returns nothing where
-// that takes many more, too.
+// Returns a triangulation of the domain with few sites beyond its vertices: at most three times as
+// many, and 500 more. Its stars are those of the Euclidean metric, or, where that needs more sites,
+// of the mean of the metric at the vertices. Returns nothing where both need more.
 std::optional<mesh> coarse_mesh(const domain& d, const metric_field& field,
                                 const mesh_options& options);
 

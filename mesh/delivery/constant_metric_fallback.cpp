@@ -90,9 +90,9 @@ class constant_metric_fallback {
   result<mesh_outcome> run() {
     if (auto failure = measure_sites()) return *failure;
     // Tries the metric itself where it is the same everywhere: stars agree in every such metric
-    // (docs/math/refinement.md). If they were not found to agree, a limit on sites or work was met;
-    // a less thin metric, as the mean computed in doubles may be, can keep within it, and how much
-    // it differs is reported.
+    // (docs/math/refinement.md). Where they still disagree, the limit on sites or on work was met.
+    // The mean computed in doubles may be a slightly less thin metric, with which a mesh keeps
+    // within that limit; its distance is reported.
     if (is_same_everywhere_) {
       if (is_final(attempt(false))) return conclude();
       is_same_everywhere_ = false;
@@ -253,8 +253,8 @@ std::optional<metric_tensor> one_metric_for(const background_metric& wanted, con
   return is_metric ? std::optional(one) : std::nullopt;
 }
 
-// Meshes multiples of the metric, in which stars and angles are the same, until the number of sites
-// fits; the sites get the metric itself.
+// Makes meshes in multiples of the metric, in which stars and angles are the same, until the number
+// of sites fits. The sites get the metric itself.
 std::optional<mesh_of_one_metric> mesh_in_one_metric(const domain& shape,
                                                      const metric_tensor& metric,
                                                      const mesh_options& options,

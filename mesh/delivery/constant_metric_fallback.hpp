@@ -3,18 +3,18 @@
 // Makes a mesh on which all stars agree where no other attempt led to one.
 //
 // Stars disagree at any distance of sites where a metric jumps, or turns by much over one edge
-// (docs/math/refinement.md). A site's metric is its own, however: where no metric that was changed
-// site by site led to a mesh (delivery/metric_delivery.hpp) one is taken for all sites, in which
-// stars agree whatever the sites (docs/math/delivered-metric.md):
+// (docs/math/refinement.md). A site's metric is its own, however: if no change of single sites'
+// metrics led to a mesh (delivery/metric_delivery.hpp), all sites get one metric, in which stars
+// agree whatever the sites (docs/math/delivered-metric.md):
 //  1. the log-Euclidean mean of the tensors at the present sites, with the demands;
 //  2. the same without demands on angles and sizes, which is never called complete.
 //
-// A delivery by local changes that led to no certified mesh tries one metric as well, earlier: with
-// a number of sites and with the demands; wanted tensors are restored then.
+// Before that, a delivery by local changes that led to no certified mesh tries one metric as well,
+// for a given number of sites and with the demands, and then restores wanted tensors.
 //
 // The mesh is certified in that metric, and how far it is from the one wanted is reported. Step 2
-// may end without agreement where the limits on sites or work leave no room; then the outcome is
-// the one in the metric given.
+// may end without agreement where a limit on sites or work is met; then the outcome is the one in
+// the metric given.
 #pragma once
 
 #include <cstddef>

@@ -18,10 +18,10 @@ namespace asterism::internal {
 // somewhat more area. The domain is one that check_domain accepted.
 const mesh* background_of_domain(const domain& d, const metric_field& field);
 
-// Returns a note where the background leaves a part of the domain uncovered: it has more than a
-// hundredth less area, or a vertex of the domain is outside of its box by more than a hundredth of
-// that. There the field has the tensor of a nearby triangle. Smaller gaps, and gaps that excess
-// area elsewhere compensates, are not detected.
+// Returns a note where the background leaves a part of the domain uncovered: its area is less than
+// 99 % of the domain's, or a vertex of the domain is outside of its box by more than a hundredth of
+// the box's longer side. There the field has the tensor of a nearby triangle. Smaller gaps, and
+// gaps that excess area elsewhere compensates, are not detected.
 std::optional<std::string> note_on_uncovered(const domain& d, const metric_field& field);
 
 }  // namespace asterism::internal

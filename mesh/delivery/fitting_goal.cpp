@@ -113,8 +113,8 @@ std::vector<metric_tensor> fitting_goal::with_room(const cancellation& stop) con
   return tensors;
 }
 
-// Returns which of the places are vertices of the domain, to the last bit: those of a mesh that
-// is its own domain are.
+// Returns a flag for each place: whether it is a vertex of the domain, to the last bit. A mesh that
+// is its own domain has such places.
 std::vector<char> fitting_goal::at_vertices_of_domain(const std::vector<point>& places) const {
   std::vector<point> given = domain_.vertices;
   std::sort(given.begin(), given.end(), lexicographically_less);

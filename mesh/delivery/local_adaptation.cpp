@@ -30,15 +30,15 @@ namespace {
 
 using namespace adapting;
 
-// Distortions allowed over an edge of length one: in the metric the mesh is made in, on the graph
-// of the background, and in the one delivered, on that of the mesh. Found by experiment
-// (docs/design/adaptation.md); later steps of the ladder are used where the first did not lead to
-// agreement.
+// Distortions allowed over an edge of length one: `background` on the graph of the background, for
+// the metric in which the mesh is made, and `mesh` on the graph of the mesh, for the metric
+// delivered. Chosen by experiment (docs/design/adaptation.md). Later steps of the ladder are used
+// where the first did not lead to agreement.
 struct strictness {
   double background, mesh;
   // Distortion in place of `mesh` where that value changes nearly all tensors, or where stars need
-  // so many more edges than the unit mesh has that nodes must be merged: the metric turns fast, and
-  // stars agree about less.
+  // many more edges than the unit mesh has, so that nodes must be merged: where a metric turns
+  // fast, stars agree only at a smaller distortion.
   double turning;
 };
 constexpr std::array<strictness, 4> ladder = {
@@ -164,7 +164,7 @@ class local_adaptation {
   }
 
   // Returns the metric wanted at a node, remembered from the last time unless the node has moved.
-  // Threads may ask about different nodes.
+  // Several threads may call it for different nodes.
   std::optional<metric_tensor> wanted_of(const working_mesh& m, vertex_index v) {
     const point& q = m.at(v).position;
     std::optional<site>& last = looked_up_[v];
@@ -222,8 +222,8 @@ class local_adaptation {
     maker.run(field_by(background, m), seeds_);
     // Merges the shortest edges, measured in the metric of the nodes, where splits have added too
     // many nodes: a metric that turns fast needs more splits. Skipped where many nodes are given,
-    // as ends of chords are: these may be nearer to each other than the metric wants, and need the
-    // nodes that splits add beside them.
+    // as ends of chords are: given nodes may be nearer to each other than the metric wants, and
+    // need the nodes that splits add beside them.
     constexpr double tolerable = 0.015;
     if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
     if (off_count(m.count(), goal_.count()) > tolerable && !stop_reason() && !are_many_given(m)) {
@@ -251,7 +251,7 @@ class local_adaptation {
   // Grades the nodes' tensors on the mesh's graph. Returns the distortion that was used.
   double grade_as_needed(working_mesh& m, const strictness& how, double unit) const {
     constexpr double changed = 0.1;        // log distortion: lengths by a tenth
-    constexpr std::size_t nearly_all = 4;  // all but one in so many
+    constexpr std::size_t nearly_all = 4;  // one node in this number may be unlike
     const std::vector<node> before = m.nodes();
     grade_mesh(m, how.mesh, unit, options_.stop);
     std::size_t alike = 0;
@@ -309,14 +309,14 @@ class local_adaptation {
     }
   }
 
-  // Makes tensors alike until the mesh is certified, then restores the wanted ones where that is
-  // possible. A mesh whose neighbours agree is nearly always certified; so the first audit follows
-  // the restoration, and precedes it only where that fails.
+  // Clips tensors until the mesh is certified, then restores the wanted ones where that is
+  // possible. A mesh whose edges agree is nearly always certified. So the first audit follows the
+  // restoration; one precedes it only if the restored mesh is not certified.
   void deliver(working_mesh& m, unit_mesher& maker) {
     const repair_options agree = asked_of_agreement(length_factor_);
     consistency_repair agreeing(m, agree);
     agreeing.run();
-    constexpr std::size_t very_few = 100;  // one in so many
+    constexpr std::size_t very_few = 100;  // one node in this number
     wants_room_ = !goal_.has_room() && goal_.domain_has_many_vertices() &&
                   very_few * (agreeing.report().disagreeing + agreeing.report().low) > m.count();
     if (wants_room_) return;
@@ -325,7 +325,7 @@ class local_adaptation {
       agreeing.run();
     }
     settle(m, agreeing);
-    constexpr std::size_t few = 20;  // one in so many
+    constexpr std::size_t few = 20;  // one node in this number
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
       const working_mesh alike = m;
@@ -348,7 +348,7 @@ class local_adaptation {
     bound_gaps(m, agreeing, options_.stop);
   }
 
-  // Makes tensors alike until the auditor has nothing against the mesh.
+  // Clips tensors until the audit of the mesh has no finding.
   void mend(working_mesh& m, consistency_repair& agreeing) {
     constexpr int patience = 3, patience_with_few = 4;
     std::size_t least = every_finding;
@@ -372,7 +372,7 @@ class local_adaptation {
     }
   }
 
-  // Restores the wanted tensors at as many nodes as the auditor accepts. Returns whether the
+  // Restores the wanted tensors at the nodes where the auditor accepts them. Returns whether the
   // resulting mesh is certified.
   bool give_back(working_mesh& m) {
     std::vector<metric_tensor> tensors(m.nodes().size());

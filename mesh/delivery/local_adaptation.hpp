@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes one mesh by local changes, in the unit frame: a unit mesh, tensors made alike until stars
-// agree, tensors given back (docs/design/adaptation.md). Internal to mesh/pipeline.
+// Makes one mesh by local changes, in the unit frame: a unit mesh, tensors clipped until stars
+// agree, wanted tensors restored (docs/design/adaptation.md). Internal to mesh/pipeline.
 #pragma once
 
 #include <cstddef>

@@ -89,9 +89,9 @@ class density_integral {
   double longest_;
   const cancellation& stop_;
   std::size_t asked_ = 0;
-  // Largest number of evaluations of the metric: four million take some seconds. A part of the area
-  // with fewer vertices than this is not divided to make its own sum more precise.
+  // Largest number of triangles that are divided: each takes twelve evaluations of the metric.
   static constexpr std::size_t most_ = 1000000;
+  // Complexity of a triangle below which it is not divided to make its own sum more precise.
   static constexpr double smallest_part_ = 1e-9;
   std::optional<error> failure_;
 };

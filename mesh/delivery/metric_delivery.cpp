@@ -42,9 +42,9 @@ std::optional<mesh> exactly_times_power_of_two(const mesh& m, int k) {
   return made;
 }
 
-// Returns the metric at the background's nodes. A field that is interpolated on that mesh, in the
-// same frame, lends its index of triangles: to build that of a large mesh takes as long as reading
-// it.
+// Returns the metric at the background's nodes. Shares the index of triangles of a field that is
+// interpolated on this mesh in the same frame: building the index of a large mesh takes as long as
+// reading the mesh.
 background_metric metric_at_nodes(const mesh& background, const background_field* field) {
   if (field == nullptr) return background_metric(background);
   background_metric shared = field->without_size();
@@ -98,8 +98,8 @@ bool metric_delivery::varies_fast() {
 }
 
 bool metric_delivery::jumps() const {
-  // Least variation from which stars are expected to disagree: twice the greatest of a mesh whose
-  // metric was met as it is.
+  // Variation above which stars are expected to disagree: twice the greatest variation with which a
+  // mesh in the wanted metric itself was made.
   constexpr double most_that_is_met = 3;
   constexpr std::size_t one_in = 200;
   return given_ != nullptr && sampled_variation(*given_, one_in) > most_that_is_met;
@@ -130,7 +130,7 @@ bool metric_delivery::wants_few_sites() const {
 }
 
 // Returns how often the number of sites is to be halved: until there is room for them, or, without
-// a size, until there are as many as `few`.
+// a size, until there are about `few`.
 std::optional<int> metric_delivery::halvings(double vertices, std::size_t few) const {
   constexpr double part_of_limit = 0.8;
   const double most = part_of_limit * static_cast<double>(options_.max_sites);

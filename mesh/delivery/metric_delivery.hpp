@@ -30,15 +30,16 @@ class metric_delivery {
 
   // True if a delivered metric is tried first: with a size, where the metric is given on a mesh.
   bool is_first_choice() const;
-  // True if the metric is a formula with a size that varies by so much over an edge that meshes
-  // seldom meet it as it is. Samples the metric, which takes as much as a thousand triangles.
+  // True if the metric is a formula with a size, and varies by so much over an edge that meshes
+  // seldom have agreeing stars in it. Samples the metric, which takes the time of a thousand
+  // triangles.
   bool varies_fast();
   // True if the metric is given on a mesh and changes so much over one edge in two hundred,
   // relative to its length, that stars on either side do not agree. Where it jumps there are only
   // few such edges.
   bool jumps() const;
-  // True if the metric wants few sites, by scattered samples: then it costs more to find out how
-  // fast it varies than to try.
+  // True if samples on a lattice show that the metric wants few sites: then to try costs less than
+  // to measure how fast the metric varies.
   bool wants_few_sites() const;
 
   // Makes the whole outcome without the counters. Without a size there will be about `few` sites.

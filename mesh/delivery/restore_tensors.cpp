@@ -22,9 +22,9 @@ constexpr int most_audits = 40;
 constexpr int most_mended = 8;
 
 // True if the reach of the gap at corner i of the face is unknown: an audit would test the star
-// against all sites. As in an audit, the bound of few operations comes first; most gaps need no
-// other.
-bool sees_all(const adapting::working_mesh& m, const adapting::face& f, std::size_t i) {
+// against all sites. As in an audit, a bound that takes few operations is tried first; it suffices
+// for most gaps.
+bool has_unknown_reach(const adapting::working_mesh& m, const adapting::face& f, std::size_t i) {
   if (f.segment[i] != adapting::none) return false;
   const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
   const site v = at(f.v[i]), x = at(f.v[adapting::after(i)]), y = at(f.v[adapting::before(i)]);
@@ -41,7 +41,7 @@ void take_back_at(adapting::working_mesh& m, adapting::tensor_restoration& givin
     return;
   for (std::size_t i = 0; i < 3; ++i)
     for (const vertex_index v : {f.v[i], f.v[adapting::after(i)], f.v[adapting::before(i)]}) {
-      if (!sees_all(m, f, i)) break;
+      if (!has_unknown_reach(m, f, i)) break;
       giving.take_back({v}, taken);
     }
 }
@@ -123,8 +123,8 @@ class giver {
     const auto take_back = [&](const node_list& nodes) { giving_.take_back(nodes, taken); };
     const std::vector<node_list> found = audited_.nodes_found();
     for (const node_list& nodes : found) take_back(nodes);
-    // Number of open questions from which a star counts as seeing far: such stars have nearly all
-    // the questions, and are few.
+    // Number of open questions from which a star counts as one whose gaps reach far: few stars are
+    // such, and they have nearly all questions.
     constexpr std::size_t many = 20;
     for (const node_list& star : audited_.stars_with_open(many)) {
       const std::size_t before = taken.size();
@@ -144,8 +144,8 @@ class giver {
     return true;
   }
 
-  // Returns one node of each question that involves no node in `but`: after a change of that node
-  // the question is asked again.
+  // Returns one node of each question that involves no node in `but`: as that node counts as
+  // changed, the next audit answers the question again.
   static node_list one_of_each(const std::vector<node_list>& questions, node_list but) {
     std::sort(but.begin(), but.end());
     const auto is_in = [&but](vertex_index v) {
@@ -195,13 +195,13 @@ class giver {
 };
 
 // Lists the nodes of all faces at gaps of unknown reach, a list for each gap.
-std::vector<node_list> nodes_that_see_all(const adapting::working_mesh& m) {
+std::vector<node_list> nodes_at_unknown_reach(const adapting::working_mesh& m) {
   constexpr std::size_t chunk = 2048;
   const auto append = [&m](std::size_t begin, std::size_t end, std::vector<node_list>& found) {
     for (std::size_t t = begin; t < end; ++t) {
       const adapting::face& f = m.faces()[t];
       for (std::size_t i = 0; f.exists() && i < 3; ++i)
-        if (sees_all(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
+        if (has_unknown_reach(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
     }
   };
   return collect_chunks<node_list>(m.faces().size(), chunk, append);
@@ -212,9 +212,9 @@ std::vector<node_list> nodes_that_see_all(const adapting::working_mesh& m) {
 void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreeing,
                 const cancellation& stop) {
   constexpr int rounds = 2;
-  constexpr std::size_t few = 20;  // one in so many nodes
+  constexpr std::size_t few = 20;  // one node in this number
   for (int round = 0; round < rounds && !stop.is_requested(); ++round) {
-    const std::vector<node_list> found = nodes_that_see_all(m);
+    const std::vector<node_list> found = nodes_at_unknown_reach(m);
     m.note_looked_at(work_weights::faces_for_three_gaps * m.faces().size());
     m.charge_work(stop);
     if (found.empty() || few * found.size() > m.count()) return;

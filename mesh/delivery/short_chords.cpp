@@ -9,8 +9,9 @@
 namespace asterism::internal {
 namespace {
 
-// Half of the length beyond which divide_curves halves a chord for the size across it: chords
-// without a tolerance of their own are hardly ever shorter.
+// Metric length below which a chord is short: half of the least length of a chord that
+// divide_curves halves for the size across. Only a tolerance of the curve makes shorter chords,
+// with few exceptions.
 constexpr double least_of_wanted = 0.4;
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace asterism::internal {
 // it have the length 1; nothing if no chord is shorter than two fifths of an edge of the metric. A
 // chord is near if one of its ends is in a triangle of the node and no farther from it than the
 // chord is long: on a curve that the field's mesh follows, chords are near to the nodes on it.
-// Curves that were not divided are left out: each is an edge that the mesh had. The time is that of
-// looking up the ends.
+// Undivided curves are left out: each is an edge of the former mesh. The time is that of locating
+// the ends of chords.
 std::vector<double> factors_at_short_chords(const domain& d, const background_metric& field);
 
 }  // namespace asterism::internal
