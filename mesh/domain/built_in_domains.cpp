@@ -92,9 +92,9 @@ result<domain> airfoil(const airfoil_options& options) {
   d.vertices = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
   close_ring(d, 0, 1);
   // Goes along the lower side from the trailing to the leading edge, back along the upper one. The
-  // root of x is a cubic of the parameter that makes points denser at both edges; unlike the
-  // customary cosine it needs no function of the C library, whose last bit may differ between
-  // machines.
+  // square root of x is a cubic of the parameter, which makes points denser at both edges. Unlike
+  // the customary cosine the cubic needs no function of the C library, whose last bit may differ
+  // between machines.
   const auto root_at = [n](std::size_t i) {
     const double t = static_cast<double>(i) / static_cast<double>(n);
     return t * (1.5 - 0.5 * t * t);
@@ -110,8 +110,8 @@ result<domain> airfoil(const airfoil_options& options) {
   return d;
 }
 
-// Numbers many points along a curve: points in the order drawn are read from all over memory when
-// they are meshed.
+// Numbers many points along a Hilbert curve: with consecutive numbers far apart in the plane,
+// meshing would read memory in random order.
 result<domain> add_random_points(domain d, std::size_t count, std::uint64_t seed) {
   constexpr std::size_t draws_per_point = 1000, many = 5000;
   const std::size_t given = d.vertices.size();

@@ -63,8 +63,8 @@ result<domain> with_convex_hull(domain d) {
   std::vector<vertex_index> order = from_left(d);
   std::vector<vertex_index> hull = lower_part(d, order);
   if (hull.size() == order.size()) {
-    // Finds that all vertices are on the lower part: the upper one is a single side, unless all are
-    // on one line.
+    // All vertices are on the lower part of the hull, which has an area unless they are on one
+    // line.
     const filtered_kernel kernel;
     const bool flat = std::all_of(hull.begin(), hull.end(), [&](vertex_index v) {
       return kernel.orientation(d.vertices[hull.front()], d.vertices[v], d.vertices[hull.back()]) ==

@@ -8,10 +8,10 @@
 
 namespace asterism::internal {
 
-// Adds the sides of the convex hull of the vertices as segments of marker 0, between all vertices
-// that are on it, where none is listed between the two. Notes how many. A set of points becomes a
-// domain so, as by Triangle's option -c. Exact. Fails where fewer than three vertices are not on
-// one line, and for curves, which may reach beyond the vertices.
+// Adds a segment of marker 0 between each two successive vertices on the convex hull, unless the
+// domain lists one between them; adds a note with their number. This makes a domain of a set of
+// points, as does Triangle's option -c. Exact. Fails where fewer than three vertices are not on one
+// line, and for curves, which may reach beyond the vertices.
 result<domain> with_convex_hull(domain d);
 
 }  // namespace asterism::internal

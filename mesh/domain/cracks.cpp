@@ -213,8 +213,8 @@ bool is_same(const metric_tensor& a, const metric_tensor& b) {
   return a.m11 == b.m11 && a.m12 == b.m12 && a.m22 == b.m22;
 }
 
-// Keeps the first vertex at each place, with a metric as fine as those of all there, and returns
-// the new numbers.
+// Keeps the first vertex at each place, with a metric at least as fine as the metrics of all
+// vertices there, and returns the new numbers.
 std::vector<vertex_index> keep_first(mesh& m, const std::vector<vertex_index>& first) {
   std::vector<vertex_index> number(m.sites.size());
   vertex_index kept = 0;

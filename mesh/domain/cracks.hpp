@@ -35,10 +35,10 @@ struct joined_cracks {
 };
 
 // Joins vertices at one place where the triangles of both meet along edges: two boundary sides with
-// the same ends, one from each side. The first vertex stays, with a metric that is as fine as those
-// of all. An edge is listed once, in the direction with the lesser marker on its left; its own
-// marker is the common one of both sides, if no other edge has that, else a free one. Fails, naming
-// the vertices, where vertices are at one place and no such edge is at it. Joins nothing if
+// the same ends, one from each side. The first vertex stays, with a metric at least as fine as the
+// metrics of all. An edge is listed once, in the direction with the lesser marker on its left; its
+// own marker is the common one of both sides, if no other edge has that, else a free one. Fails,
+// naming the vertices, where vertices are at one place and no such edge is at it. Joins nothing if
 // triangles or edges name missing vertices, which other checks report. A mesh that is refused stays
 // as it is.
 ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m);
@@ -46,7 +46,8 @@ ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m);
 // A mesh with the vertices of both sides.
 struct parted_mesh {
   mesh content;
-  // Vertex of the joined mesh that each vertex of the parted mesh is; the first ones are the same.
+  // Number in the joined mesh of each vertex of the parted mesh; the first vertices have the same
+  // numbers in both.
   std::vector<vertex_index> original;
 };
 

@@ -12,7 +12,7 @@
 namespace asterism::internal {
 
 // Refuses a curve of which two vertices in a row are not joined by a segment: it was not divided
-// yet, or is none of this domain's.
+// yet, or belongs to another domain.
 std::optional<error> check_curve_chains(const domain& d);
 
 // Returns the curves of `input` in the numbers of the vertices of `kept`: vertex v of `input` is

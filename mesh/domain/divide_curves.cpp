@@ -72,8 +72,8 @@ result<bool> is_near_enough(const curve_path& path, const curve_division& wanted
                             double t1) {
   if (!path.is_straightforward(t0, t1)) return false;
   // Does not halve cubics through a polygon for their turn alone: they are a guess, and their
-  // pieces turn as much as the polygon however short they are. Halved for their turn, they would
-  // become shorter in each round of a loop that moves them.
+  // pieces turn as much as the polygon however short they are. If they were halved for their turn,
+  // they would become shorter in each round of an adaptation loop.
   if (wanted.field != nullptr && !wanted.is_even) {
     const auto short_already = is_short(path, *wanted.field, t0, t1);
     if (!short_already || short_already.value()) return short_already;

@@ -31,8 +31,8 @@ vertex_index face_map::origin(std::size_t half_edge) const {
   return half_edge % 2 == 0 ? e.a : e.b;
 }
 
-// Sorts the directions at each vertex, from straight down, excluded, once around: first those to
-// the right or straight up, which are the lexicographically greater ends.
+// Sorts the directions at each vertex counter-clockwise, beginning after straight down: first those
+// to the right or straight up, in which the other end is lexicographically greater.
 void face_map::sort_around_vertices() {
   const filtered_kernel kernel;
   around_.resize(vertices_.size());
@@ -50,7 +50,7 @@ void face_map::sort_around_vertices() {
   }
 }
 
-// Walks are numbered from 1; 0 is kept for the outside.
+// Numbers the walks from 1; 0 is the number of the outside.
 void face_map::walk_faces() {
   constexpr std::size_t none = 0;
   face_of_.assign(2 * edges_.size(), none);
@@ -94,8 +94,8 @@ void face_map::join_walks() {
   for (std::size_t& face : face_of_) face = faces.find(face);
 }
 
-// Orders half-edges that run to the right over one place from below, and a point above those that
-// pass below it.
+// Orders half-edges that run to the right and have a common x by height there. A point comes after
+// the half-edges that pass below it.
 struct face_map::by_height {
   using is_transparent = void;
   const face_map& map;
@@ -108,8 +108,8 @@ struct face_map::by_height {
 };
 
 // Sweeps over the plane from the left. A ray runs down from each point, moved to the left by an
-// infinitesimal: it meets no vertex, and edges that meet at the point's place above or beside it do
-// not count. So an edge is passed where it begins before the place and ends there or beyond.
+// infinitesimal: it meets no vertex, and an edge that begins at the point's x is not met. So a ray
+// can meet an edge that begins at a smaller x and ends at the point's x or a greater one.
 std::vector<std::size_t> face_map::half_edges_below(const std::vector<point>& points) const {
   const auto left = [&](std::size_t h) { return vertices_[origin(h)].x; };
   const auto right = [&](std::size_t h) { return vertices_[origin(twin(h))].x; };

@@ -13,9 +13,9 @@ namespace asterism::internal {
 // point or a segment.
 std::vector<point> convex_hull(std::vector<point> points);
 
-// True unless the hulls, as convex_hull returns them, are shown to be apart: by a line along an
-// edge of one of them, with one on each side, and nothing in common but at most a corner of both.
-// Such a line exists for two convex polygons, with at least one edge between them, that are apart.
+// True unless a line along an edge of one of the hulls, as convex_hull returns them, has one hull
+// on each side and shows that they have at most a corner in common. If two convex polygons are
+// apart, and are not both points, there is such a line.
 bool hulls_meet(const std::vector<point>& a, const std::vector<point>& b);
 
 }  // namespace asterism::internal

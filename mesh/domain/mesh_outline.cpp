@@ -32,8 +32,8 @@ struct run {
   std::vector<vertex_index> vertices, edges;
 };
 
-// True if both have the same regions, with sizes that differ by at most a part of them, an area
-// `swept` and the rounding of the whole.
+// True if both have the same regions, with areas that differ at most by the share `part`, the area
+// `swept` and the rounding error of the whole.
 bool are_near(const region_sizes& wanted, const region_sizes& found, double part, double swept) {
   constexpr double rounding_of_sums = 1e-12;
   double whole = 0;
@@ -148,11 +148,11 @@ bool outliner::turns(vertex_index v) const {
   return turn(v) * 180 / std::numbers::pi > options_.corner_angle;
 }
 
-// True if a smooth vertex between two smooth ones turns so much more than they do that a curve
-// meets another there. Where an arc meets a straight side the polygon turns by half of what it
-// turns along the arc, so that a factor of four leaves room for chords of unequal length. A cubic
-// with the other curve's direction at its end would turn by the whole angle near it, and be divided
-// there into chords much shorter than edges of the metric.
+// True if the boundary turns more than four times as much at a smooth vertex as at either of its
+// two neighbours, both smooth: there one curve meets another. Where an arc meets a straight side
+// the polygon turns by half of what it turns along the arc, so a factor of four allows for chords
+// of unequal length. A cubic with the other curve's direction at its end would turn by the whole
+// angle near it, and be divided there into chords much shorter than edges of the metric.
 bool outliner::stands_out(vertex_index v) const {
   constexpr double factor = 4;
   double most = 0;
@@ -234,7 +234,8 @@ bool outliner::goes_forward(const run& r, std::size_t i, std::size_t j) const {
   return true;
 }
 
-// Returns the greatest distance of dropped vertices from the piece between two that stay.
+// Returns the greatest distance allowed between dropped vertices and the piece between two kept
+// ones.
 double outliner::allowed_off(vertex_index a, vertex_index b) const {
   if (options_.largest_distance) return *options_.largest_distance - rounding * greatest_;
   constexpr double part = 0.01;
@@ -268,8 +269,9 @@ std::vector<point> outliner::between(const run& r, std::size_t i, std::size_t j)
   return places;
 }
 
-// Returns the width, across the line between two vertices of the run, of a strip that holds the run
-// there, the cubic and any polygon with vertices on the cubic: the greatest distance of these.
+// Returns the width of a strip along the line between two vertices of the run that contains the run
+// between them, the cubic, and any polygon with vertices on the cubic. It bounds the distance of
+// these from each other.
 double outliner::width(const run& r, std::size_t i, std::size_t j,
                        const std::array<point, 2>& control) const {
   const point &a = where(r.vertices[i]), &b = where(r.vertices[j]);
@@ -311,22 +313,22 @@ void outliner::add_curve(const run& r, std::size_t i, std::size_t j,
   shape.curves.push_back(std::move(cubic));
 }
 
-// True if the run is all between two regions. It is of one kind throughout, as lines between other
-// regions begin at a vertex of three segments.
+// True if the run is between two regions. Its first edge decides for all of them: where other
+// regions meet, three segments end in a vertex, and a run begins.
 bool outliner::divides_regions(const run& r) const {
   const boundary_edge& e = mesh_.boundary[r.edges.front()];
   return e.internal && sides_.divides_regions(mesh_.regions, e.a, e.b);
 }
 
 // Returns the indices in the run of the vertices that stay. Between regions a vertex is dropped
-// only if it is on a line but for rounding: another change would move area from one region to the
-// other.
+// only if, up to rounding, it is on the line between its neighbours that stay: another change would
+// move area from one region to the other.
 std::vector<std::size_t> outliner::pieces(const run& r, bool simplify_curves) const {
   simplify_curves = simplify_curves && !divides_regions(r);
   const std::size_t last = r.vertices.size() - 1;
   if (may_be_piece(r, 0, last, false)) return {0, last};
-  // Limits the length of a straight piece: each length that is tried is tested in full, so longer
-  // straight runs keep a vertex every so often.
+  // Largest number of edges in a straight piece: each longer piece that is tried is tested in full.
+  // So a longer straight run keeps one vertex after each such number of edges.
   constexpr std::size_t most_straight = 4096;
   std::vector<std::size_t> stay{0};
   for (std::size_t i = 0; i < last;) {

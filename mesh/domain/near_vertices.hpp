@@ -34,8 +34,8 @@ class near_vertices {
 
  private:
   using square = std::pair<std::int64_t, std::int64_t>;
-  // Computes the square's number: a coordinate has at most 2^51 widths, and a quotient's error is
-  // far below one.
+  // Computes the square's number. A coordinate is at most 2^51 widths, so the error of the quotient
+  // is far below one.
   square square_of(const point& p) const {
     return {static_cast<std::int64_t>(std::floor(p.x / width_)),
             static_cast<std::int64_t>(std::floor(p.y / width_))};

@@ -65,8 +65,8 @@ class ring_walk {
   }
 
  private:
-  // Classifies the direction to q by the turn from b's direction to a's: 0 less than half a turn, 1
-  // half, 2 more, 3 all.
+  // Classifies the counter-clockwise angle at b from a to q: 0 for less than half a turn, 1 for
+  // half a turn, 2 for more, 3 for a full turn.
   int part_of_turn(const point& b, const point& a, const point& q) const {
     const sign side = kernel_.orientation(b, a, q);
     if (side == sign::positive) return 0;

@@ -21,26 +21,27 @@ struct known_side {
   std::optional<int> region;  // none: outside of the domain
 };
 
-// Faces that have no point, by the sides of the segments around them.
-class silent_faces {
+// Faces without a hole or region point, each as the sides of the segments around it.
+class faces_without_point {
  public:
-  explicit silent_faces(const domain& d) : edges_(edges_of(d)), faces_(d.vertices, edges_) {
+  explicit faces_without_point(const domain& d) : edges_(edges_of(d)), faces_(d.vertices, edges_) {
     for (std::size_t i = 0; i < d.segments.size(); ++i) {
       const segment& s = d.segments[i];
       add(2 * i, {i, true, s.left_region});
       add(2 * i + 1, {i, false, s.internal ? std::optional<int>(s.right_region) : std::nullopt});
     }
-    std::vector<point> told = d.holes;
-    for (const region_point& r : d.regions) told.push_back(r.at);
-    for (const std::size_t face : faces_.faces_around(told))
+    std::vector<point> named = d.holes;
+    for (const region_point& r : d.regions) named.push_back(r.at);
+    for (const std::size_t face : faces_.faces_around(named))
       if (face < sides_.size()) sides_[face].clear();
   }
 
-  // Returns the sides of each face that needs a point. A part without a point is numbered `unsaid`.
-  std::vector<std::vector<known_side>> to_be_told(int unsaid) const {
+  // Returns the sides of each face that needs a point: of each except those of the region
+  // `unnamed`, the number of parts without a point.
+  std::vector<std::vector<known_side>> to_be_named(int unnamed) const {
     std::vector<std::vector<known_side>> all;
     for (const auto& face : sides_)
-      if (!face.empty() && face.front().region != unsaid) all.push_back(face);
+      if (!face.empty() && face.front().region != unnamed) all.push_back(face);
     return all;
   }
 
@@ -69,7 +70,7 @@ std::optional<point> point_in_face(const domain& d, const std::vector<known_side
 }
 
 // Returns the region number of parts without a region point: 1 where all parts have it, else 0.
-int number_unsaid(const domain& d) {
+int number_without_point(const domain& d) {
   const bool has_one =
       d.regions.empty() && std::none_of(d.segments.begin(), d.segments.end(), [](const segment& s) {
         return s.left_region != 1 || (s.internal && s.right_region != 1);
@@ -82,12 +83,12 @@ int number_unsaid(const domain& d) {
 result<domain> plain_form(domain accepted) {
   domain plain = std::move(accepted);
   plain.polygons.clear();
-  const auto told = silent_faces(plain).to_be_told(number_unsaid(plain));
+  const auto unnamed = faces_without_point(plain).to_be_named(number_without_point(plain));
   constexpr double most_work = 1e10;  // orientation tests: minutes
-  if (static_cast<double>(told.size()) * static_cast<double>(plain.segments.size()) > most_work)
+  if (static_cast<double>(unnamed.size()) * static_cast<double>(plain.segments.size()) > most_work)
     return error{plain.name + ": there are so many faces that no point is looked for in each",
                  error_code::invalid_domain};
-  for (const auto& face : told) {
+  for (const auto& face : unnamed) {
     const auto inside = point_in_face(plain, face);
     if (!inside)
       return error{plain.name + ": no point was found in a face that one is to tell of",

@@ -36,8 +36,8 @@ struct plane_graph {
   std::vector<covering> coverings;
 };
 
-// Builds the graph. Requires finite coordinates and indices in range. Counts go to `repairs`, and
-// messages unless the domain has polygons, whose rings usually meet each other. Fails where two
+// Builds the graph. Requires finite coordinates and indices in range. Adds counts to `repairs`, and
+// messages unless the domain has polygons: their rings usually meet each other. Fails where two
 // segments cross in a point inside both.
 result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs);
 

@@ -14,8 +14,8 @@
 namespace asterism::internal {
 
 // True if q is strictly inside. `d` must have been accepted by check_domain: only then does the
-// number of segments on the way to infinity, internal ones apart, tell inside from outside. A point
-// on a segment, internal or not, or on a vertex of one is not inside. `q` finite. Time: O(number of
+// number of segments on a ray, without internal ones, distinguish inside from outside. A point on a
+// segment, internal or not, or on a vertex of one is not inside. `q` finite. Time: O(number of
 // segments).
 bool contains(const domain& d, const point& q);
 

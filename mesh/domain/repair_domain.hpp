@@ -33,9 +33,9 @@
 
 namespace asterism {
 
-// Returns a domain that check_domain accepts as it is, or refuses the input. `distance`, if given,
-// is D: positive, finite. `repairs`, when given, is overwritten. Fails when `stop` says so; its
-// account is charged with the work, which is quadratic in the crossings at worst.
+// Returns a domain that check_domain accepts without a repair, or refuses the input. `distance`, if
+// given, is D: positive, finite. `repairs`, when given, is overwritten. Fails when `stop` is
+// requested; its account is charged with the work, which is quadratic in the crossings at worst.
 ASTERISM_EXPORT result<domain> repair_domain(const domain& input,
                                              std::optional<double> distance = {},
                                              domain_repairs* repairs = nullptr,

@@ -56,7 +56,7 @@ struct snapped_graph {
 
 // Builds the graph. Requires finite coordinates, indices in range, and a distance of four units in
 // the last place of every coordinate at least. Fails where there would be more than four million
-// pieces, or when `stop` says so, whose account is charged with the work.
+// pieces, or when `stop` is requested; its account is charged with the work.
 result<snapped_graph> snap_segments(const domain& d, double distance,
                                     const cancellation& stop = {});
 
