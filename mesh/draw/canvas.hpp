@@ -38,8 +38,8 @@ class canvas {
 
   void use(const colour& c);
   void set_line_width(double width);
-  // Makes a pixel at an edge have the colour of one side alone (true), or mix both (false, as it is
-  // at first). Triangles smaller than pixels then fill them without paper between.
+  // Sets whether a pixel at an edge has the colour of one side alone (true) or mixes both (false,
+  // the default). With true, triangles smaller than pixels cover the paper without gaps.
   void set_hard_edges(bool hard);
 
   void begin_path();  // apart from what the path has

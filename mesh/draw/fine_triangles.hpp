@@ -9,12 +9,12 @@
 
 namespace asterism::internal {
 
-// Returns for each of mesh::triangles whether lines along its edges would hide it: whether its
-// inscribed circle is less than two lines across. Lines that are just as wide as that leave a
-// quarter of the triangle in sight. `line_width` is in the mesh's own lengths.
+// Returns a flag for each of mesh::triangles: whether lines along its edges would hide it, because
+// its inscribed circle has a diameter of less than two line widths. At two line widths a quarter of
+// the triangle stays visible. `line_width` is in the mesh's own lengths.
 std::vector<bool> hidden_by_lines(const mesh& m, double line_width);
 
-// True if those triangles are more than half of the area.
+// True if the triangles with a flag are more than half of the area.
 bool are_most(const mesh& m, const std::vector<bool>& of_triangles);
 
 }  // namespace asterism::internal

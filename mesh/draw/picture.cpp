@@ -217,7 +217,8 @@ void draw_dot(canvas& on, const point& at, double radius, const colour& c) {
   on.fill();
 }
 
-// Returns the shortest edge at each site on the page; infinite for sites of no triangle.
+// Returns the length on the page of the shortest edge at each site; infinite for sites of no
+// triangle.
 std::vector<double> shortest_edges(const page& p, const mesh& m) {
   std::vector<double> shortest(m.sites.size(), std::numeric_limits<double>::infinity());
   for (const triangle& t : m.triangles)
@@ -283,7 +284,7 @@ result<std::string> draw_picture(const mesh& m, picture_format format,
   const bool is_fine = are_most(m, hidden);
   if (!is_fine) hidden.clear();
   picture_options shown = options;
-  // Lines alone would be a grey area.
+  // Chooses colours where lines hide most triangles: without colours these would be a grey area.
   if (is_fine && shown.colours == picture_by::nothing) shown.colours = most_telling(m);
   const auto coloured = colours_of(m, shown);
   if (!coloured) return coloured.failure();

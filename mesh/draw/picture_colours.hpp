@@ -24,8 +24,8 @@ struct picture_colouring {
 // sizes if nine of ten aspects are below 4; angles if sizes hardly differ either.
 picture_by most_telling(const mesh& m);
 
-// Fails for a field that has not one number for each site, and if the values are missing: colours
-// of triangles in a mesh without any, of markers without boundary.
+// Fails for a field that has not one number for each site, for colours of triangles in a mesh
+// without triangles, and for colours of markers in one without boundary.
 result<picture_colouring> colours_of(const mesh& m, const picture_options& options);
 
 }  // namespace asterism::internal

@@ -58,8 +58,8 @@ void fill_box(canvas& on, const point& at, double wide, double high, const colou
   on.fill();
 }
 
-// Draws a bar of as many steps as the eye distinguishes, each over the rest of the bar, so that
-// there are no seams.
+// Draws a bar in 64 steps, which the eye hardly distinguishes. Each step is drawn to the bar's
+// right end, so that there are no seams.
 void draw_bar(canvas& on, const picture_legend& l, const measures& m, point at) {
   constexpr int steps = 64;
   const auto after = [&](const std::string& text, double gap) {

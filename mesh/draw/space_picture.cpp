@@ -120,7 +120,7 @@ void paint_triangle(canvas& on, const page& p, const seen_mesh& s, const space_t
   const colour own = shade(normal_of(s.points[t[0]], s.points[t[1]], s.points[t[2]]), face);
   on.use(own);
   on.fill_and_keep();
-  // Strokes the triangle in its own colour, which covers the seam to the next one.
+  // Strokes the triangle's edges in its own colour, which covers the seams to its neighbours.
   if (p.lines) on.use({0.55 * own.red, 0.55 * own.green, 0.55 * own.blue});
   on.stroke();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the page looks at: the middle in the mesh's coordinates, and pixels of the page a unit.
+// Holds the view of the mesh: the middle in the mesh's coordinates, and the scale in pixels of the
+// page for each unit.
 
 class Camera {
   constructor(box) {
@@ -53,7 +54,7 @@ class Camera {
     this.y += y / this.scale;
     this.keep();
   }
-  // Looks at a box with room around it.
+  // Centres the view on a box, and zooms so that the view is eight times as wide and high as it.
   show(target) {
     const { box } = this, room = 8, least = Math.max(box.x1 - box.x0, box.y1 - box.y0) * 1e-9;
     const w = Math.max(least, target.x1 - target.x0), h = Math.max(least, target.y1 - target.y0);

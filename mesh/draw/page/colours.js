@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Turns what is known of each triangle into one of 256 colours.
+// Colours triangles by a measure or a property: one of 256 colours for each.
 
 const mix = (a, b, s) => a.map((x, i) => x + (b[i] - x) * s);
 const ramp = (stops) => (s) => {
   const at = Math.max(0, Math.min(1, s)) * (stops.length - 1), i = Math.min(stops.length - 2, Math.floor(at));
   return mix(stops[i], stops[i + 1], at - i);
 };
-// From red through yellow to blue, told apart by those who see red and green alike: dark, light, dark.
+// Scale from red through yellow to blue. Eyes that confuse red and green distinguish it by
+// lightness: dark, light, dark.
 const badToGood = ramp([[165, 0, 38], [215, 90, 60], [253, 190, 110], [255, 250, 200], [171, 217, 233], [90, 150, 200], [49, 70, 149]]);
-// The same from the bound on, where nothing is bad: red is left to what is below.
+// The same scale without red, for values at the bound or above; values below it have a colour of
+// their own.
 const boundToGood = ramp([[253, 190, 110], [255, 250, 200], [171, 217, 233], [90, 150, 200], [49, 70, 149]]), belowBound = [185, 0, 45];
 const lightToDark = ramp([[250, 247, 235], [220, 225, 170], [120, 190, 160], [50, 130, 150], [40, 70, 120], [30, 20, 70]]);
 const distinct = [[102, 166, 214], [244, 165, 96], [120, 190, 120], [220, 120, 140], [170, 150, 210], [200, 180, 90],
@@ -18,7 +20,8 @@ const css = (rgb) => `rgb(${rgb.map(Math.round).join(",")})`;
 const short = (x) => !Number.isFinite(x) ? String(x) : Math.abs(x) >= 1e5 || (x !== 0 && Math.abs(x) < 1e-3)
   ? x.toExponential(2) : String(Number(x.toPrecision(4)));
 
-// A mode has a name, colours, of(t) as a number from 0 to 255, and what its legend says.
+// Makes a mode of colours: its name, the colour of a number from 0 to 255, that number for each
+// triangle, and the texts of the legend.
 function continuousMode(name, value, low, high, colour, text = short) {
   return {
     name,
@@ -34,8 +37,8 @@ function namedMode(name, names, of) {
   return { name, colour: (i) => colours[i % colours.length], of, legend: { names } };
 }
 
-// The greatest over all triangles, without the rarest thousandth, so that one triangle does not
-// take all the colours.
+// Returns the value that a thousandth of the values exceed: the end of a scale that single outliers
+// do not stretch.
 function upperEnd(values) {
   const sorted = Float32Array.from(values).sort();
   return sorted[Math.floor((sorted.length - 1) * 0.999)] ?? 1;
@@ -58,7 +61,8 @@ function disagreementMode(mesh) {
   return namedMode("who disagrees", names, (t) => t >= mesh.agreeing ? 2 : refused[t]);
 }
 
-// Least angles from the bound upwards, those below it in a colour of their own; from the worst without a bound.
+// Makes the mode of least angles: a scale from the bound upwards, and one colour below it. Without
+// a bound the scale begins at the least angle of all meshes.
 function angleMode(mesh, bound, meshes) {
   const { least } = mesh.angles, name = "least angle (degrees)", worst = Math.min(...meshes.map((m) => m.angles?.worst.degrees ?? 60));
   if (bound === null || !(bound < 60)) return continuousMode(name, (t) => least[t], Math.min(59, Math.max(0, worst)), 60, badToGood);
@@ -71,7 +75,8 @@ function angleMode(mesh, bound, meshes) {
   };
 }
 
-// The ends of a scale, over all meshes of the page, so that one colour means one value whichever is shown.
+// Returns the ends of a scale over all meshes of the page, so that a colour means the same value in
+// each.
 function sharedRange(meshes, name, rangeOf) {
   const known = (meshes.ranges ??= new Map());
   if (!known.has(name)) {
@@ -81,7 +86,7 @@ function sharedRange(meshes, name, rangeOf) {
   return known.get(name);
 }
 
-// A mode whose values are the logarithm of what it shows, computed when it is chosen.
+// Makes a mode that shows the logarithm of a measure. It is computed when the mode is chosen.
 function logarithmicMode(mesh, name, of, meshes) {
   const valuesOf = (m) => {
     const values = new Float32Array(m.count);
@@ -101,8 +106,9 @@ function findingMode(mesh, named) {
   return Object.assign(mode, { shownTriangles: [...named].slice(0, 100) });
 }
 
-// The mode to begin with shows where the fault lies; of a mesh without one the metric's shapes, or if they are all
-// round its sizes, or if these are all alike the angles. Where there is a solution, it is what the mesh is for.
+// Returns the mode that is shown at first: findings if there are any, else a solution if there is
+// one, else shapes of triangles, or sizes if the shapes are nearly round, or angles if the sizes
+// are alike, too.
 function firstMode(mesh, modes, named) {
   if (named.size > 0) return modes.length - 1;
   const solution = modes.findIndex((mode) => mode.isField);
@@ -116,7 +122,8 @@ function firstMode(mesh, modes, named) {
   return at(aspects, 0.9) > 4 ? 1 : at(sizes, 0.95) > 3 * at(sizes, 0.05) ? 2 : 0;
 }
 
-// Every mode that the mesh has something to say in; what is costly is computed when it is chosen.
+// Makes all modes for which the mesh has values. Those that take long to compute are functions,
+// called when they are chosen.
 function makeModes(mesh, bound, claim, meshes) {
   if (mesh.count === 0) return Object.assign([namedMode("no triangles", [["a domain: its segments alone", [190, 205, 220]]], () => 0)], { first: 0 });
   const { least } = mesh.angles, modes = [angleMode(mesh, bound, meshes)];

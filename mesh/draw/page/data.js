@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the mesh out of the page: base64, a zlib stream, arrays as planes of bytes.
+// Reads the arrays of a mesh from the page's text: base64 of a zlib stream, each array as planes of
+// bytes.
 
 const element = (id) => document.getElementById(id);
 const readJson = (id) => JSON.parse(element(id).textContent);
@@ -18,7 +19,7 @@ async function inflate(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Puts the planes of one array back into numbers.
+// Returns the numbers of one array, joined from its planes of bytes.
 function joinPlanes(planes, start, length, kind) {
   const size = kind.BYTES_PER_ELEMENT;
   const bytes = new Uint8Array(length * size);
@@ -42,7 +43,7 @@ async function readArrays(facts) {
   return arrays;
 }
 
-// Bounds of the positions, never empty: a mesh without height gets some.
+// Returns the box of the positions. Its width and height are made positive where they are 0.
 function boxOf(positions) {
   const box = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
   for (let i = 0; i < positions.length; i += 2) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A solution on the mesh: its values at the vertices, linear in between.
+// Shows a solution on the mesh: values at the vertices, linear on each triangle.
 
-// From dark to light, as even to the eye as to a printer; and through white where values have both signs.
+// Scales from dark to light, with even steps for the eye and in print; and through white, for
+// values of both signs.
 const darkToLight = ramp([[68, 1, 84], [65, 68, 135], [42, 120, 142], [34, 168, 132], [122, 209, 81], [253, 231, 37]]);
 const bothSigns = ramp([[30, 60, 150], [110, 150, 215], [245, 245, 245], [225, 130, 90], [150, 15, 35]]);
 
-// What there is to colour by: a scalar as it is; of a vector its length, too; of others each component.
+// Returns the scalars by which triangles can be coloured: a field of one component itself, the
+// length and the components of a vector, the components of other fields.
 function shownFields(mesh) {
   return mesh.shownFields ??= mesh.fields.flatMap(({ name, components, values }) => {
     if (components === 1) return [{ name, values }];
@@ -44,7 +46,7 @@ function fieldModes(mesh, meshes) {
     Object.assign(() => fieldMode(mesh, field, meshes), { label: `solution: ${field.name}`, isField: true }));
 }
 
-// The value at a point of triangle t.
+// Returns the value of a field at a point of triangle t.
 function valueAt(mesh, values, t, point) {
   const { positions: p, triangles } = mesh, [a, b, c] = triangles.subarray(3 * t, 3 * t + 3);
   const area = (ux, uy, vx, vy) => ux * vy - uy * vx, x = (v) => p[2 * v] - point.x, y = (v) => p[2 * v + 1] - point.y;

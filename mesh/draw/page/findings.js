@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Findings against a mesh in plain words, those that others follow from first.
+// Puts findings about a mesh into plain words, and sorts them: causes before findings that may
+// follow from them.
 
-// Kinds in the order in which they are shown. Those with `follows` come with a fault of a triangle nearby.
+// Kinds of findings in the order in which they are shown: words, and true if the kind may follow
+// from a finding about a triangle nearby.
 const findingKinds = {
   index_out_of_range: ["numbers of vertices that do not exist"],
   not_finite: ["numbers that are not finite"],
@@ -43,22 +45,23 @@ const findingKinds = {
   voronoi_boundary_encroached: ["vertices too near to a boundary edge"],
 };
 
-// The first triangle, or else vertex, that a sentence names.
+// Returns the first triangle that a sentence names, or else the first vertex.
 function placeOf(sentence) {
   const triangle = /triangle (\d+)/.exec(sentence), vertex = /vert(?:ex|ices) (\d+)/.exec(sentence);
   if (triangle) return { triangle: Number(triangle[1]) - 1 };
   return vertex ? { vertex: Number(vertex[1]) - 1 } : {};
 }
 
-// A sentence of the certificate, "kind: sentence", without the kind and without coordinates.
+// Returns a sentence of the certificate, "kind: sentence", without the kind and without
+// coordinates.
 function plainSentence(witness) {
   const text = witness.replace(/^\w+: /, "").replace(/ \(-?[\d.][^()]*\)/g, "").replace(/, vertex (?=\d)/g, ", ")
     .replace(/of vertex (?=\d+, \d+, )/g, "of vertices ").replace(/\d+\.\d{6,}/g, (x) => angleText(Number(x)));
   return text[0].toUpperCase() + text.slice(1);
 }
 
-// Groups of findings: {name, items, all, words, number, follows}. The number of each kind is the certificate's, which
-// names the first ones alone.
+// Returns the findings grouped by kind: {name, items, all, words, number, follows}. `all` is the
+// number that the certificate states; it names only the first findings of a kind.
 function groupFindings(audit) {
   const order = Object.keys(findingKinds), groups = new Map();
   for (const witness of audit.witnesses) {
@@ -75,14 +78,14 @@ function groupFindings(audit) {
   });
 }
 
-// How many of each kind, in words, for the table.
+// Returns the number of findings of each kind, in words, for the table.
 function findingsInWords(audit) {
   const order = Object.keys(findingKinds);
   return Object.entries(audit.findings).sort(([a], [b]) => order.indexOf(a) - order.indexOf(b))
     .map(([kind, n]) => `${count(n)} ${findingKinds[kind]?.[0] ?? kind.replaceAll("_", " ")}`).join("; ") || "none";
 }
 
-// The triangles that findings name, those of causes alone where there are any.
+// Returns the triangles that findings name, without findings that may follow from others.
 function trianglesWithFindings(audit) {
   const groups = groupFindings(audit);
   return new Set(groups.flatMap(({ items, follows }) => (follows ? [] : items)).map(({ triangle }) => triangle).filter((t) => t !== undefined));

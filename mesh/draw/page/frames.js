@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Several meshes on one page, its own last: before and after, the rounds of a loop.
+// Shows several meshes on one page, the page's own last: before and after a change, or the rounds
+// of a loop.
 
 const mostButtons = 3;  // meshes that have a button each; more have a slider
 const framesASecond = 2;
@@ -8,7 +9,8 @@ function fieldsOf(told, arrays) {
   return (told ?? []).map(({ name, components, array }) => ({ name, components, values: arrays[array] }));
 }
 
-// What was read of each mesh. All have the same box, so that a place is the same place in each.
+// Returns a frame for each mesh: its arrays, label and facts. All have one box, so that a place in
+// the picture is the same in each.
 function framesOf(facts, arrays, claim) {
   const part = (prefix, told) => {
     const named = (name) => arrays[prefix + name];
@@ -29,7 +31,8 @@ function framesOf(facts, arrays, claim) {
   return all;
 }
 
-// Buttons for a few meshes, a slider for more, which plays. `show` takes the number of a mesh from 0.
+// Adds buttons for a few meshes, or for more a slider that can play them in turn. Calls `show` with
+// the number of a mesh, from 0.
 function makeFrameControl(frames, show) {
   const holder = element("frames"), last = frames.length - 1;
   let at = last, playing = 0;
@@ -70,7 +73,7 @@ function makeFrameControl(frames, show) {
   return control;
 }
 
-// The numbers of each mesh, a line each; those that were not looked at yet have counts alone.
+// Shows a table with a line for each mesh: counts, and angles if the mesh has been measured.
 function showCompared(frames, bound, go) {
   if (frames.length === 1) return;
   const rows = frames.map(({ label, mesh }, i) => {

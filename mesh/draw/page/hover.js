@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies under the mouse, and how long things are in the picture.
+// Shows the triangle under the mouse, and a bar for the scale of the picture.
 
 function hoverText(mesh, t, bound, point) {
   const nine = nineAngles(mesh, t), least = Math.min(...nine), greatest = Math.max(...nine);
@@ -9,7 +9,7 @@ function hoverText(mesh, t, bound, point) {
           ...shownFields(mesh).slice(0, 4).map(({ name, values }) => `${name} ${short(valueAt(mesh, values, t, point))}`)];
 }
 
-// Shows a box beside the mouse, at most once a frame.
+// Makes a function that shows a box beside the mouse, at most once a frame.
 function makeHover(stage, bound) {
   const box = element("hover");
   let place = null, waiting = false;
@@ -34,7 +34,7 @@ function makeHover(stage, bound) {
   };
 }
 
-// The greatest of 1, 2, 5 times a power of ten that is not above x.
+// Returns the greatest number of the form 1, 2 or 5 times a power of ten that is at most x.
 function roundBelow(x) {
   const power = 10 ** Math.floor(Math.log10(x));
   return [5, 2, 1].find((n) => n * power <= x * (1 + 1e-12)) * power;

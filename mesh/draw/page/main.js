@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Puts the page together and answers keys and buttons.
 
-// Meshes of at most so many triangles together are measured at once, so that they can be compared.
+// Largest number of triangles of all meshes together for which all are measured at the start, so
+// that they can be compared.
 const measuredAtOnce = 500000;
 
 function addKeys(stage, canvas, actions) {
@@ -23,7 +24,7 @@ function addKeys(stage, canvas, actions) {
   });
 }
 
-// Box of a triangle, or around a vertex of the triangles at it.
+// Returns the box of a triangle, or of the triangles around a vertex.
 function boxOfItem(mesh, item) {
   const around = item.triangle !== undefined ? [item.triangle] : trianglesAt(mesh, item.vertex);
   return around.length > 0 ? boxOfTriangles(mesh, around, 0, around.length)
@@ -73,7 +74,8 @@ function makeActions(stage, frames, bound) {
   return actions;
 }
 
-// The choice of colours, which outlasts the mesh where another has the same.
+// Makes the choice of colours. The name chosen stays when another mesh is shown that has a mode of
+// that name.
 function makeColouring(stage, frames, bound) {
   const choice = element("mode"), meshes = frames.map(({ mesh }) => mesh), nameOf = (mode) => (typeof mode === "function" ? mode.label : mode.name);
   let modes = [], wanted = null;
@@ -136,7 +138,7 @@ function measure(mesh) {
   return mesh;
 }
 
-// All that is said of one mesh beside its picture.
+// Shows the charts, lists and texts about one mesh beside its picture.
 function showNumbers({ facts, claim, mesh }, bound, actions) {
   element("canvas").setAttribute("aria-label", `The mesh: ${plural(mesh.vertices, "vertex", "vertices")}, ${plural(mesh.count, "triangle")}.`);
   element("number").max = mesh.count;
@@ -186,7 +188,7 @@ async function start() {
   const item = itemOfAddress(own.mesh);
   if (item) actions.go(item);
   showLengths(own.mesh);
-  // For whoever drives the page.
+  // Gives programs that drive the page access to its parts.
   window.asterism = { facts, claim, stage, actions, frames, get mesh() { return stage.mesh; } };
   document.documentElement.dataset.state = "ready";
 }

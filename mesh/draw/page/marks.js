@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What is drawn above the mesh: the chosen triangle, places, ellipses.
+// Draws above the mesh: the chosen triangle, marked places, unit circles of the metric.
 
 const mostEllipses = 2000;  // vertices in sight beyond which none has its circle drawn
 
-// Colours that are seen on all those of the mesh, whether the page is dark or light.
+// Colours of marks, which contrast with all colours of triangles on dark and on light pages.
 const markInk = "#111111", markHalo = "#ffffff", markEllipse = "#8a0057", markPlace = "#c00020";
 
 function strokeWithHalo(context, ink, width) {
@@ -16,7 +16,7 @@ function strokeWithHalo(context, ink, width) {
   context.stroke();
 }
 
-// Vertices at least `distance` pixels apart, those of lower number first.
+// Chooses vertices at least `distance` pixels apart, those of lower number first.
 function verticesApart(vertices, camera, mesh, distance) {
   const chosen = [], squares = new Map(), square = (x) => Math.floor(x / distance);
   for (const v of vertices.sort((a, b) => a - b)) {
@@ -33,7 +33,7 @@ function verticesApart(vertices, camera, mesh, distance) {
   return chosen.filter(({ circle }) => Number.isFinite(circle.longest));
 }
 
-// The pixels between the two nearest of some vertices.
+// Returns the distance, in pixels, of the two nearest of the chosen vertices.
 function leastGap(chosen) {
   let least = Infinity;
   chosen.forEach(({ at }, i) => {
@@ -42,9 +42,10 @@ function leastGap(chosen) {
   return least;
 }
 
-// Unit circles in sight, all in one scale, of which the longest just stays apart from its neighbours, as in
-// pictures (-o NAME.png). The scale goes in steps of 1, 2, 5, so that it stays while the view moves. Returns the
-// number of circles, their scale, and in pixels the longest semi-axis and the gap between neighbours.
+// Draws unit circles of vertices in sight, all to one scale, in which the longest does not reach
+// its neighbours, as in pictures (-o NAME.png). The scale is 1, 2 or 5 times a power of ten, so it
+// seldom changes while the view moves. Returns the number of circles, their scale, and in pixels
+// the longest semi-axis and the gap between neighbours.
 function drawEllipses(context, camera, mesh, places) {
   const vertices = verticesIn(mesh, places, camera.sight(), mostEllipses), none = { number: 0, scale: 0, longest: 0, gap: 0 };
   if (vertices === null) return { ...none, tooMany: true };
@@ -93,7 +94,7 @@ function drawPoints(context, camera, points, colour) {
   }
 }
 
-// Rings around triangles that are too small to be seen.
+// Draws rings around triangles that are too small to see.
 function drawRings(context, camera, mesh, triangles) {
   const least = 10;
   for (const t of triangles) {

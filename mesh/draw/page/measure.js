@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Measures the mesh again, in doubles, as the program's own reports do. It proves nothing.
+// Measures the mesh again, in doubles, as the program's own reports do. This proves nothing.
 
 const degrees = 180 / Math.PI;
 
-// a b - c d, of which cancellation takes no digits: products of halves of 26 bits are exact.
+// Returns a b - c d without loss of digits by cancellation. Both products are split into products
+// of halves of 26 bits, which are exact.
 function differenceOfProducts(a, b, c, d) {
   const left = a * b, right = c * d;
   return left - right + (roundingOf(a, b, left) - roundingOf(c, d, right));
@@ -16,8 +17,8 @@ function roundingOf(a, b, product) {
   return lowA * lowB - (product - highA * highB - lowA * highB - highA * lowB);
 }
 
-// One tensor divided by its largest entry, so that nothing over- or underflows, and the root of its
-// determinant, of which a thin one would lose all digits in plain products.
+// Returns one tensor divided by its largest entry, so that nothing overflows or underflows, and the
+// root of its determinant, which keeps its digits for thin tensors, too.
 function scaledTensor(metrics, v) {
   const m11 = metrics[3 * v], m12 = metrics[3 * v + 1], m22 = metrics[3 * v + 2];
   const scale = Math.max(Math.abs(m11), Math.abs(m12), Math.abs(m22));
@@ -25,7 +26,8 @@ function scaledTensor(metrics, v) {
   return { a, b, c, root: Math.sqrt(Math.max(0, differenceOfProducts(a, c, b, b))), scale };
 }
 
-// The nine angles of triangle t in degrees: angles[3 * from + corner].
+// Computes the nine angles of triangle t in degrees: angles[3 * from + corner] is the angle at
+// `corner` in the metric of vertex `from`.
 function nineAngles(mesh, t, angles = new Float64Array(9)) {
   const { positions: p, triangles } = mesh;
   const edges = mesh.scratch;  // from corner i to the next: x, y, longest component 1
@@ -50,7 +52,7 @@ function nineAngles(mesh, t, angles = new Float64Array(9)) {
   return angles;
 }
 
-// Length of an edge from v to w as v measures it.
+// Returns the length of the edge from v to w in v's metric.
 function lengthFrom(mesh, v, w) {
   const { positions: p, metrics: m } = mesh;
   const x = p[2 * w] - p[2 * v], y = p[2 * w + 1] - p[2 * v + 1];
@@ -61,14 +63,14 @@ function lengthFrom(mesh, v, w) {
   return scale * Math.sqrt(t.scale) * Math.sqrt(squared);
 }
 
-// Length over width of the metric's unit circle.
+// Returns length over width of the metric's unit circle.
 function metricAspect(metrics, v) {
   const t = scaledTensor(metrics, v);
   const mean = (t.a + t.c) / 2, spread = Math.hypot((t.a - t.c) / 2, t.b);
   return (mean + spread) / t.root;
 }
 
-// Semi-axes of the unit circle, longest first, and the direction of the longest.
+// Returns the semi-axes of the unit circle, longest first, and the direction of the longest.
 function unitCircle(metrics, v) {
   const t = scaledTensor(metrics, v);
   const mean = (t.a + t.c) / 2, spread = Math.hypot((t.a - t.c) / 2, t.b);
@@ -80,7 +82,8 @@ function unitCircle(metrics, v) {
   };
 }
 
-// Length over width of the triangle as it lies in the plane: its longest edge over the height on it.
+// Returns length over width of a triangle in the plane: its longest edge over the height on that
+// edge.
 function triangleAspect(mesh, t) {
   const { positions: p, triangles } = mesh;
   let longest = 0;
@@ -92,13 +95,14 @@ function triangleAspect(mesh, t) {
   return longest * longest / Math.abs(twice);
 }
 
-// Root of the area of the triangle as it lies in the plane.
+// Returns the root of the area of a triangle in the plane.
 function triangleSize(mesh, t) {
   const { positions: p, triangles } = mesh, [a, b, c] = [0, 1, 2].map((i) => 2 * triangles[3 * t + i]);
   return Math.sqrt(Math.abs(differenceOfProducts(p[b] - p[a], p[c + 1] - p[a + 1], p[b + 1] - p[a + 1], p[c] - p[a])) / 2);
 }
 
-// The least of the nine angles of each triangle, the counts of all of them by degree, and the worst.
+// Returns the least of the nine angles of each triangle, the number of angles in each degree, and
+// the least angle of the mesh.
 function measureAngles(mesh) {
   const least = new Float32Array(mesh.count), bins = new Float64Array(180);
   const nine = new Float64Array(9);
@@ -117,7 +121,8 @@ function measureAngles(mesh) {
   return { least, bins, worst };
 }
 
-// Lengths of all edges, each once, the mean of what both ends measure: counts by logarithm.
+// Measures each edge once, by the mean of the lengths in both ends' metrics. Returns counts by the
+// logarithm of the length, the number of edges, and the number of unit edges.
 function measureLengths(mesh) {
   const keys = new Float64Array(3 * mesh.agreeing);
   for (let t = 0, k = 0; t < mesh.agreeing; ++t)
@@ -139,7 +144,8 @@ function measureLengths(mesh) {
   return { bins, edges, unit };
 }
 
-// From 1/8 to 8 in twelve steps an octave; the first and the last hold what is beyond.
+// Bins of lengths from 1/8 to 8, twelve an octave; the first and the last bin count lengths outside
+// of this range.
 const lengthBins = {
   count: 72,
   of: (length) => {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Puts triangles near each other into chunks, so that a view draws those it shows and a click asks few.
+// Puts triangles near each other into chunks, so that a view draws few triangles out of sight and a
+// click searches few.
 
 const chunkSize = 4096;  // triangles
 const fixedRange = 2 ** 31 - 1;  // positions on the card: differences of two fit into its integers
 
-// Order of triangles along a Z-shaped curve through the middles of their boxes.
+// Returns the triangles in their order along a Z-shaped curve through their centroids.
 function placesInOrder(mesh) {
   const { positions: p, triangles, box } = mesh, cells = 1024;
   const keys = new Uint32Array(mesh.count);
@@ -43,7 +44,8 @@ function boxOfTriangles(mesh, order, from, to) {
   return box;
 }
 
-// Chunks with their boxes; `order[from .. to)` are the triangles of one.
+// Divides the triangles into chunks: order[from .. to) are the triangles of one, `box` is their
+// box.
 function makeChunks(mesh) {
   const order = placesInOrder(mesh), chunks = [];
   for (let from = 0; from < mesh.count; from += chunkSize) {
@@ -55,7 +57,8 @@ function makeChunks(mesh) {
 
 const meet = (a, b) => a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 
-// Positions as integers of the box, which the card subtracts exactly however near the view is.
+// Returns positions as integers, counted from the box's corner: the graphics card subtracts them
+// exactly, however close the view is.
 function toFixed(mesh, numbers) {
   const { positions: p, box } = mesh, fixed = new Uint32Array(2 * numbers.length);
   const sx = fixedRange / (box.x1 - box.x0), sy = fixedRange / (box.y1 - box.y0);
@@ -66,7 +69,8 @@ function toFixed(mesh, numbers) {
   return fixed;
 }
 
-// The triangle that holds the point, or -1. Those drawn last, which lie above others, come first.
+// Returns the triangle that contains the point, or -1. Of overlapping triangles it is the one drawn
+// last.
 function triangleAt(mesh, { order, chunks }, x, y) {
   const { positions: p, triangles } = mesh;
   const side = (v, w) => (p[2 * w] - p[2 * v]) * (y - p[2 * v + 1]) - (p[2 * w + 1] - p[2 * v + 1]) * (x - p[2 * v]);
@@ -81,7 +85,7 @@ function triangleAt(mesh, { order, chunks }, x, y) {
   return -1;
 }
 
-// Vertices in sight, or null when they are more than `most`.
+// Returns the vertices in sight, or null if there are more than `most`.
 function verticesIn(mesh, { order, chunks }, sight, most) {
   const seen = new Set();
   for (const { from, to, box } of chunks) {

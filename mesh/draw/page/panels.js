@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Words, tables and charts beside the picture. Text from files goes in as text, never as markup.
+// Shows texts, tables and charts beside the picture. Text from files is inserted as text, never as
+// markup.
 
 function make(tag, attributes = {}, ...children) {
   const made = document.createElementNS(["svg", "rect", "line", "text", "title"].includes(tag) ? "http://www.w3.org/2000/svg"
@@ -20,18 +21,19 @@ function table(heads, rows, caption) {
 }
 
 const full = (x) => (x === null || x === undefined ? "none" : typeof x === "number" ? String(Number(x.toPrecision(12))) : String(x));
-// Cut, not rounded, so that an angle below a bound never reads as the bound.
+// Returns an angle cut to some digits, not rounded: an angle below a bound never reads as the
+// bound.
 const angleText = (x, digits = 4) => String(Number((Math.floor(x * 10 ** digits) / 10 ** digits).toFixed(digits)));
 const angleCell = (x, kind = "") => x === null || x === undefined ? "none" : { text: `${angleText(x)} degrees`, title: full(x), kind };
 const angle = (x) => (x === null || x === undefined ? "none" : `${Number(x).toFixed(2)} degrees`);
-// To three digits, never less than it is.
+// Returns a number with three digits, rounded up.
 const upward = (x) => { const [digits, power] = x.toExponential(2).split("e"), up = Number(`${digits}e${power}`); return short(up >= x ? up : Number(`${(Number(digits) + 0.01).toFixed(2)}e${power}`)); };
 const count = (n) => Number(n).toLocaleString("en-US");
-// As a count where it is as large as one.
+// Returns a number as a whole one if it is at least 10,000, else with four digits.
 const large = (x) => (x >= 1e4 && x < 1e15 ? count(Math.round(x)) : short(x));
 const plural = (n, one, many = `${one}s`) => `${count(n)} ${n === 1 ? one : many}`;
 
-// The badge, its kind, and one sentence; never more than the certificate says.
+// Returns the badge, its kind and one sentence; they claim no more than the certificate.
 function verdictOf(facts, claim) {
   if (claim === null)
     return ["Not judged", "open", "There is no certificate with this page; the commands at its end judge the mesh."];
@@ -65,7 +67,8 @@ function metricRow(claim) {
   return ["Metric", claim.asked.metric, "the tensors at the vertices"];
 }
 
-// Rows of what was asked, what the certificate says of it, and what this page measures itself.
+// Returns rows of a table: what was asked for, the certificate's values, and the values that this
+// page measures.
 function askedRows(facts, claim, mesh) {
   const { asked, outcome, audit, measured } = claim, options = asked.options;
   const least = Math.min(...[audit.worst_angle, audit.worst_collateral_angle, audit.worst_exempt_angle].map((x) => x ?? 180));
@@ -101,7 +104,8 @@ function showAsked(facts, claim, mesh) {
   if (facts.claim_from) holder.append(make("p", { class: "soft" }, facts.claim_from));
 }
 
-// A bar chart with its numbers as a table for those who do not see it. `bars` have from, to, n, low.
+// Draws a bar chart, and adds its numbers as a table for readers who cannot see it. `bars` have a
+// name, a number n, and `low` if they are below the bound.
 function chart(holder, name, bars, ticks, mark) {
   const width = 420, height = 130, foot = 18, most = Math.max(1, ...bars.map((b) => b.n));
   const svg = make("svg", { viewBox: `0 0 ${width} ${height + foot}`, class: "chart", role: "img", "aria-label": name });
@@ -141,8 +145,8 @@ function showLengths(mesh) {
   element("lengths").append(make("p", {}, `${plural(edges, "edge")}, each as long as its two ends measure it in the mean; ${count(unit)} (${short(100 * unit / Math.max(1, edges))} %) from 0.71 to 1.41.`));
 }
 
-// Places where the domain was repaired, as the certificate lists them ("what x y; what x y"): the
-// vertices there, or next to there.
+// Returns the places where the domain was repaired, as the certificate lists them ("what x y; what
+// x y"), each with the vertex at it or nearest to it.
 function repairsOf(claim, mesh) {
   const text = claim?.asked.options["repair-places"] ?? "none", p = mesh.positions, known = new Map();
   if (text === "none") return [];
@@ -159,7 +163,7 @@ function repairsOf(claim, mesh) {
   });
 }
 
-// The lists of places: a name, what it means, and items that are {triangle} or {vertex} with a text.
+// Returns the lists of places: each has a name, and items {triangle} or {vertex} with a text.
 function listsOf(facts, claim, mesh) {
   const triangles = (numbers) => numbers.map((t) => ({ triangle: t, text: String(t + 1) }));
   const fromOne = (numbers = []) => triangles(numbers.map((n) => n - 1));
@@ -203,7 +207,8 @@ function showLists(lists, go) {
   if (lists.length === 0) holder.append(make("p", {}, "None."));
   for (const { name, items, all = items.length, long, closed = false } of lists) {
     const list = make("ul", { class: long ? "list long" : "list" });
-    // A few at first, since lists do not scroll by themselves: on a telephone a page in a page holds the finger.
+    // Adds a few items at first, and more on demand. The lists do not scroll by themselves: on a
+    // telephone that would keep a finger from scrolling the page.
     const more = (from, most) => {
       items.slice(from, from + most).forEach((item) => {
         const button = make("button", { type: "button", ...(item.title === undefined ? {} : { title: item.title }) }, item.text);
@@ -222,7 +227,7 @@ function showLists(lists, go) {
   }
 }
 
-// Numbers to seven digits; the whole double is the cell's title.
+// Makes a table of positions and tensors with seven digits; the title of a cell has all digits.
 function tensorTable(mesh, corners) {
   const { positions: p, metrics: m } = mesh, circles = corners.map((v) => unitCircle(m, v));
   const row = (name, of) => [name, ...corners.map((v) => ({ text: Number(of(v).toPrecision(7)), kind: "n", title: of(v) }))];
@@ -246,7 +251,7 @@ function angleTable(mesh, t, corners, bound) {
                })]), "The nine angles");
 }
 
-// Sentences of the certificate that name the triangle, or two of its vertices.
+// Returns the sentences of the certificate that name the triangle, or two of its vertices.
 function witnessesOf(claim, t, corners) {
   if (claim === null) return [];
   return claim.audit.witnesses.filter((sentence) => {

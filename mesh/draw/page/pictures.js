@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Decides what the canvas shows while a picture of the mesh takes longer than a frame: kept pictures, moved and
-// stretched. The exact one is drawn a few chunks a frame, so that the page answers meanwhile.
+// Decides what the canvas shows while a picture of the mesh takes longer than a frame to draw: kept
+// pictures, moved and stretched. The exact picture is drawn in the meantime, a few chunks in each
+// frame, so that the page stays responsive.
 
 const longestFrame = 1 / 40, sliceSeconds = 0.012;
 
@@ -19,7 +20,7 @@ function makePictures(mesh, places, view) {
     view.begin(picture, look);
     return { picture, look, left: inSight(camera), at: 0, slice: 1, seconds: 0, ofWhole: false };
   };
-  // Draws the next chunks of a job; true when it is done.
+  // Draws the next chunks of a job; returns true when it is done.
   const draw = (to, count) => {
     const before = performance.now(), some = to.left.slice(to.at, to.at + count);
     view.add(to.picture, to.picture.from, to.look, some);
@@ -46,7 +47,7 @@ function makePictures(mesh, places, view) {
     job = null;
   };
   return {
-    // The kept pictures have other colours than the next one.
+    // Marks the kept pictures as outdated, as colours have changed.
     outdate() {
       stop();
       for (const one of [latest, whole]) if (one !== null) one.old = true;
@@ -55,12 +56,12 @@ function makePictures(mesh, places, view) {
     get seconds() { return known.seconds; },
     // True if a picture of what the camera sees is expected to take less than a frame.
     quick: (camera) => latest !== null && known.seconds * Math.max(1, inSight(camera).length / Math.max(1, known.chunks)) < longestFrame,
-    // The latest picture, and beyond its ends the one of the whole mesh.
+    // Shows the latest picture, and where the view extends beyond it the picture of the whole mesh.
     show(camera, look) {
       const beyond = latest === null || !holds(latest.from.sight(), camera.sight());
       view.show([beyond ? whole : null, latest].filter((one) => one !== null), camera, look);
     },
-    // Draws what the camera sees at once.
+    // Draws the camera's view at once.
     paint(camera, look) {
       stop();
       const now = begin(camera, look);
@@ -72,7 +73,7 @@ function makePictures(mesh, places, view) {
       stop();
       job = begin(camera, look);
     },
-    // Starts what is shown where the latest picture ends, if there is none.
+    // Starts a picture of the whole mesh, to be shown beyond the latest one, unless there is one.
     startWhole(camera, look) {
       if ((whole !== null && !whole.old) || holdsMesh(latest)) return;
       const far = camera.copy();
@@ -80,7 +81,8 @@ function makePictures(mesh, places, view) {
       job = Object.assign(begin(far, look), { ofWhole: true });
     },
     stop,
-    // Goes on with what was started; true when a picture of what the camera saw is there.
+    // Continues the picture that was started; returns true when one of the camera's view is
+    // finished.
     step() {
       if (!draw(job, job.slice)) return false;
       const done = job;

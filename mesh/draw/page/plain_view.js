@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the mesh by a plain canvas, slowly, where there is no WebGL 2.
+// Draws the mesh on a canvas in two dimensions, slowly, where there is no WebGL 2.
 
 const mostPlain = 100000;  // triangles of a picture: those in sight beyond these are left out
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Answers mouse, pen, fingers and wheel. One finger is the browser's, which scrolls the page past the picture;
-// two move and zoom.
+// Responds to mouse, pen, fingers and wheel. One finger is left to the browser, which scrolls the
+// page; two fingers move and zoom the mesh.
 
-// A gesture is a tap while it has one pointer and moves less than this, in pixels.
+// Distance, in pixels, below which a gesture with one pointer is a tap.
 const tapOf = (kind) => (kind === "touch" ? 10 : 4);
 
 function middleAndSpread(held) {
@@ -10,7 +10,7 @@ function middleAndSpread(held) {
   return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, spread: Math.hypot(a.x - b.x, a.y - b.y) };
 }
 
-// Moves the camera as its pointers moved: the point of the mesh between them stays there.
+// Moves and zooms the camera so that the points of the mesh under the pointers follow them.
 function follow(camera, before, now) {
   if (before.spread > 0 && now.spread > 0) camera.zoom(now.spread / before.spread, before.x, before.y);
   camera.move(now.x - before.x, now.y - before.y);
@@ -47,13 +47,13 @@ function addPointers(stage, canvas, actions) {
   });
   canvas.addEventListener("pointercancel", release);
   canvas.addEventListener("pointerleave", (event) => { if (event.pointerType === "touch") release(event); actions.hover(null); });
-  // Keeps the browser from scrolling by two fingers, which it would take as it takes one.
+  // Keeps the browser from scrolling or zooming the page by two fingers.
   for (const kind of ["touchstart", "touchmove"])
     canvas.addEventListener(kind, (event) => { if (event.touches.length > 1 && event.cancelable) event.preventDefault(); }, { passive: false });
   canvas.addEventListener("wheel", (event) => {
     event.preventDefault();
     const { x, y } = at(event), pixels = event.deltaY * (event.deltaMode === 1 ? 33 : 1);
-    // A pinch on a touchpad comes as a wheel with the control key, by smaller steps.
+    // Browsers report a pinch on a touchpad as a wheel with the control key, in smaller steps.
     stage.camera.zoom(Math.exp(-pixels / (event.ctrlKey ? 100 : 400)), x, y);
     stage.moved();
   }, { passive: false });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The picture on the page, redrawn once a frame at most and only when something changed.
+// Holds the picture on the page. It is redrawn at most once a frame, and only when something has
+// changed.
 
 function makeView(canvas, mesh, places) {
   const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
@@ -15,15 +16,15 @@ const lookOfPage = () => ({
   paper: numbersOfColour(colourOf("--card")), ink: numbersOfColour(colourOf("--ink")),
 });
 
-// One mesh of the page, put in order for drawing.
+// Prepares one mesh for drawing: chunks, view, kept pictures, exempt corners.
 function makeScene(mesh, claim) {
   const places = makeChunks(mesh), view = makeView(element("canvas"), mesh, places);
   const corners = (claim?.audit.exempt_corners ?? []).map((n) => n - 1).filter((v) => v < mesh.vertices);
   return { mesh, places, view, pictures: makePictures(mesh, places, view), corners };
 }
 
-// What is drawn above the mesh. An overlay with nothing on it is hidden: putting it on the page costs as much
-// as one that is full.
+// Makes the function that draws marks above the mesh. An overlay without marks is hidden: to
+// compose an empty one takes as long as a full one.
 function makeMarks(stage) {
   const overlay = element("overlay"), context = overlay.getContext("2d"), { camera } = stage;
   return () => {
@@ -45,7 +46,7 @@ function makeMarks(stage) {
   };
 }
 
-// Shows one scene at a time, all by the same camera.
+// Makes the stage, which shows one scene at a time, all of them by the same camera.
 function makeStage(scene) {
   const canvas = element("canvas"), camera = new Camera(scene.mesh.box);
   const stage = {
@@ -59,7 +60,7 @@ function makeStage(scene) {
     stage.pictures.show(camera, lookOfPage());
     paintMarks();
   };
-  // The exact picture, at once.
+  // Draws the exact picture at once.
   stage.paint = () => {
     clearTimeout(settled);
     stage.pictures.paint(camera, lookOfPage());
@@ -74,13 +75,13 @@ function makeStage(scene) {
     }
     requestAnimationFrame(goOn);
   };
-  // The exact picture, a part of it each frame.
+  // Draws the exact picture, a part of it in each frame.
   stage.settle = () => {
     stage.pictures.start(camera, lookOfPage());
     if (!going) goOn();
   };
-  // While the view moves: the exact picture if it takes less than a frame, kept ones otherwise, and the
-  // exact one as soon as the view rests.
+  // Shows a changed view: the exact picture if it takes less than a frame, else kept ones until the
+  // view rests and the exact one is drawn.
   stage.move = () => {
     if (stage.pictures.shows(camera)) return paintMarks();
     if (stage.pictures.quick(camera)) return stage.paint();
@@ -90,13 +91,13 @@ function makeStage(scene) {
     settled = setTimeout(stage.settle, 150);
     return undefined;
   };
-  // Another scene from the same place.
+  // Selects another scene; the view stays.
   stage.take = (next) => {
     clearTimeout(settled);
     stage.pictures.stop();
     Object.assign(stage, { scene: next, chosen: null });
   };
-  // The scene as it was kept, or drawn anew where the view or the colours are others.
+  // Shows the scene's kept picture, or draws it anew if the view or the colours have changed.
   stage.refresh = () => {
     const kept = stage.scene.look === looks && stage.pictures.shows(camera);
     stage.scene.look = looks;
@@ -112,7 +113,7 @@ function makeStage(scene) {
   };
   stage.moved = soon(stage.move);
   stage.marked = soon(paintMarks);
-  // The same view in other colours.
+  // Redraws the same view after a change of colours.
   stage.changed = soon(() => {
     stage.scene.look = ++looks;
     stage.pictures.outdate();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Draws the mesh by WebGL 2.
 
-// A triangle has one colour, or where `smooth` is set the colours between those of its corners.
+// Shader of triangles: one colour for each, or with `smooth` colours interpolated between the
+// corners.
 const fillVertex = (smooth) => `#version 300 es
 precision highp float; precision highp int;
 layout(location = 0) in uvec2 at;
@@ -17,7 +18,8 @@ void main() {
   int i = gl_VertexID % 3;
   corner = vec3(i == 0, i == 1, i == 2);
 }`;
-// Edges lie where a barycentric coordinate is nearly 0; they fade where triangles are a few pixels.
+// Draws edges where a barycentric coordinate is nearly 0. They fade where triangles are a few
+// pixels wide.
 const fillFragment = (smooth) => `#version 300 es
 precision highp float;
 ${smooth ? "in float place" : "flat in vec3 colour"};
@@ -47,7 +49,7 @@ void main() {
   vec2 off = vec2(-along.y, along.x) * (float(gl_VertexID & 1) - 0.5) * width * pixel;
   gl_Position = vec4((gl_VertexID < 2 ? a : b) + off, 0.0, 1.0);
 }`;
-// A kept picture: four corners, and what lies between them in the texture.
+// Shaders that draw a kept picture as a texture between four corners.
 const copyVertex = `#version 300 es
 precision highp float;
 uniform vec4 place;
@@ -128,7 +130,7 @@ function makeCardPicture(gl, width, height) {
   return { texture, frame, width, height, free() { gl.deleteTexture(texture); gl.deleteFramebuffer(frame); } };
 }
 
-// Shows a kept picture of another view where that view's part of the mesh is now.
+// Shows a kept picture of another view, moved and stretched to its place in the present view.
 function copyPicture(gl, copier, picture, camera) {
   const { from } = picture, zoom = camera.scale / from.scale;
   const x = 2 * (from.x - camera.x) * camera.scale / camera.width, w = zoom * from.width / camera.width;
@@ -142,9 +144,11 @@ function copyPicture(gl, copier, picture, camera) {
   gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
 }
 
-// The two backends have: setMode(mode); makePicture(), a kept picture of the canvas's size, which fits tells of one; begin, add and
-// end, which draw a picture's paper, some chunks and the boundary; show, which puts kept pictures on the
-// canvas, the last on top; finish, which waits for what was asked.
+// Makes the view on the graphics card. Both kinds of view have these functions: setMode(mode)
+// chooses the colours; makePicture() makes a kept picture of the canvas's size; fits(picture) is
+// true if it has that size; begin, add and end draw the paper, some chunks and the boundary into a
+// picture; show draws kept pictures on the canvas, the last on top; finish waits until all is
+// drawn.
 function makeCardView(gl, mesh, places) {
   const { order } = places;
   const flat = makeProgram(gl, fillVertex(false), fillFragment(false)), lines = makeProgram(gl, lineVertex, lineFragment);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Draws the triangles: on the graphics card, else on a plain canvas from back to front.
+// Draws the triangles on the graphics card, or else on a canvas in two dimensions, the farthest
+// first.
 
-// Each triangle has corners of its own, so that its normal and colour are its own.
+// Returns arrays in which no two triangles share a corner, so that each has its own normal and
+// colour.
 function makeCorners(arrays) {
   const { positions, triangles } = arrays, count = triangles.length / 3;
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -31,7 +33,7 @@ function angleAt(p, q, r) {
   return Math.atan2(Math.hypot(...cross(a, b)), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * 180 / Math.PI;
 }
 
-// Colours of patches are a golden ratio of the circle apart.
+// Returns the colour of a patch. Hues of successive patches are a golden ratio of the circle apart.
 function colourOfPatch(face) {
   const hue = (0.58 + face * 0.618034) % 1 * 6, part = (n) => {
     const k = (n + hue) % 6;
@@ -77,7 +79,7 @@ out vec4 pixel;
 void main() {
   vec3 width = fwidth(beside);
   vec3 near = smoothstep(vec3(0.1), vec3(1.1), beside / max(width, vec3(1e-9)));
-  // Triangles of few pixels would be lines alone.
+  // Fades lines on triangles of few pixels, which lines alone would cover.
   float fade = 1.0 - smoothstep(0.1, 0.5, max(width.x, max(width.y, width.z)));
   float on = (1.0 - min(near.x, min(near.y, near.z))) * edges * 0.75 * fade;
   pixel = vec4(mix(shade, line, on), 1.0);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Holds how the surface is turned, moved and enlarged, and what pointers and keys do to that.
+// Holds how the surface is rotated, moved and scaled, and changes that by pointers and keys.
 
 // Rows of a rotation matrix. The first view is from above and aside, z up.
 const firstTurn = () => turned(turned([1, 0, 0, 0, 1, 0, 0, 0, 1], 2, -0.6), 0, -1.05);
 
-// Turns further about an axis of the screen: 0 across, 1 up, 2 towards the eye.
+// Returns the matrix m, rotated by an angle about an axis of the screen: 0 across, 1 up, 2 towards
+// the eye.
 function turned(m, axis, angle) {
   const c = Math.cos(angle), s = Math.sin(angle), i = (axis + 1) % 3, k = (axis + 2) % 3, to = m.slice();
   for (let n = 0; n < 3; ++n) {
