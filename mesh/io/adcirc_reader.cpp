@@ -131,8 +131,8 @@ failure adcirc_reader::read_boundaries(bool open) {
   return {};
 }
 
-// Reads the kind of a boundary: pairs of nodes are of barriers inside (4, 5, 24, 25); islands (1,
-// 11, 21) are closed.
+// Reads the kind of a boundary. Kinds 4, 5, 24 and 25, barriers inside, list pairs of nodes; kinds
+// 1, 11 and 21, islands, are closed.
 failure adcirc_reader::read_boundary(bool open) {
   words line;
   if (auto failed = next_line(line, 1, "the number of nodes of a boundary")) return failed;

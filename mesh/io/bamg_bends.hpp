@@ -12,8 +12,8 @@
 
 namespace asterism::internal {
 
-// True for sections about the curves that BAMG lays through the vertices of its edges: through all
-// that are no corners, with a common tangent.
+// True for the keywords of sections about BAMG's curves: BAMG lays a curve through the vertices of
+// its edges, with a common tangent at each vertex that is no corner.
 bool is_about_bamg_curves(std::string_view keyword);
 
 // Returns a note on the vertices between two edges that turn there by less than `bound`, in

@@ -301,8 +301,8 @@ result<certificate> parse_certificate(const std::string& text, const std::string
   try {
     const json root = without_relaxation(json::parse(text));
     certificate read = certificate_of(root);
-    // Compares the text with that of the certificate that was read: parts that were not read, or
-    // are written differently, differ.
+    // Compares the text with that of the certificate that was read: a difference is a part that was
+    // not read, or that is written differently.
     if (const auto odd = first_difference(root, json_of(read), ""))
       return refuse(places.line_of(odd->name), quoted(odd->name) + " " + odd->what);
     return read;

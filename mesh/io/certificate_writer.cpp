@@ -42,7 +42,7 @@ json measured_json(const certificate& c) {
   return result;
 }
 
-// Writes null where no triangle is away from the exempt corners.
+// Writes null if every triangle has an exempt angle.
 json worst_angle_json(double degrees) {
   return degrees < no_angle_to_judge ? json(degrees) : json(nullptr);
 }
@@ -92,7 +92,8 @@ json former_report_json(const former_boundary_report& former) {
            std::isfinite(former.largest_distance) ? json(former.largest_distance) : json(nullptr)}};
 }
 
-// Writes the segments of the domain that former vertices were along, with these.
+// Writes each segment of the domain that was along the former boundary, with the former vertices on
+// it.
 json former_json(const former_boundary& former) {
   json segments = json::array();
   for (std::size_t s = 0; s < former.between.size(); ++s)
@@ -237,7 +238,7 @@ void write_segments(const domain& d, const byte_sink& put) {
   const auto write = [&](std::size_t i, std::string& lines) {
     const segment& s = d.segments[i];
     const std::size_t a = std::size_t{s.a} + 1, b = std::size_t{s.b} + 1;
-    if (tells_sides(s))
+    if (needs_sides(s))
       append_item(lines, i == 0, a, b, s.marker, s.internal ? 1 : 0, s.left_region, s.right_region);
     else
       append_item(lines, i == 0, a, b, s.marker);
@@ -246,9 +247,9 @@ void write_segments(const domain& d, const byte_sink& put) {
   put("\n  ]");
 }
 
-// Fills the items of two lists into a text that has these lists empty. The key is the only one that
-// far from the left, and no value holds the end of a line. The lists may be most of a large text,
-// which is never held whole.
+// Writes a text that has empty lists of vertices and segments, and fills these. Finds them behind
+// the key "domain" of the outermost object: no other line begins in this way, and no value contains
+// the end of a line. The lists may be most of a large text, so the text is never held whole.
 void write_with_lists(std::string_view text, const domain& d, const byte_sink& put) {
   const std::string_view empty = "[]";
   const std::size_t first = text.find(empty, text.rfind("\n \"domain\": {")),

@@ -11,8 +11,8 @@
 
 namespace asterism::internal {
 
-// Exchanges two corners of each clockwise triangle, by exact orientations, and adds a note on how
-// many they are. Flat triangles stay. `place` and `from` name the first in the note: "triangle" and
+// Exchanges two corners of each clockwise triangle, by exact orientations, and adds a note with
+// their number. Flat triangles stay. `place` and `from` name the first in the note: "triangle" and
 // 1 in files, "row" and 0 in arrays.
 void turn_over_clockwise(mesh& m, std::string_view place, std::size_t from);
 

@@ -14,10 +14,10 @@ namespace asterism::internal {
 // True if the file lists edges and no triangle, as BAMG's geometries and the input of mmg2d do.
 bool has_edges_alone(const mesh_file& file);
 
-// Returns the domain that the edges bound, with their markers, as the segments of a .poly file
-// would: vertices on no edge belong to it where they are inside. `name` is the file's. Notes are
-// those of the file's reader. Where the file names parts that edges enclose, these parts have the
-// file's numbers, and the others are holes.
+// Returns the domain that the edges bound, with their markers, by the rules for segments of a .poly
+// file: vertices on no edge belong to it if they are inside. `name` is the file's. Notes are those
+// of the file's reader. Where the file names parts that edges enclose, these parts have the file's
+// numbers, and the others are holes.
 result<domain> domain_of_edges(mesh_file file, const std::string& name);
 
 }  // namespace asterism::internal

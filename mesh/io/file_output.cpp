@@ -117,7 +117,7 @@ class replacement {
 }  // namespace
 
 fs::path place_of(const fs::path& path) {
-  constexpr int most_links = 40;  // as many as the system follows
+  constexpr int most_links = 40;  // the limit of Linux, too
   fs::path place = path;
   for (int i = 0; i < most_links; ++i) {
     std::error_code none;

@@ -17,9 +17,10 @@ namespace asterism::internal {
 // string its number, after its last node. Strings inside the domain are there, too.
 std::string sms_text(const mesh& m);
 
-// Returns the contents of a fort.14 file: all strings are land boundaries, of type 0, those that
-// close of type 1, islands, unless they enclose the rest. A comment after each has its marker, or
-// the marker's name. The format has no place for segments inside and for regions.
+// Returns the contents of a fort.14 file: all strings are land boundaries; closed strings are
+// islands, of type 1, and open ones and the string that encloses the mesh are of type 0. A comment
+// after each has its marker, or the marker's name. The format has no place for segments inside and
+// for regions.
 std::string adcirc_text(const mesh& m, const physical_names& names, const std::string& title);
 
 }  // namespace asterism::internal

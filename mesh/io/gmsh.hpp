@@ -7,8 +7,8 @@
 // triangles, of second order (types 9 and 8) with nodes for their sides after the vertices, if they
 // are given; the boundary subsegments as lines, domain on the left, internal ones too; and the
 // metric as node data "metric", nine components. Numbers are the shortest texts that read back. The
-// number of a physical group must be positive: 0 and negative numbers take a free one, with their
-// own in the name, "marker -7", where it is read back from.
+// number of a physical group must be positive: a number of 0 or below takes a free one, and its
+// own is in the group's name, "marker -7", from which it is read back.
 //
 // Read: versions 1, 2.0 to 2.2, 4.0 and 4.1; sections in the order that gmsh writes, tags in any
 // order and with gaps; points, lines, triangles and quadrilaterals, of higher order by their

@@ -20,8 +20,8 @@ struct gmsh_group {
 };
 using gmsh_groups_by_number = std::map<int, gmsh_group>;
 
-// Returns a group for each number. A number that is not positive takes a free tag, with its own in
-// the name after `what`.
+// Returns a group for each number. A number that is not positive gets a free tag; its group's name
+// is `what` and the number.
 gmsh_groups_by_number number_groups(const std::set<int>& numbers,
                                     const std::map<int, std::string>& names, std::string_view what);
 

@@ -153,7 +153,7 @@ failure gmsh_reader::read_entities(const std::string& section) {
   return expect("$End" + section.substr(1));
 }
 
-// Reads the entities of partitions: elements are in these, and in the groups of these.
+// Reads the entities of partitions: elements belong to these, and to the groups that these are in.
 failure gmsh_reader::read_partitioned_entities(const std::string& section) {
   const auto partitions = count("number of partitions");
   if (!partitions.ok()) return partitions.failure();

@@ -23,7 +23,7 @@ class gmsh_source {
   // Reads on from the position of `source`, which must outlive this object.
   explicit gmsh_source(text_scanner& source) : source_(source) { file_.file = source.file(); }
 
-  // Reads the header. Version 1 has none: its first section is that of the nodes.
+  // Reads the header. A file of version 1 has no header: its first section has the nodes.
   failure read_version();
   // Reads the section of the nodes, with the name in `head`, into the sites and heights of the
   // file.

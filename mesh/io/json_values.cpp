@@ -15,7 +15,7 @@ using json = certificate_json;
 
 json segment_json(const segment& s, domain_rows rows) {
   json written = {std::size_t{s.a} + 1, std::size_t{s.b} + 1, s.marker};
-  if (rows == domain_rows::with_sides || tells_sides(s))
+  if (rows == domain_rows::with_sides || needs_sides(s))
     for (const int more : {s.internal ? 1 : 0, s.left_region, s.right_region})
       written.push_back(more);
   return written;
@@ -163,7 +163,7 @@ json points_json(const std::vector<point>& points) {
 
 std::string digest_text(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-bool tells_sides(const segment& s) {
+bool needs_sides(const segment& s) {
   return s.internal || s.left_region != 1 || s.right_region != 1;
 }
 

@@ -15,14 +15,15 @@
 
 namespace asterism::internal {
 
-// Exception of the readers below, which whoever parses a whole file catches.
+// Exception of the readers below. The reader of a whole file catches it.
 struct malformed : std::runtime_error {
   malformed(std::string field, const std::string& what)
       : std::runtime_error(what), name(std::move(field)) {}
   std::string name;  // of the field
 };
 
-// Return a text of a file, or that of a value, for messages: shortened, as it may be of any length.
+// Return a text from a file, or the text of a value, for messages: shortened, since it may have any
+// length.
 std::string shortened(std::string text);
 std::string shown(const certificate_json& value);
 
@@ -54,12 +55,12 @@ std::vector<std::size_t> from_one(const std::vector<vertex_index>& numbers);
 certificate_json points_json(const std::vector<point>& points);
 std::string digest_text(std::uint64_t digest);
 
-// True if a segment has anything to state on its sides, or on regions.
-bool tells_sides(const segment& s);
+// True if a segment is internal, or beside a region other than 1.
+bool needs_sides(const segment& s);
 
-// Tells how a domain's lists of vertices and segments are written. A segment has three numbers, or
-// six where it tells of its sides (as_needed), or always six (with_sides). Lists that are left_out,
-// as they may be very long, are empty.
+// Ways to write a domain's lists of vertices and segments. A segment has six numbers (with_sides),
+// or three if needs_sides() is false (as_needed). Lists that are left_out, as they may be very
+// long, are empty.
 enum class domain_rows : std::uint8_t { left_out, as_needed, with_sides };
 
 // Writes curves only if there are any.

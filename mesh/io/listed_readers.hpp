@@ -21,7 +21,8 @@ result<listed_mesh> read_listed_medit(const std::filesystem::path& path,
 
 // True if the file begins as FreeFEM's savemesh writes a .msh: with three counts.
 bool is_freefem_mesh(text_scanner source);
-// Reads FreeFEM's .msh: the numbers of vertices, triangles and edges, and these, each with a label.
+// Reads FreeFEM's .msh: the numbers of vertices, triangles and edges, then each of them with a
+// label.
 result<listed_mesh> read_freefem(text_scanner& source);
 
 // Reads the sections of gmsh's .msh and leaves them as they are listed: nodes may be in space,
@@ -39,7 +40,7 @@ result<listed_mesh> read_su2(std::string_view text, const std::string& file);
 result<listed_mesh> read_adcirc(std::string_view text, const std::string& file);
 
 // Reads SMS's .2dm: elements, their first material as region, and the sides along node strings.
-// Heights of nodes are those of a bed. Source: xmswiki.com, "2D Mesh Files *.2dm".
+// Heights of nodes are the heights of a bed. Source: xmswiki.com, "2D Mesh Files *.2dm".
 result<listed_mesh> read_sms(std::string_view text, const std::string& file);
 
 // Reads a plane .stl, text or binary: corners at one place are one vertex; several solids are

@@ -12,9 +12,9 @@
 //
 // Read: versions 1 to 3, keywords in any order and any number to a line; comments; sections of
 // known shape that mean nothing here, BAMG's among them, are skipped by their counts. Refused:
-// three dimensions (a third coordinate, other than a Z of 0 in a file of Dimension 3 without volume
-// elements, is too), binary files, unknown sections, quadrilaterals, numbers that are not finite,
-// indices out of range. Source: P. Frey, "MEDIT: an interactive mesh visualization software", INRIA
+// three dimensions (except for files of Dimension 3 without volume elements, with a Z of 0
+// everywhere), binary files, unknown sections, quadrilaterals, numbers that are not finite, indices
+// out of range. Source: P. Frey, "MEDIT: an interactive mesh visualization software", INRIA
 // RT-0253, 2001.
 #pragma once
 

@@ -237,7 +237,7 @@ void encoder::put_records(const section_kind& kind) {
     for (std::int64_t i = 0; i < types; ++i) {
       const std::int64_t type = next_integer();
       put_integer(type);
-      reals += type;  // in two dimensions a scalar, a vector, a tensor has so many numbers
+      reals += type;  // 1, 2 or 3: the number of reals of each kind in two dimensions
     }
   }
   for (std::int64_t i = 0; i < count; ++i) {

@@ -15,7 +15,7 @@ struct medit_read_options {
   bool without_solution = false;
   // True if every listed edge is a segment, marked or not (mesh/io/medit_edges.hpp).
   bool all_edges = false;
-  // File of the metric; by default that beside the mesh.
+  // File of the metric; by default the .sol beside the mesh.
   std::filesystem::path solution = {};
 };
 

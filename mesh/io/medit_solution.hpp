@@ -13,8 +13,9 @@
 
 namespace asterism::internal {
 
-// Reads `MeshVersionFormatted 1..3`, `Dimension 2 or 3`. Returns the dimension. Where BAMG's bound
-// on corners is between the two, in degrees, `corner_bound` is set to it, unless it is null.
+// Reads `MeshVersionFormatted 1..3`, `Dimension 2 or 3`. Returns the dimension. If BAMG's bound on
+// corners, in degrees, is between these two lines, sets `corner_bound` to it, unless `corner_bound`
+// is null.
 result<int> read_medit_header(text_scanner& source, std::optional<double>* corner_bound = nullptr);
 
 // Reads one tensor a site of `m` from a .sol file, or from one of BAMG's, NAME.mtr: the number of

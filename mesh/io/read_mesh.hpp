@@ -51,9 +51,9 @@ ASTERISM_EXPORT void take_back_note_of_corners(mesh_file& read);
 // .2dm or .stl. It may be one of edges alone, which are a domain.
 ASTERISM_EXPORT bool is_mesh_file(std::string_view name);
 
-// Returns the end of a message about a file that cannot be read as a mesh: what its name shows it
-// to be, or that it was read as Medit's format, whose name it does not have; empty for a mesh's
-// name.
+// Returns the end of a message about a file that cannot be read as a mesh; empty for a mesh's name.
+// It says what kind the name shows, or that the file was read as Medit's format although its name
+// has no known ending.
 ASTERISM_EXPORT std::string kind_hint(const std::filesystem::path& path);
 
 // True if a file of this name has numbers at the vertices of a mesh that can be its metric: .sol,
@@ -66,7 +66,8 @@ ASTERISM_EXPORT bool is_metric_file(std::string_view name);
 ASTERISM_EXPORT result<mesh_file> read_mesh_file(const std::filesystem::path& path,
                                                  const medit_read_options& options = {});
 
-// Reads a mesh as read_mesh_file does; returns the mesh alone, without what else the file holds.
+// Reads a mesh as read_mesh_file does; returns the mesh alone, without the other contents of the
+// file.
 ASTERISM_EXPORT result<mesh> read_mesh(const std::filesystem::path& path,
                                        const medit_read_options& options = {});
 

@@ -165,7 +165,8 @@ failure sms_reader::read_string(const words& line) {
   return {};
 }
 
-// A whole number is the marker; other names are of strings that are numbered in their order.
+// Takes a whole number as the string's marker. With another name the string keeps the number of its
+// place in the file as its marker.
 void sms_reader::name_string(const std::string& name) {
   int number = 0;
   const auto [end, failed] = std::from_chars(name.data(), name.data() + name.size(), number);

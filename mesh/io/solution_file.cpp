@@ -244,7 +244,7 @@ result<solution> internal::read_fields(const std::filesystem::path& path, const 
     auto read = read_gmsh_solution(text.value(), file);
     if (!read) return read;
     made = std::move(read).value();
-    // Accepts a file without fields, which may be another program's of this name.
+    // Accepts a file without fields: a .msh may be another program's mesh.
     if (made.fields.empty()) made.vertices = m.sites.size() + left_out.size();
     if (made.vertices != m.sites.size() + left_out.size())
       return error{fmt::format("{}: values at {} nodes, and the mesh has {}", file, made.vertices,

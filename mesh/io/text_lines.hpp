@@ -65,7 +65,8 @@ void append_lines(std::string& text, std::size_t count, const Line& line) {
   make_lines(count, line, [&](const std::string& part) {
     text += part;
     const std::size_t lines = ++parts * lines_of_a_part;
-    // Reserves room for the rest, assuming that it is like the beginning, and a little more.
+    // Reserves room for the remaining lines, assuming that they are as long as the first ones, and
+    // a little more.
     if (lines == beginning && lines < count)
       text.reserve(before + static_cast<std::size_t>(
                                 1.1 * static_cast<double>(text.size() - before) *

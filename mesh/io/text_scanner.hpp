@@ -44,7 +44,7 @@ class text_scanner {
   std::vector<word> next_line();
   // Returns the rest of the current line, without its end, and continues with the next line.
   std::string_view rest_of_line();
-  // Returns the next bytes of the text, as many as asked for; fewer if the text ends before.
+  // Returns the next `count` bytes of the text; fewer if the text ends before.
   std::string_view take_bytes(std::size_t count);
   // Writes the words of the next line to `words`, whose memory is used again for each line.
   void next_line(std::vector<word>& words);
@@ -73,7 +73,7 @@ class text_scanner {
 // Returns the value of a word, or the error `file:line: <meaning>: ...`. Exponents may be
 // Fortran's: 1.5D-3, 1.5d-3, and 1.5-103, which has no room for the letter.
 result<double> to_number(const text_scanner& source, const word& w, std::string_view meaning);
-// Reads x and y, whose meanings are "x of" and "y of" what they are of.
+// Reads x and y. `of` is a noun for messages: "vertex" for "x of vertex".
 result<point> to_point(const text_scanner& source, const word& x, const word& y,
                        std::string_view of);
 result<long long> to_integer(const text_scanner& source, const word& w, std::string_view meaning);

@@ -102,7 +102,7 @@ class vtk_reader {
                      std::size_t tuples);
   result<std::size_t> count(std::string_view what);
   result<number_type> type();
-  // Reads this many numbers; if they are not to be used, they may be any words.
+  // Reads this many numbers. If they are not wanted, reads the same number of words of any kind.
   result<numbers> values(std::size_t count, const number_type& type, bool wanted);
   failure add_cells();
   failure add_list(const cell_lists& lists, const numbers* types, int type, std::size_t& cell);

@@ -11,8 +11,8 @@
 namespace asterism::internal {
 namespace {
 
-// Least reference that is kept: smaller ones get place holders too, so that none is taken for
-// one.
+// Least reference that is kept. Smaller references get place holders as wide ones do, so that no
+// place holder equals a reference.
 constexpr int first_reference = std::numeric_limits<int>::min() / 2;
 
 void replace_keys(std::map<int, std::string>& names, const std::map<int, int>& by) {
