@@ -97,7 +97,8 @@ std::vector<std::uint32_t> gradation_grid::larger_neighbours(const cell& c) cons
 }
 
 bool gradation_grid::split(std::uint32_t c) {
-  // Returns false for cells whose side is too short to have a middle of their own.
+  // Returns false for cells of less than four units: their halves would have no middle in whole
+  // units.
   if (cells_[c].side < 4) return false;
   // Splits larger neighbours first. Each of them is larger by a factor of two: the recursion ends
   // at the roots.

@@ -24,9 +24,9 @@ constexpr double largest_defect = 0.1, largest_variation = 1, longest_diagonal =
 // the leaf may contain a jump of the field, which must not reappear between the nodes.
 constexpr double largest_mixed = 0.2;
 
-// Relative excess of a squared length below which it is not passed on. A unit of length allows a
-// growth of 2 sigma, 0.19 for beta = 1.1; the larger slack is for interpolated metrics, whose error
-// is about a quarter of the largest defect.
+// Relative excess of a squared length over its limit that is ignored. Over a unit of length the
+// limit grows by 2 sigma, 0.19 for beta = 1.1; the larger slack is for interpolated metrics, whose
+// error is about a quarter of the largest defect.
 constexpr double slack_at_nodes = 0.005, slack_between_nodes = 0.03;
 
 // Points that a node visits in addition to its neighbours, in units of its own metric. A path over

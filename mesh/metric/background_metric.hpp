@@ -23,8 +23,7 @@ class background_metric {
  public:
   // Leaves out flat and clockwise triangles; requires one that is neither.
   explicit background_metric(const mesh& background);
-  // Interpolates as the background of a larger mesh with this box would, of which `background` is a
-  // part.
+  // Interpolates a part of a larger mesh, whose box is given, as the background of the whole would.
   background_metric(const mesh& background, const bounding_box& box);
 
   const std::vector<point>& places() const { return locator_->places(); }

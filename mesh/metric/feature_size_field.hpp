@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Spreads the first sites of a domain with many vertices by its short segments: close together
-// there, farther apart inside, with about the growth of triangles of 20 degrees. Otherwise every
-// vertex would see a large part of all others until refinement has inserted sites between them, one
-// by one. The field decides only where sites are proposed; the sites have the metric as given.
+// there, farther apart inside, with about the growth of triangles of 20 degrees. Otherwise the star
+// of every vertex would have a large part of all others as neighbours, until refinement has
+// inserted sites between them, one by one. The field decides only where sites are proposed; the
+// sites have the metric as given.
 #pragma once
 
 #include <cstddef>

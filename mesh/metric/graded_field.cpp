@@ -22,8 +22,8 @@ using namespace internal;
 namespace {
 
 // Evaluates to the field as given between nodes that are kept, and to the mean of logarithms
-// between others. At the transition the former takes the place of the kept nodes' logarithms, so
-// that nothing jumps.
+// between others. In triangles with both kinds of nodes the given field's logarithm at the point
+// takes the place of the kept nodes' logarithms, so that the result is continuous.
 class graded_field : public metric_field, public graded_parts {
  public:
   graded_field(std::unique_ptr<metric_field> given, gradation_grid grid,

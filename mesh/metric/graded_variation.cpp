@@ -53,8 +53,8 @@ struct logarithm_jet {
   interval_jet l11, l12, l22;
 };
 
-// Returns the logarithm of tensors: half of that of the determinant, times I, and A(|D|^2 / m^2) D
-// / m, with m half of the trace and D = M - m I.
+// Returns the logarithm of tensors: (ln(det M) / 2) I + A(|D|^2 / m^2) D / m, with m half of the
+// trace and D = M - m I.
 logarithm_jet logarithm_of_tensors(const tensor_jet& g) {
   const interval_jet half = 0.5, m = half * (g.m11 + g.m22), a = half * (g.m11 - g.m22);
   const interval_jet t = (square(a) + square(g.m12)) / square(m);
@@ -123,7 +123,8 @@ std::optional<tensor_jet> graded_region::over(const part& p, const bounding_box&
     if (given_ != nullptr) given = given_->over(at);
     if (!given || count == 3) return given;
   }
-  // Weights add up to 1, so the mean is one of the logarithms and parts of what others differ by.
+  // Weights add up to 1, so the mean is one of the logarithms, plus the differences of the others
+  // from it times their weights.
   const auto first = std::find(t.kept.begin(), t.kept.end(), false) - t.kept.begin();
   const tensor_logarithm& base = t.logarithms[static_cast<std::size_t>(first)];
   const logarithm_jet from{base.l11, base.l12, base.l22};

@@ -19,7 +19,7 @@ namespace asterism::internal {
 
 class graded_region {
  public:
-  // A box, of which what is in the triangle of this number counts.
+  // Intersection of a box with the triangle of this number.
   struct part {
     bounding_box box;
     std::size_t triangle = 0;
@@ -33,7 +33,8 @@ class graded_region {
   bool misses_triangle(const part& p) const;
   // Returns the bounds; fails where nothing is known of the field as given.
   result<variation_of_part> bounds_of(const part& p) const;
-  // Returns both halves, across the longer side; nothing where the box has no middle.
+  // Returns both halves, across the longer side; nothing where no double is between the ends of
+  // that side.
   static std::optional<std::array<part, 2>> halves(const part& p);
 
  private:

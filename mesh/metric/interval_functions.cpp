@@ -75,8 +75,8 @@ rounded_interval wave(plain_function f, const rounded_interval& a, double shift)
   return {low, high};
 }
 
-// Returns the functions at one point, both enclosed. By their series for q below 1, whose terms are
-// positive: after that of q^9 the rest is less than twice the next term.
+// Returns the functions at one point, both enclosed. For q below 1 they are sums of series with
+// positive terms: the rest after q^9 is less than twice the next term.
 even_functions even_functions_at(double at) {
   const rounded_interval q = at;
   if (at >= 1) {

@@ -69,7 +69,7 @@ struct layer_formula {
   std::optional<radial_formula> radial = {};
 };
 
-// Returns the enclosures of lengths and directions that are given with their derivatives.
+// Returns the enclosures of a layer from enclosed lengths and directions with their derivatives.
 layer_enclosure layers_of(const layer_lengths<interval_jet>& h) {
   const rounded_interval &nx = h.normal.x.value, &ny = h.normal.y.value;
   const auto by_normal = [&](const interval_jet& f) { return nx * f.x + ny * f.y; };
@@ -87,9 +87,9 @@ layer_enclosure layers_of(const layer_lengths<interval_jet>& h) {
           excess * (nx * by_tangent(y) - ny * by_tangent(x))};
 }
 
-// Returns those of lengths around a centre, of which the point is given. The angle of the normal
-// grows by 1/r along the circle. Where r may be 0 and both lengths are the same there, (B - A) / r
-// is one of the derivatives of B - A from 0 to r.
+// Returns the enclosures of a layer across circles, at enclosed coordinates. The angle of the
+// normal grows by 1/r along the circle. Where r may be 0 and both lengths are the same there, (B -
+// A) / r is one of the derivatives of B - A from 0 to r.
 layer_enclosure layers_around(const radial_formula& formula, const enclosed_point& p) {
   const rounded_interval r = root_of(squared(p.x.value - rounded_interval(formula.centre.x)) +
                                      squared(p.y.value - rounded_interval(formula.centre.y)));
@@ -119,7 +119,8 @@ class layered_field final : public sized_field, public layered {
     const rounded_interval size = root_of(rounded_interval(size_squared()));
     found.across = size * found.across;
     found.along = size * found.along;
-    // Derivatives of lengths have the factor size, and those by r the frame's unit besides.
+    // Scales by the size. A radial formula has derivatives by the radius in the domain's units, the
+    // others by the frame's.
     const rounded_interval unit =
         lengths_.radial ? rounded_interval(2) * rounded_interval(frame_.half_unit) : 1.0;
     for (rounded_interval* each : {&found.across_by_normal, &found.across_by_tangent,

@@ -18,8 +18,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// A region with a size for its inside; outside, sizes grow from its border, which is in the place
-// tree.
+// A region with a size for its inside. Sizes outside grow from its border, which is listed among
+// the places.
 struct sized_region {
   inside_index inside;
   double size;

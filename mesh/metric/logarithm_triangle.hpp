@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Bounds how fast a metric varies in a triangle in which its logarithm is linear, and halves it.
-// Source: docs/math/guarantee.md, "The field's sigma". Functions marked so require a
-// floating_point_scope(rounding::upward).
+// Source: docs/math/guarantee.md, "The field's sigma". Some functions require a
+// floating_point_scope(rounding::upward), as stated there.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@ namespace asterism::internal {
 // Enclosures of a logarithm's entries l11, l12 and l22.
 using enclosed_logarithm = std::array<rounded_interval, 3>;
 
-// Returns the tensor whose logarithm has these entries over a part, with its derivatives. Stands in
-// such a scope.
+// Returns the tensor whose logarithm has these entries over a part, with its derivatives. Requires
+// a floating_point_scope(rounding::upward).
 tensor_jet exponential_over(const enclosed_logarithm& l, const enclosed_logarithm& by_x,
                             const enclosed_logarithm& by_y);
 

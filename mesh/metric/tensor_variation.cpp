@@ -113,8 +113,8 @@ variation_of_part bound_variation_of(const small_part& part, const tensor_jet& o
                     *frame);
   };
   const interval_tensor middle = in_frame(values(in_middle), *frame);
-  // Encloses the tensor over the part in two ways: as that in the middle plus its change on the
-  // way, and directly over the part, which is tighter for a part that is long where nothing
+  // Encloses the tensor over the part in two ways: as the tensor in the middle plus derivatives
+  // times distances, and directly, which is tighter for a long part along which the tensor hardly
   // changes.
   const rounded_interval dx(-part.reach_x, part.reach_x), dy(-part.reach_y, part.reach_y);
   const interval_tensor anywhere =

@@ -10,10 +10,10 @@
 
 namespace asterism::internal {
 
-// Half the number of vertices of the regular polygon around the unit circle by which the greatest
-// variation of all directions is bounded, as one of two opposite ones suffices; and a bound of
-// their distance from the centre: 1 / cos(pi / 32) = 1.004838..., and 1e-5 more for their
-// coordinates in doubles.
+// Number of directions in which variation is bounded: half the vertices of a regular polygon around
+// the unit circle, as opposite vertices have one value. The slack bounds the distance of the
+// vertices from the centre: 1 / cos(pi / 32) = 1.004838..., and 1e-5 more for their coordinates in
+// doubles.
 inline constexpr int variation_directions = 16;
 inline constexpr double direction_slack = 1.00485;
 

@@ -161,7 +161,7 @@ class formula_region {
   }
 
   // Returns both halves, across the side along which the tensor changes more, or the longer one;
-  // nothing where the box has no middle that is another point.
+  // nothing where no double is between the ends of that side.
   std::optional<std::array<part, 2>> halves(const part& p) const {
     const point m = middle_of(p);
     const bool across_x = p.is_wider;
@@ -198,7 +198,8 @@ class formula_region {
     return found;
   }
 
-  // Takes what the field's own frame bounds, if that is less, and what it varies by in the middle.
+  // Bounds the variation by the field's layers as well, where this bound is less, and sets the
+  // variation in the middle to that of the layers there.
   void bound_by_layers(const part& p, const small_part& shape, variation_of_part& bounds) const {
     const auto over =
         layers_->layers_over(coordinates_over({p.low.x, p.high.x}, {p.low.y, p.high.y}));
@@ -209,10 +210,9 @@ class formula_region {
     if (here < infinity) bounds.in_middle = here;
   }
 
-  // True if a value in doubles agrees with the enclosure but for roundings: two ways to
-  // one number, which check each other. The part allowed is more than a formula's loss of
-  // digits, and less than a formula read differently would be off; no bound depends on
-  // it.
+  // True if a value in doubles agrees with the enclosure up to roundings: the two evaluators of a
+  // formula check each other. The difference allowed exceeds a formula's loss of digits, and is
+  // less than the effect of a misread formula. No bound depends on it.
   static bool agrees(const metric_tensor& m, const tensor_jet& enclosed) {
     const double allowed = 0x1p-20 * std::max(m.m11, m.m22);
     const auto is_near = [&](double x, const interval_jet& j) {

@@ -250,8 +250,8 @@ wall_layers::wall_layers(const domain& d, std::vector<boundary_layers> layers)
     walls_.push_back({place_tree(std::move(places[w])), std::move(normals[w])});
 }
 
-// Returns the direction from the wall to q: of the segment's normal where the foot of q is between
-// its ends, and on the wall itself.
+// Returns the direction from the nearest point of the segment to q. This is the segment's normal if
+// that point is between its ends; at an end itself it is the normal of the wall there.
 point wall_layers::direction_across(const one_wall& wall, const point& q,
                                     std::size_t segment) const {
   const sized_place& s = wall.segments.places()[segment];

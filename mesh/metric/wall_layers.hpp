@@ -57,7 +57,7 @@ class wall_layers {
   point direction_across(const one_wall& wall, const point& q, std::size_t segment) const;
 
   std::vector<boundary_layers> layers_;
-  std::vector<one_wall> walls_;  // as many
+  std::vector<one_wall> walls_;  // one for each of layers_
   place_tree lengths_along_;
   std::vector<bool> found_;
 };
