@@ -91,8 +91,8 @@ result<domain> accepted(const asterism_domain& arrays, const mesh_options& optio
   return shape;
 }
 
-// Returns the function that makes this metric for any size, a factor by which all edges are
-// longer.
+// Returns the function that makes this metric for any size. A size is the factor by which it makes
+// all edges longer.
 field_in_box metric_of(const asterism_metric& metric) {
   return [&metric](double size, const bounding_box& box) {
     asterism_metric sized = metric;

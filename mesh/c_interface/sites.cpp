@@ -82,7 +82,7 @@ domain domain_around(const std::vector<site>& sites, const asterism_boundary& ar
   return d;
 }
 
-// Makes the boundary; fails where check_domain does, and if it would leave out a site.
+// Makes the boundary; fails where check_domain does, and where a site is not inside the boundary.
 result<boundary> boundary_of(const std::vector<site>& sites, const asterism_boundary& arrays) {
   if ((arrays.segments == nullptr && arrays.segment_count > 0) ||
       (arrays.holes == nullptr && arrays.hole_count > 0))
@@ -111,8 +111,7 @@ std::optional<std::size_t> find_subsegment(const asterism_sites& sites, std::siz
   return found;
 }
 
-// Adds the new site between the two notices that the index gets of a split: one before it and one
-// after it.
+// Splits a subsegment at a new site. The index is notified before the split and after it.
 void split(asterism_sites& sites, std::size_t subsegment, const double* at) {
   const auto twin = sites.edges.twin(subsegment);
   const std::size_t first_new = sites.edges.subsegments().size();

@@ -16,11 +16,12 @@
 namespace asterism::internal {
 namespace {
 
-// Number of triangles of the coarse mesh for each piece, the least number of wanted triangles in
-// one of them, and the least for a piece: edges of the cut are then at least about four of the
-// mesh's (docs/results/pieces.md).
+// Number of triangles of the coarse mesh for each piece; least number of wanted triangles that one
+// of its triangles stands for; least number of wanted triangles in a piece. Edges of the cut are
+// then about four edges of the mesh long, or longer (docs/results/pieces.md).
 constexpr double coarse_for_piece = 100, least_in_coarse = 16, fewest_for_piece = 6;
-// Number of triangles in a unit of metric area, as in meshes made; of equilateral ones it is 2.31.
+// Number of triangles in a unit of metric area, as measured in meshes; equilateral triangles with
+// edges of length 1 are 2.31.
 constexpr double triangles_for_area = 2.4;
 
 result<int> halvings_for(double triangles, const cut_wishes& wishes) {

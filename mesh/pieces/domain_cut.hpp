@@ -4,9 +4,9 @@
 //
 // A star does not see across a segment. So where a domain is cut along segments, each piece can be
 // meshed and certified by itself, and the meshes together are one of the whole domain if they meet
-// bit for bit (docs/math/pieces.md). The cuts are edges of a coarse mesh of the domain, in the
-// metric itself: they end in corners that are in the metric as wide as angles of that mesh, and go
-// around narrow places. Pieces have about the same metric area.
+// bit for bit (docs/math/pieces.md). The cuts are edges of a coarse mesh of the domain in the same
+// metric. So the corners at their ends are as wide in the metric as angles of that mesh, and cuts
+// go around narrow places. Pieces have about the same metric area.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +51,8 @@ struct domain_cut {
 
 // Cuts a domain, accepted by check_domain, into this number of pieces. Cuts curves along their
 // chords. Fails where the field does, for less than about six triangles a piece, and if the coarse
-// mesh is no triangulation of the domain or was stopped. The same for any number of threads.
+// mesh is no triangulation of the domain or was stopped. The result is the same for any number of
+// threads.
 result<domain_cut> cut_domain(const domain& d, const metric_field& field, const cut_wishes& wishes);
 
 // Returns the cut along the edges of a mesh of the domain, between triangles of different pieces.

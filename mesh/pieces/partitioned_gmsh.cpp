@@ -107,7 +107,8 @@ class partitioned_writer {
   }
 
  private:
-  // Numbers the parts of one dimension after the whole entities, so that all tags differ.
+  // Numbers the entities of partitions of one dimension after its unpartitioned entities, so that
+  // all tags differ.
   template <class Part>
   static void number_parts(std::map<Part, std::size_t>& parts, std::size_t before) {
     for (auto& [part, tag] : parts) tag = ++before;

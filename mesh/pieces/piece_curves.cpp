@@ -51,7 +51,8 @@ domain_curve part_of(const domain& d, const domain_curve& whole, std::size_t fir
 std::vector<domain_curve> curves_of_piece(const domain& d, const domain_cut& cut,
                                           piece_index piece) {
   if (d.curves.empty()) return {};
-  // Edges of the piece, by their ends: a part of a chord is not found by the chord's ends.
+  // Uncut edges of the piece, by their ends. A chord that a cut divides is not among them: its
+  // parts have other ends.
   std::map<std::pair<vertex_index, vertex_index>, bool> is_here;
   for (const cut_edge& e : cut.edges)
     if (!e.is_cut() && !e.is_seam() && (e.left == piece || e.right == piece))

@@ -2,10 +2,10 @@
 //
 // States the whole that the pieces of a mesh belong to, in a file beside them.
 //
-// The file is JSON, UTF-8, with the same bytes for the same question, however the work was shared.
-// Pieces, vertices and edges are counted from 1 there, and 0 is none. It ends with a digest of
-// itself, which distinguishes files and does not protect against forgery; verify_pieces.hpp states
-// what is proved.
+// The file is JSON, UTF-8, with the same bytes for the same request, whatever the number of threads
+// and runs that shared the work. Pieces, vertices and edges are counted from 1 there, and 0 is
+// none. It ends with a digest of itself, which distinguishes files and does not protect against
+// forgery; verify_pieces.hpp states what is proved.
 #pragma once
 
 #include <cstddef>

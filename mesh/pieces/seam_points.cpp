@@ -15,10 +15,10 @@
 namespace asterism::internal {
 namespace {
 
-// Greatest metric length of a subsegment of a seam. Those of a domain's boundary are at most 0.9
-// long, 0.81 in the mean; edges inside are 1.00 in the mean, and a seam is inside. With 0.9 a mesh
-// in 64 pieces of 6,000 triangles had 0.5 to 0.8 % more triangles, with this none
-// (docs/results/pieces.md). Above 1.2 a piece splits it.
+// Greatest metric length of a subsegment of a seam. Subsegments of a domain's boundary are at most
+// 0.9 long, 0.81 in the mean; edges inside are 1.00 in the mean, and a seam is inside. With 0.9 a
+// mesh in 64 pieces of 6,000 triangles had 0.5 to 0.8 % more triangles than without pieces, with
+// 1.05 none more (docs/results/pieces.md). A piece splits subsegments longer than 1.2.
 constexpr double longest_subsegment_of_seam = 1.05;
 // Number of vertices from which a fill spreads sites by features (refine/site_budget.cpp).
 constexpr std::size_t many_vertices = 120;
@@ -44,8 +44,8 @@ bool are_among(const std::vector<point>& few, const std::vector<point>& many) {
   return i == few.size();
 }
 
-// Returns the points of `now`, with those of `asked` between two points of `before` that have none
-// of `now` between them.
+// Returns the points of `now`, and adds points of `asked`: `before` divides both lists into
+// stretches, and a stretch that is empty in `now` is taken from `asked`.
 std::vector<point> united(const std::vector<point>& before, const std::vector<point>& now,
                           const std::vector<point>& asked) {
   std::vector<point> all;

@@ -163,7 +163,8 @@ bool is_same_curve(const domain_curve& c, const domain& of_c, const domain_curve
   return same(c.control[0], d.control[0]) && same(c.control[1], d.control[1]);
 }
 
-// Compares the curves of a piece's domain with those of the whole, as far as they are the piece's.
+// Compares the curves of a piece's domain with the parts of the whole domain's curves in this
+// piece.
 void compare_curves(const pieces_index& index, piece_index piece, const domain& d, faults& all) {
   const std::vector<domain_curve> wanted = curves_of_piece(index.original, index.cut, piece);
   bool same = wanted.size() == d.curves.size();
