@@ -136,7 +136,7 @@ void compare_domain(const certificate& claim, const adapted_rest& rest, field_ch
        {"boundary-kept", std::to_string(found.keeps_all ? found.boundary_vertices : found.kept)},
        {"boundary-distance", number_text(claim.former_distance.largest_distance)}},
       claim, check);
-  // Uses the outline without chords for a mesh that stayed or has periodic sides.
+  // Uses the outline without chords if the adaptation kept the mesh, or if sides are periodic.
   const bool is_whole = word_of(claim, "kept") == "yes" || !claim.periodic_asked.empty();
   const chorded_outline now = is_whole ? chorded_outline{found.shape, found.former}
                                        : with_chords_for(adopted.subject, found);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Checks the claims about metric and transferred solution in the certificate of an adapted mesh:
-// makes both again from the files, the background mesh, the solution and the new mesh.
+// makes both again from the files of the background mesh and the solution, and from the new mesh.
 #pragma once
 
 #include <map>

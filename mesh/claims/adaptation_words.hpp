@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Returns the words for an adaptation in its mesh's certificate: the request, its files, and what
-// was done.
+// Returns the words for an adaptation in its mesh's certificate: the request, its files, and the
+// results.
 #pragma once
 
 #include <string>

@@ -81,8 +81,9 @@ result<std::unique_ptr<metric_field>> dressed(std::unique_ptr<metric_field> bare
   return std::move(graded.value().field);
 }
 
-// Makes the metric that the certificate states was asked for, of the size asked for even if the
-// limit on sites made edges longer. A metric on a mesh must be that of the mesh it names.
+// Makes the metric that, by the certificate, was asked for; its size is the one asked for even if
+// the limit on sites made edges longer. For a metric on a mesh, the file named must still hold that
+// mesh.
 result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) {
   const auto placed = placed_in(claim);
   if (!placed) return error{"the certificate has no domain to place it in"};
@@ -101,8 +102,8 @@ result<std::unique_ptr<metric_field>> field_asked_for(const certificate& claim) 
 // True if the metric was given as numbers: from a file that `certify` read, or from a program.
 bool is_of_numbers(const certificate& claim) { return claim.metric.starts_with("of "); }
 
-// True if the metric was graded over a domain of which the certificate holds a piece alone, or has
-// sizes at places of it.
+// True if the certificate is of a piece, and its metric was graded, or has sizes at places, over
+// the whole domain.
 bool is_shaped_piece(const certificate& claim) {
   return claim.options.count("metric-box") != 0 &&
          (option_of(claim, "gradation") != "none" || option_of(claim, "sizes") != "none");

@@ -38,8 +38,8 @@ result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, cons
 // read.
 result<metric_wording> wording_in(const certificate& claim);
 
-// Returns the box and domain that the metric's formulas were placed in: those of the whole domain
-// where the mesh is a piece, as the certificate states; else its own domain. None if it has no
+// Returns the domain in whose box the metric's formulas were placed: the certificate's own domain,
+// or, for a piece, the box of the whole domain, which the certificate states. None if there is no
 // domain.
 std::optional<domain> placed_in(const certificate& claim);
 
@@ -54,8 +54,8 @@ result<std::unique_ptr<metric_field>> field_in(const certificate& claim);
 // checked of a mesh that is not the certificate's, by its fingerprint.
 field_check check_field(const mesh& subject, const certificate& claim);
 
-// Compares the tensor of every vertex with a metric. `apart` gets the distance, and the triangles
-// below the bound in that metric.
+// Compares the tensor of every vertex with a metric. `apart` is set to the distance, with the
+// triangles below the bound in that metric.
 field_check check_against(const mesh& subject, const metric_field& wanted,
                           std::optional<double> angle_bound);
 

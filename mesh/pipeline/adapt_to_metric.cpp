@@ -25,7 +25,7 @@ using namespace internal;
 namespace {
 
 // Returns the mesh with the domain's vertices as the given ones, if these are its first ones.
-// Leaves out its notes, which were said when it was read.
+// Leaves out its notes, which were written when it was read.
 std::optional<mesh> as_mesh_of(const mesh& m, const mesh_outline& outline) {
   if (outline.segment_of_edge.empty()) return std::nullopt;
   mesh same = m;
@@ -93,10 +93,10 @@ bool straighten(domain& shape, const std::set<int>& markers) {
 }
 
 // Finds the domain of the mesh. Removes the curves of periodic sides, on which a new vertex would
-// have no partner on the other side: sides that bend by rounding alone become straight, and sides
-// with the same vertices left are the same polygon. Where two sides do not match then, as the
-// outline left out vertices of one and not of the other, keeps all vertices of the periodic sides,
-// and returns their markers in `kept_sides`.
+// have no partner on the other side: a side that bends by rounding alone becomes straight, and any
+// other side becomes the polygon of its remaining vertices. If two sides then do not match, since
+// the outline dropped vertices of only one of them, keeps all vertices of the periodic sides, and
+// returns their markers in `kept_sides`.
 result<mesh_outline> outline_for(const mesh& m, mesh_marks marks,
                                  const mesh_adaptation_options& options,
                                  std::vector<int>& kept_sides) {
@@ -128,9 +128,9 @@ bool has_periodic_sides(const mesh& m, const std::vector<periodic_pair>& pairs) 
                      [&m](const periodic_pair& one) { return match_periodic(m, one).ok(); });
 }
 
-// Sets the number of vertices wanted and the limit on sites. A metric alone gets room for ten times
-// the vertices of the mesh, and for no more than any run: a metric that asks for more is mostly in
-// the wrong unit, and a mesh of millions takes hours.
+// Sets the number of vertices wanted and the limit on sites. If no number is named, the limit is at
+// most ten times the vertices of the mesh: a metric that asks for more is mostly in the wrong unit,
+// and a mesh of millions takes hours.
 mesh_options options_for(const mesh& m, const mesh_adaptation_options& asked) {
   mesh_options options = asked.refinement;
   options.limit_size = true;
@@ -147,8 +147,8 @@ mesh_options options_for(const mesh& m, const mesh_adaptation_options& asked) {
   return options;
 }
 
-// Returns the domain with chords for the metric of the mesh. Their number leaves room for other
-// vertices: curves continue between them.
+// Returns the domain with chords for the metric of the mesh. There is at most one chord for every
+// four vertices wanted: adaptation splits the chords on their curves.
 result<domain> divided_for(const mesh& m, const domain& exact,
                            const mesh_adaptation_options& options) {
   constexpr std::size_t part = 4;

@@ -36,8 +36,8 @@ inline constexpr std::size_t most_sites_unasked = 10000000;
 // Demands of an adaptation other than its metric.
 struct mesh_adaptation_options {
   double corner_angle = 30;  // degrees: where the boundary turns by more it keeps its vertex
-  // The domain itself, as check_domain accepts it, in place of the mesh's. Its curves are divided
-  // anew, for the metric.
+  // The exact domain, as check_domain accepts it, used instead of the domain that the mesh covers.
+  // Its curves are divided anew, for the metric.
   std::optional<domain> exact = {};
   // Greatest distance of the new boundary from that of the mesh, both ways, where there is no
   // `exact`. Default: a hundredth of the size wanted across the boundary where vertices are
@@ -45,8 +45,8 @@ struct mesh_adaptation_options {
   std::optional<double> largest_boundary_distance = {};
   // Greatest distance of a curve of `exact` from its chords; default: curve_division's.
   std::optional<double> chord_tolerance = {};
-  // Options of the new mesh; limit_size is set by the run. Without `vertices` the mesh has as many
-  // vertices as unit edges take, the boundary's included.
+  // Options of the new mesh; limit_size is set by the run. Without `vertices` the mesh has the
+  // number of vertices that unit edges take, the boundary's included.
   mesh_options refinement = {};
   keep_rule keep = keep_rule::automatic;
   // Pairs of sides that must have the same points, by their markers; a mesh whose sides do not
@@ -55,9 +55,9 @@ struct mesh_adaptation_options {
   // True to have no inner edge that joins two vertices of the boundary, and so no triangle with all
   // three of its vertices there.
   bool no_split_across = false;
-  // True to keep max_sites as given. Otherwise it is raised to three times the vertices wanted,
-  // most_sites_unasked at most, and where the metric alone sets their number, to ten times those of
-  // the mesh at most.
+  // True to keep max_sites as given. Otherwise it is raised to three times the number of vertices
+  // wanted, but to no more than most_sites_unasked, nor, if the metric alone sets the number, ten
+  // times the vertices of the mesh.
   bool keeps_site_limit = false;
 };
 
@@ -80,11 +80,11 @@ struct adapted_mesh {
 
 // Makes the mesh. The metric is that of `from`'s sites. Its domain is the exact one, or that of the
 // mesh (mesh/domain/mesh_outline.hpp). A mesh that is certified in its metric with the angle bound
-// wanted stays as it is if it is as good as a new one: with as many vertices as are named, to 2 %,
-// or as its metric asks for, to a tenth, and with lengths as a new mesh has them (95 edges of a
-// hundred within a factor of sqrt 2 of one, none below a third or above 1.75, or no worse than
-// those of a new mesh made for comparison). So adapting twice with the metric delivered changes
-// nothing. Fails for a mesh that is no triangulation.
+// wanted stays as it is if it is as good as a new one: with the number of vertices that was named,
+// to 2 %, or else the one that its metric asks for, to a tenth, and with lengths as a new mesh has
+// them (95 edges of a hundred within a factor of sqrt 2 of one, none below a third or above 1.75,
+// or no worse than those of a new mesh made for comparison). So adapting twice with the metric
+// delivered changes nothing. Fails for a mesh that is no triangulation.
 ASTERISM_EXPORT result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
                                                      const mesh_adaptation_options& options,
                                                      const progress_listener& progress = {});

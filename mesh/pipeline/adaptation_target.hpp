@@ -32,7 +32,7 @@ ASTERISM_EXPORT std::optional<error> take_target(const adaptation_wish& wish,
                                                  mesh_adaptation_options& options);
 
 // Returns a sentence on what was not reached: the mesh, the metric's target, or the number of
-// vertices, which may be off by a tenth or, if small, by five or by half. Nothing where all was
+// vertices, which may be off by a tenth or by five, or, below ten, by half. Nothing where all was
 // reached.
 ASTERISM_EXPORT std::optional<std::string> what_is_missed(
     const adapted_mesh& next, const solution_metric_report& report,

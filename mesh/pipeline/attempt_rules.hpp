@@ -12,14 +12,14 @@
 
 namespace asterism::internal {
 
-// One attempt at a mesh. Shares are of the work of one attempt, which is the limit of a run with a
-// metric tolerance of 0; a run with a larger tolerance may do 1.6 times as much.
+// One attempt at a mesh. Shares are parts of the work of one attempt, which is the limit of a run
+// with a metric tolerance of 0; a run with a larger tolerance may do 1.6 times that work.
 struct attempt_rule {
   mesh_attempt what;
   std::string_view name;
   std::string_view metric;   // that the mesh is made in
   double share_of_work;      // of one way, at most: of what is left of it
-  double share_of_stars;     // of the work that stars may take for so many sites; 0 says nothing
+  double share_of_stars;     // of the work limit of stars for the number of sites; 0: unused
   std::string_view is_made;  // when
 };
 

@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// Takes from the domain the parts that the file has no place for: how many vertices are given, the
+// Takes from the domain the parts that the file has no place for: the number of given vertices, the
 // subsegments in the order of the segments, their markers, and regions where the mesh has none. The
 // result is a proposal: the auditor judges it, and a certificate's fingerprint identifies the mesh.
 //

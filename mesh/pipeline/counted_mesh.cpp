@@ -40,14 +40,15 @@ result<counted_mesh> make_counted_mesh(const mesh_source& source, const mesh_opt
   return meet_vertices(std::move(first).value(), source, options, make);
 }
 
-// Searches by making meshes: a domain, its sharp corners and a metric that varies may each take
-// more vertices than the area, or its chords fewer, so the number asked for is corrected.
+// Searches by making meshes, since the number of vertices does not follow from the area alone:
+// sharp corners, narrow parts and a metric that varies may add vertices, and long chords leave some
+// out.
 counted_mesh meet_vertices(counted_mesh nearest, const mesh_source& source,
                            const mesh_options& options, const mesh_maker& make) {
   if (!options.vertices || !nearest.made.certified()) return nearest;
   constexpr int most_times = 10;
   constexpr double part_of_run = 0.3;
-  constexpr double slowest_growth = 0.25;  // a boundary with narrow parts takes what it takes
+  constexpr double slowest_growth = 0.25;  // for boundaries with narrow parts
   mesh_options bounded = options;
   bounded.stop = options.stop.with_work(part_of_run * internal::units_for_run,
                                         part_of_run * internal::run_units_for_site);

@@ -36,11 +36,11 @@ ASTERISM_EXPORT result<counted_mesh> make_counted_mesh(const mesh_source& source
                                                        const mesh_options& options,
                                                        const mesh_maker& make);
 
-// Makes up to ten meshes of this source at other densities, until the number of vertices is near
-// the one wanted by is_count_near(); with a third of the work of a run. Returns the nearest mesh
-// that is certified: the number may lie below what the domain takes, or between two that are
-// possible. Returns `first` unchanged where it is not certified, where no number is wanted, and
-// where its own is near.
+// Makes up to ten meshes of this source at other densities, with a third of the work of a run,
+// until is_count_near() is true of the number of vertices. Returns the certified mesh whose number
+// is nearest: the number wanted may be below the least number for the domain, or between two
+// numbers that are possible. Returns `first` unchanged if it is not certified, if no number is
+// wanted, or if its own number is near.
 ASTERISM_EXPORT counted_mesh meet_vertices(counted_mesh first, const mesh_source& source,
                                            const mesh_options& options, const mesh_maker& make);
 

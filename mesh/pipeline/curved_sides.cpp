@@ -26,7 +26,7 @@ error folded(const mesh& m, const second_order_report& report) {
           error_code::invalid_mesh};
 }
 
-// Removes the nodes of sides of the triangles named. Returns how many there were.
+// Removes the nodes of sides of the triangles named. Returns the number of nodes removed.
 std::size_t straighten(const mesh& m, const second_order_report& report,
                        std::vector<side_node>& nodes) {
   std::vector<ends> sides;

@@ -16,8 +16,8 @@ namespace {
 // Number of points of the grid along each side of the domain's box.
 constexpr std::size_t grid_points = 33;
 // Distortion from which the way between two samples is searched further: below it (1 - 1 / tau) / d
-// is about the field's own rate already, and at this distortion still has ten digits that are not
-// rounding.
+// is about the field's own rate already. At this distortion that quotient still has ten digits free
+// of rounding errors.
 constexpr double little_distortion = 1.01;
 // Distance of two samples, as a part of the box's longer side, at which a distortion above that
 // limit counts as a jump: 2^-40 is some thousand units in the last place of a coordinate.

@@ -122,9 +122,9 @@ void compare_with_stars(const adopted_mesh& adopted, const cancellation& stop,
   }
 }
 
-// True if the stars are worth building. Where more edges than a tenth of the number of sites fail
-// the test of their own four vertices, the stars see far and cost much, and would only confirm the
-// refusal.
+// True if the stars are worth building. If the number of edges that fail the test of their own four
+// vertices is above a tenth of the number of sites, stars reach far and take much work, and would
+// only confirm the refusal.
 bool is_worth_comparing(const audit_report& audit) {
   constexpr std::size_t part = 10;
   return audit.found[static_cast<std::size_t>(finding_kind::star_neighbour_rejected)] <=

@@ -66,8 +66,8 @@ struct certify_report {
   std::array<std::size_t, 4> in_stars{};
   std::vector<vertex_index> not_in_all;  // triangles, ascending
   std::size_t unsettled = 0;             // stars that met the bound of their construction
-  // True if the stars were compared. False if the mesh is no triangulation, or has so many findings
-  // that its stars were not made, or making them exceeded the work limit.
+  // True if the stars were compared. False if the mesh is no triangulation, if its stars were not
+  // made because of many findings, or if making them exceeded the work limit.
   bool compared = false;
   // Triangles with an angle below the bound by the metric of any of their vertices, exempt and
   // collateral ones included; inverted and flat triangles have no angles.
@@ -78,8 +78,8 @@ struct certify_report {
   // Measurements for the theorem on nets; set for a certified mesh.
   std::optional<theorem_hypotheses> theorem;
 
-  // True if the auditor certifies the mesh: the answer that `verify` gives. Stars built anew may
-  // differ from the mesh where arcs are not wedged; the report has both.
+  // True if the auditor certifies the mesh: the answer that `verify` gives. Newly built stars may
+  // differ from the mesh where arcs are not wedged; `in_stars` has that comparison.
   bool certified() const { return audit.certified; }
   bool is_triangulation() const {
     return audit.stars_checked || audit.found[static_cast<std::size_t>(finding_kind::stopped)] != 0;
@@ -90,8 +90,8 @@ struct certify_report {
 // refers to `adopted`.
 ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 
-// Builds the stars, compares and audits. An edge is a unit edge when its length, the mean of what
-// its two ends measure, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
+// Builds the stars, compares and audits. An edge is a unit edge if its length, the mean of those in
+// the metrics of its two ends, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
 // `check_voronoi` the audit has a verdict on point 5 as well, on which certified() does not depend.
 // `stop` is polled during the judgement, and can end it.
 ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,

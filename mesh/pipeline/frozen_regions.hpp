@@ -26,8 +26,8 @@
 
 namespace asterism {
 
-// Greatest metric lengths of the border's edges that are tried in order, as their ends measure
-// them.
+// Greatest metric lengths of the border's edges that are tried in order, in the metrics of their
+// ends.
 inline constexpr std::array<double, 4> border_lengths = {0.9, 0.6, 0.4, 0.25};
 
 // The mesh without the triangles of some regions, and its border with these.
@@ -50,11 +50,11 @@ ASTERISM_EXPORT result<frozen_part> without_regions(const mesh& whole,
                                                     const std::vector<int>& frozen);
 
 // Makes the tensors at the ends of the border's edges coarser where they measure one of these edges
-// as longer than `length`. Returns the number of vertices changed.
+// as longer than `longest`. Returns the number of vertices changed.
 ASTERISM_EXPORT std::size_t coarsen_border(frozen_part& part, double longest);
 
-// Marks the border's vertices and edges as required, in marks by the whole mesh's numbers that are
-// kept for the rest.
+// Returns the marks of the rest, in its numbers, with the border's vertices and edges required.
+// `marks` are those of the whole mesh, in the whole mesh's numbers.
 ASTERISM_EXPORT mesh_marks marks_of_rest(const frozen_part& part, const mesh_marks& marks);
 
 // Joins the frozen triangles to a mesh of the other regions. Returns nothing where an edge of the

@@ -13,13 +13,14 @@
 
 namespace asterism::internal {
 
-// Least angle between segments at a vertex, in degrees, as its own metric measures it. The first
-// sites on the two are at least 2 sin(18 degrees) = 0.618 of the shorter distance apart then, and
-// with the lengths below 1.3 times nearer to each other than the domain is covered: up to 1.35 the
-// theorem proves 20.25 degrees at little variation.
+// Least angle between segments at a vertex, in degrees, in the vertex's own metric. The first sites
+// on the two segments are then apart by at least 2 sin(18 degrees) = 0.618 of the shorter of their
+// distances from the vertex. With the lengths of guaranteed_mesh.cpp the covering radius is below
+// 1.3 times that; up to 1.35 times the theorem proves 20.25 degrees at small variation.
 inline constexpr double least_guaranteed_corner = 36;
-// Least angle, in degrees, from which a domain is divided as finely as it is covered: the first
-// sites on the two segments are at least 2 sin(27.5 degrees) = 0.923 of that apart then.
+// Least angle, in degrees, with which segments are divided into parts as long as the covering
+// radius: the first sites on two of them are then apart by at least 2 sin(27.5 degrees) = 0.923 of
+// that radius.
 inline constexpr double least_plain_corner = 55;
 // Greatest angle bound, in degrees. At small variation the theorem proves 26.75 up to the ratio 1.1
 // of the covering radius to the spacing; 20 up to a variation of 0.04.

@@ -42,15 +42,16 @@ double greatest_variation(double angle_bound) {
   return greatest;
 }
 
-// Returns the last step of the ladder that is no finer than the samples of the field demand. One
-// step less may suffice, as sites see less of a field than its steepest place. An upper bound of
-// the field would skip that step, and, where it is not tight, many that suffice.
+// Returns the last step of the ladder that is no finer than the samples of the field demand. This
+// step may suffice though the samples demand more, as no site need be at the field's steepest
+// place. An upper bound of the field in place of samples would skip it and, where the bound is not
+// tight, further steps that suffice.
 int first_step(const field_steepness& field, double angle_bound) {
   return ladder_step_below(field.sampled * largest_circumradius / greatest_variation(angle_bound));
 }
 
-// Part of the greatest radius of a triangle within which sites are to cover the domain: the rest is
-// for what doubles round in radii, and for what metrics vary by across a triangle.
+// Part of the greatest radius of a triangle within which sites are to cover the domain: the
+// remainder allows for roundings of radii, and for the variation of the metric across a triangle.
 constexpr double part_covered = 1 - 0x1p-10;
 
 // Least and greatest length wanted of the parts of a segment, metric length.
@@ -58,9 +59,9 @@ struct part_lengths {
   double shortest = 0, longest = 0;
 };
 
-// Returns the lengths for a domain with such a narrowest corner. Beside a sharp one sites are as
-// much farther from each other as parts are longer: of 1.27 times the covering radius, shifted by a
-// 64th, none is encroached on by a site that is 0.92 times the radius from its ends.
+// Returns the lengths for a domain with this narrowest corner. Beside a sharp corner longer parts
+// keep sites farther from each other. A part of 1.27 times the covering radius, shifted by a 64th,
+// is not encroached on by a site that is at least 0.92 times the radius from both of its ends.
 part_lengths lengths_for(double narrowest_corner) {
   constexpr double beside_sharp_corners = 1.27 * largest_circumradius;
   if (narrowest_corner < least_plain_corner) return {beside_sharp_corners, beside_sharp_corners};
@@ -91,9 +92,9 @@ fill_options fill_options_of(const meshing_context& job) {
   return wanted;
 }
 
-// Fills the job's domain, makes a net of that, and mends it: where the theorem on nets holds of the
-// net there is nothing to mend. A fill that does not come to its end is no net, and is mended as
-// any other.
+// Fills the job's domain, completes the fill to a net, and mends that: where the theorem on nets
+// applies to the net there is nothing to mend. An unfinished fill is no net, and is mended like any
+// other fill.
 result<mesh_outcome> mesh_of_net(const meshing_context& job) {
   auto filled = fill(job.shape, job.field, fill_options_of(job), [&](std::size_t sites, double) {
     if (job.progress) job.progress({mesh_phase::filling, sites, 0, 0, 0, 0});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes a mesh to which the theorem on nets applies: by making edges shorter, until it does.
-// Source: docs/math/guarantee.md, which says for which domains and fields that ends.
+// Makes a mesh to which the theorem on nets applies: makes edges shorter until it applies. Source:
+// docs/math/guarantee.md, which states for which domains and fields this ends.
 #pragma once
 
 #include "asterism/core/export.h"

@@ -24,7 +24,7 @@ using adapting::node_kind;
 constexpr std::size_t most_tries = 10;  // of one pass
 
 // Numbers of a mesh that an improvement must not make worse.
-struct standing {
+struct mesh_quality {
   std::size_t sites = 0, exempt = 0;
   double worst_angle = 180;  // away from exempt corners
   double mean_quality = 0;
@@ -34,9 +34,9 @@ double angle_of(const mesh& m, const triangle& t) {
   return smallest_angle(triangle_sites{m.sites[t[0]], m.sites[t[1]], m.sites[t[2]]});
 }
 
-standing standing_of(const mesh& m, const std::vector<triangle>& exempt) {
+mesh_quality quality_of(const mesh& m, const std::vector<triangle>& exempt) {
   const std::set<triangle> excused(exempt.begin(), exempt.end());
-  standing s{m.sites.size(), exempt.size(), 180, measure(m).mean_quality};
+  mesh_quality s{m.sites.size(), exempt.size(), 180, measure(m).mean_quality};
   for (const triangle& t : m.triangles)
     if (excused.count(t) == 0) s.worst_angle = std::min(s.worst_angle, angle_of(m, t));
   return s;
@@ -44,7 +44,7 @@ standing standing_of(const mesh& m, const std::vector<triangle>& exempt) {
 
 // True if nothing is worse, and there are fewer sites or a higher mean quality. False if a number
 // to be compared is NaN.
-bool is_better(const standing& before, const standing& after) {
+bool is_better(const mesh_quality& before, const mesh_quality& after) {
   return after.sites <= before.sites && after.exempt <= before.exempt &&
          after.worst_angle >= before.worst_angle && after.mean_quality >= before.mean_quality &&
          (after.sites < before.sites || after.mean_quality > before.mean_quality);
@@ -111,14 +111,14 @@ class improver {
   void run() {
     improvement_report report;
     now_ = outcome_.result;
-    standing_ = standing_of(now_, outcome_.exempt_triangles);
-    report.sites_before = standing_.sites;
-    report.mean_quality_before = standing_.mean_quality;
+    quality_ = quality_of(now_, outcome_.exempt_triangles);
+    report.sites_before = quality_.sites;
+    report.mean_quality_before = quality_.mean_quality;
     for (std::size_t pass = 0; pass < options_.improve_passes && !report.stopped; ++pass) {
       if (!one_pass(report)) break;
       ++report.passes;
     }
-    report.mean_quality_after = standing_.mean_quality;
+    report.mean_quality_after = quality_.mean_quality;
     outcome_.improved = report;
   }
 
@@ -179,7 +179,7 @@ class improver {
     constexpr double larger = 1.05;
     const triangle_sites t{site{a.position, a.metric}, site{b.position, b.metric},
                            site{c.position, c.metric}};
-    return smallest_angle(t) >= std::max(options_.angle_bound, standing_.worst_angle) &&
+    return smallest_angle(t) >= std::max(options_.angle_bound, quality_.worst_angle) &&
            (!options_.limit_size || metric_circumradius(t) <= larger * largest_circumradius);
   }
 
@@ -226,11 +226,11 @@ class improver {
   // the new one in tried_.
   bool accept(mesh_outcome made) {
     tried_ = made.result;
-    const standing after = standing_of(tried_, made.exempt_triangles);
-    if (!made.complete || !is_better(standing_, after)) return false;
+    const mesh_quality after = quality_of(tried_, made.exempt_triangles);
+    if (!made.complete || !is_better(quality_, after)) return false;
     outcome_ = std::move(made);
     now_ = std::move(tried_);
-    standing_ = after;
+    quality_ = after;
     return true;
   }
 
@@ -238,7 +238,7 @@ class improver {
   // barred further sites.
   bool bar_neighbourhoods(const proposed_sites& p, std::vector<char>& barred) const {
     const std::vector<char> spoilt =
-        spoilt_at(places_before(p), now_.sites.size(), tried_, standing_.worst_angle);
+        spoilt_at(places_before(p), now_.sites.size(), tried_, quality_.worst_angle);
     bool any = false;
     for (const triangle& t : now_.triangles)
       if (std::any_of(t.begin(), t.end(), [&](vertex_index v) { return spoilt[v] != 0; }))
@@ -250,7 +250,7 @@ class improver {
   const mesh_options& options_;
   mesh_outcome& outcome_;
   mesh now_, tried_;
-  standing standing_;
+  mesh_quality quality_;
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace asterism::internal {
 
-// Returns the marks by the mesh's vertex numbers. `number` has one of these for each vertex of the
-// file; where it is empty the marks stay as they are.
+// Returns the marks by the mesh's vertex numbers. `number` has the mesh's vertex number of each
+// vertex of the file; where it is empty the marks stay as they are.
 inline mesh_marks joined_marks(mesh_marks marks, const std::vector<vertex_index>& number) {
   if (number.empty()) return marks;
   for (auto* const list : {&marks.corners, &marks.required_vertices})

@@ -101,7 +101,7 @@ bool are_no_worse(const edge_lengths& lengths, const edge_lengths& of_new) {
          lengths.greatest <= std::max(greatest_length, of_new.greatest * times);
 }
 
-// Makes the cheap tests first.
+// Makes the tests that take little time first.
 std::optional<mesh_outcome> outcome_of_keeping(const mesh& m, const domain& shape,
                                                const mesh_options& options) {
   audit_options asked;

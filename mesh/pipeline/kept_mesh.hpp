@@ -18,14 +18,16 @@ struct unit_counts {
   double all;     // with the boundary
 };
 
-// Returns how many vertices the domain of the mesh takes with edges of length one in its metric.
+// Returns the numbers of vertices of a mesh of the same domain with edges of length one in the
+// metric.
 unit_counts vertices_of_unit_edges(const mesh& m);
 
 // True if the mesh has the named number of vertices, to 2 %, or, if none was named, the number that
 // its metric asks for, to a tenth.
 bool has_enough_vertices(const mesh& m, const mesh_options& options);
 
-// Lengths of the edges of a mesh, each the logarithmic mean of what its ends measure.
+// Lengths of the edges of a mesh, each the logarithmic mean of the lengths in the metrics of its
+// ends.
 struct edge_lengths {
   double unit_share = 0;  // from 1 / sqrt 2 to sqrt 2
   double least = 0, greatest = 0;

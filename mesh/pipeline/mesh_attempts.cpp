@@ -120,7 +120,7 @@ class attempts_at_mesh {
   bool is_overworked() const { return as_wanted_ && as_wanted_->ended.how == ending::overworked; }
 
   // True if the attempts begin with a delivered metric. The preconditions follow in the order of
-  // the list; each is asked once.
+  // the list; each is evaluated once.
   bool begins_with_delivery() { return is_first_ && may_deliver_; }
 
   // True if a mesh in the wanted metric is unlikely, or wants few sites; remembers why, since that
@@ -259,8 +259,8 @@ const std::array<attempts_at_mesh::step, attempt_count> attempts_at_mesh::steps 
     {&attempt_rules[5], &attempts_at_mesh::wants_one_metric, &attempts_at_mesh::take_one_metric},
 }};
 
-// Marks a mesh whose improvement was cut short by a limit or an interrupt: unmarked, it could be
-// taken for the mesh of the whole run, which is another one.
+// Marks a mesh whose improvement was cut short by a limit or an interrupt: without the mark it
+// could be mistaken for the mesh of the uninterrupted run, which differs.
 void note_stop(const cancellation& stop, mesh_outcome& made) {
   if (!made.complete) return;
   const auto why = stop.told();

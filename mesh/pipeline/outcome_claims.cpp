@@ -7,15 +7,15 @@ namespace asterism::internal {
 namespace {
 
 // True if the reason is that of a mesh in one metric for all sites that meets all demands
-// (pipeline/outcome_text.cpp). It states why there is no other mesh, which is not checked here.
+// (pipeline/outcome_text.cpp). The cause that such a reason states is not checked here.
 bool is_of_one_metric(const std::string& reason) {
   return reason.starts_with("stars cannot agree in the metric given (") &&
          reason.find("; they agree in one metric for all, which differs from it at ") !=
              std::string::npos;
 }
 
-// True if the reason is one that a completed run states: that of `certify` for a mesh it did not
-// change, or of a mesher.
+// True if the reason is one that a completed run states: the reason of `certify` for an unchanged
+// mesh, or a reason of the mesher.
 bool is_reason_of_completed(const certificate& claim) {
   if (claim.options.count("mesh") != 0 && claim.reason == certified_as_it_came) return true;
   if (claim.delivered && is_of_one_metric(claim.reason)) return true;

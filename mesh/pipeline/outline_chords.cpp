@@ -21,7 +21,8 @@ bool begins_with(const domain& divided, const domain& whole) {
   std::size_t others = 0;
   for (std::size_t s = 0; s < whole.segments.size(); ++s) {
     const segment &now = divided.segments[s], &before = whole.segments[s];
-    // Compares vertices by number: those of the whole keep theirs, as new ones come after them.
+    // Compares vertices by number: vertices of the whole domain keep their numbers, as new vertices
+    // come after them.
     const bool starts = now.a == before.a, ends = now.b == before.b;
     if (now.internal != before.internal || !(starts || ends)) return false;
     others += starts && ends ? 0 : 1;

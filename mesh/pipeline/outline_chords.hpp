@@ -20,9 +20,9 @@ struct chorded_outline {
 // Halves the cubics of the outline while their chords are farther from them than a part of the size
 // that the metric of the mesh wants across (mesh/domain/divide_curves.hpp). Without such a bound a
 // chord as long as a wanted edge would stay at any distance from its cubic. Returns the outline as
-// it is where it has no cubics, where they cannot be divided, or where the chords would be more
-// than a quarter of the number of inside vertices that unit edges take, as on a coast, where cubics
-// are a guess.
+// it is where it has no cubics, where they cannot be divided, or where there would be more chords
+// than a quarter of the inside vertices of a mesh of unit edges. The latter occurs on coasts, where
+// cubics are a guess.
 chorded_outline with_chords_for(const mesh& m, const mesh_outline& found);
 
 }  // namespace asterism::internal

@@ -78,8 +78,8 @@ periodic_division::periodic_division(const domain& d, const std::vector<periodic
   divide(d);
 }
 
-// Numbers the stations. Stations of a second side have the order opposite to its segments': each of
-// its lists, in which numbers ascend, is reversed once.
+// Numbers the stations. The stations of a second side come in the order opposite to its segments.
+// So the list of each segment there, whose numbers ascend, is reversed once.
 void periodic_division::add_vertices(const std::vector<periodic_sides>& all) {
   for (const periodic_sides& sides : all) {
     const std::vector<side_station>& stations = sides.stations();

@@ -31,8 +31,8 @@ namespace asterism {
 // match_periodic found; a mesh in which they do not is not complete. Where a number of vertices is
 // wanted of a metric that is given at the nodes of a mesh, sides are divided in edges of the length
 // with which the domain takes that number. With `no_split_across` no inner edge of a complete mesh
-// joins two vertices of the boundary, with pairs or without; where split_across() does not get
-// there the mesh is not complete.
+// joins two vertices of the boundary, with pairs or without; where split_across() does not achieve
+// that, the mesh is not complete.
 ASTERISM_EXPORT result<certified_mesh> make_periodic_mesh(const domain& d,
                                                           const metric_field& field,
                                                           const mesh_options& options,

@@ -23,8 +23,8 @@ struct side_line {
   std::vector<double> at;  // the length up to each vertex
 };
 
-// A corner of the first side, of the second or of both, as its index among the vertices of the
-// line.
+// A corner of the first side, of the second side or of both, by its indices in the lines of these
+// sides.
 struct corner_pair {
   std::optional<std::size_t> first, second;
 };
@@ -63,8 +63,9 @@ double part_of(const point& a, const point& b, const point& q) {
   return ((q.x - a.x) * x + (q.y - a.y) * y) / (x * x + y * y);
 }
 
-// True if a place may represent a point of the line from a to b: it is no farther from the line, or
-// farther along an axis on which the line is, than rounding explains.
+// True if a place may represent the point `on_line` of the line from a to b: it is within two units
+// in the last place; or, if the line is along an axis, exactly on the line and within 2^-30 of its
+// length.
 bool is_near_enough(const point& a, const point& b, const point& on_line, const point& q) {
   constexpr double units = 2, along_axis = 0x1p-30;
   const double unit =
@@ -234,8 +235,8 @@ class side_finder {
     });
   }
 
-  // Returns the turn that takes the direction from the first end to the last of one side to that of
-  // the other.
+  // Returns the turn from the direction between the first side's ends to the direction between the
+  // second side's ends.
   side_map chord_turn() const {
     const point a{first(first_.segments.size()).x - first(0).x,
                   first(first_.segments.size()).y - first(0).y};

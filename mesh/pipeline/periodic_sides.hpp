@@ -65,7 +65,7 @@ class periodic_sides {
   // the number of new ones: places without room among the doubles are left out. The map is no
   // longer exact if no near place has an exact image.
   std::size_t insert(std::size_t interval, const std::vector<point>& places);
-  // Returns the approximate place on the first side that matches one of the second.
+  // Returns the approximate place on the first side that matches a place on the second.
   point first_of(std::size_t interval, const point& on_second) const;
 
  private:

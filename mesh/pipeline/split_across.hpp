@@ -13,9 +13,10 @@ namespace asterism::internal {
 
 // Gives each such edge a vertex in its middle, makes stars agree about the new triangles, and
 // repeats that until there are no such edges. The mesh is delivered in a metric that may differ
-// from `field` there, as any mesh made by local changes is. Where that does not end, or not in a
-// certified mesh, the mesh stays as it was, and the outcome is not complete and says so. A mesh
-// that is not certified stays as it is. Edges of the boundary may be split, where stars need it.
+// from `field` there, as any mesh made by local changes is. If this does not end in a certified
+// mesh, the mesh stays unchanged, and the outcome is not complete, with a reason. A mesh that is
+// not certified before stays unchanged, too. Edges of the boundary may be split, where stars need
+// it.
 certified_mesh split_across(certified_mesh made, const domain& d, const metric_field& field,
                             const mesh_options& options);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Renumbers the isolated vertices of a domain along a curve while it is meshed, and restores their
-// numbers in the resulting mesh. Many vertices in the order of a file are read from all over
-// memory: 100,000 at random took a fifth longer.
+// numbers in the resulting mesh. In the order of a file, vertices that are near each other may be
+// far apart in memory: 100,000 in random order took a fifth longer.
 #pragma once
 
 #include <vector>
