@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_rounds = 200;
 // Relative difference of squared lengths below which a neighbour's demand is ignored: without it
-// rounds go on in tiny steps.
+// the rounds would continue with tiny changes.
 constexpr double slack = 1e-3;
 
 double eighth_root(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }

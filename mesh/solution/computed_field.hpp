@@ -25,13 +25,14 @@ namespace asterism::internal {
 
 // Below the first of these ratios a field counts as computed, above the second as a function's.
 inline constexpr double ratio_of_computed = 0.6, ratio_of_function = 0.95;
-// Below the first roughness of its quadratics a field is resolved, above the second it is not, and
-// both roughnesses are made of the function's own higher derivatives. Loops leave 0.02 to 0.04 of a
-// solution; layers of a third of a grid's spacing have 0.9.
+// Roughness of fitted quadratics below which a field is resolved, and above which it is not: both
+// roughnesses then come from the field's own higher derivatives. In loops solutions have 0.02 to
+// 0.04; layers of a third of a grid's spacing have 0.9.
 inline constexpr double roughness_of_resolved = 0.1, roughness_of_unresolved = 0.2;
-// Least bound of the aspect, and the ratio of the bound to the steepness. By experiment: layers of
-// three hundredths want 7 to 14, of a hundredth (steepness 75) 20 to 40, of a thousandth (713) 150
-// to 400. The steepness alone would make smooth solutions, which have 2 to 4, isotropic.
+// Least bound of the aspect, and the ratio of the bound to the steepness. By experiment: the best
+// bounds are 7 to 14 for layers of three hundredths, 20 to 40 for layers of a hundredth (steepness
+// 75), 150 to 400 for layers of a thousandth (steepness 713). Without a least bound smooth
+// solutions, whose steepness is 2 to 4, would be isotropic.
 inline constexpr double least_aspect_bound = 14, aspect_of_steepness = 0.27;
 
 // Distance of second derivatives at a vertex from the linear function that fits its neighbours'
@@ -39,8 +40,7 @@ inline constexpr double least_aspect_bound = 14, aspect_of_steepness = 0.27;
 struct roughness {
   double weak = 0;    // of the Laplacian in the weak form
   double fitted = 0;  // of that of fitted quadratics
-  // Returns the ratio of the two; values that are negligible beside a method's errors count as
-  // equal.
+  // Returns weak / fitted; values that are negligible beside a method's errors count as equal.
   double ratio() const {
     constexpr double nothing = 1.0 / 512;
     return (weak + nothing) / (fitted + nothing);
@@ -52,7 +52,7 @@ struct roughness {
 std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
                                       const std::vector<double>& values);
 
-// Returns how many times the layers of a field fit into the diagonal of the box around the mesh:
+// Returns the ratio of the diagonal of the box around the mesh to the width of the field's layers:
 // that diagonal times the mean slope, weighted by its square, over the range of the values. It does
 // not depend on the mesh where this resolves the layers. 0 for a constant.
 double steepness(const mesh& m, const std::vector<double>& values);

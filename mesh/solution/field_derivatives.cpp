@@ -39,9 +39,9 @@ struct one_field {
 };
 
 // Returns the mean of moduli of which the metric is made. A relative error is adaptmesh's measure,
-// which takes the plain mean. Second derivatives of a field that was computed in linear elements
-// are the true ones with noise, and a peak of theirs is mostly noise: the plain mean removes most
-// of it, and has 2 to 5 % less error of the solution (docs/results/adaptation.md).
+// which takes the plain mean. If a field was computed in linear elements, its second derivatives
+// have noise, and their peaks are mostly noise. The plain mean removes most of that: errors of
+// solutions are 2 to 5 % less with it (docs/results/adaptation.md).
 std::vector<metric_tensor> moduli_of(const mesh& m, const mesh_links& links,
                                      const std::vector<metric_tensor>& hessian, bool is_computed,
                                      const solution_metric_options& options) {

@@ -14,9 +14,9 @@ namespace asterism::internal {
 
 // Returns the power of moduli that is averaged for the L^p norm, p / (2p + 1), or 1/2 for the
 // maximum norm. Across a layer the optimal metric has sizes in proportion to |H|^(-p/(2p+1)), so
-// that this power of |H| is a number of vertices on a unit of length. By its mean the triangles
-// around a vertex get as many vertices together as each of them wants; by a mean of |H| itself, to
-// which the greatest adds most, they would get more.
+// that this power of |H| is a number of vertices on a unit of length. With the mean of this power,
+// the triangles around a vertex get the number of vertices that they want in total; with the mean
+// of |H| itself, in which the greatest weighs most, they would get more.
 double power_averaged(std::optional<double> norm);
 
 // Returns, for each vertex, the mean of |H| over the triangles at it, by area, where |H| of a

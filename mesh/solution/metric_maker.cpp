@@ -120,8 +120,9 @@ double metric_maker::measure(double factor) {
   return error > 0 ? 1 / error : infinity;
 }
 
-// Finds the factor: steps by 16 until the target lies between two factors, then the secant in
-// logarithms, or half the interval where the secant leaves it or hardly narrows it.
+// Finds the factor: multiplies or divides it by up to 16 until the target lies between two factors,
+// then uses the secant in logarithms, or half the interval where the secant leaves it or hardly
+// narrows it.
 void metric_maker::meet(double target) {
   const double close = options_.gradation ? 0.008 : 0.002;
   constexpr int most_steps = 60;
@@ -143,13 +144,13 @@ void metric_maker::meet(double target) {
       if (y - x < narrowest) break;
       factor = elementary::exp(x + part * (y - x));
     } else {
-      // Tolerance of a saturated quantity: even sixteen to the sixth times the factor changes
-      // nothing any more.
+      // Relative change below which the quantity counts as saturated. After six such steps, each by
+      // a factor of up to 16, the search ends.
       constexpr double alike = 1e-9;  // far below the 2e-3 to which the target is met
       saturated = step > 0 && std::abs(got - before) <= alike * got ? saturated + 1 : 0;
       if (saturated == 6) break;
-      // Takes a little more than would suffice if the quantity grew with the factor; sixteen times
-      // once that did not pass the target.
+      // Multiplies by a tenth more than would suffice if the quantity grew in proportion to the
+      // factor. After three such steps without success it multiplies or divides by 16.
       const double ratio = std::clamp(target / got, 1.0 / 16, 16.0);
       factor *= step < 3 ? ratio * (ratio > 1 ? 1.1 : 0.9) : got < target ? 16 : 1.0 / 16;
       // Ends near the range of doubles, before products with tensors exceed it.

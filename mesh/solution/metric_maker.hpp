@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the metric of a solution from its optimum: finds the factor with which sizes, step,
-// intersections and gradation leave as much as is wanted. Steps 4 to 8 of solution_metric.hpp.
+// Makes the metric of a solution from its optimum: finds the factor with which the metric meets its
+// target after intersections, step limit, bounds on sizes and gradation. Steps 4 to 8 of
+// solution_metric.hpp.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ using tensors = std::vector<metric_tensor>;
 // Vertices for each unit of complexity, in a mesh of equilateral triangles of edge length 1.
 inline constexpr double vertices_of_unit = 2 / std::numbers::sqrt3;
 
-// Returns the part of a number, 0 of none.
+// Returns the share part / of, which is 0 if `of` is 0.
 inline double share_of(std::size_t part, std::size_t of) {
   return of == 0 ? 0 : static_cast<double>(part) / static_cast<double>(of);
 }

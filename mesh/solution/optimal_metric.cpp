@@ -42,10 +42,10 @@ double root_of(const metric_tensor& m) {
   return power == 0 ? root : std::scalbn(root, power);
 }
 
-// Computes the optimum in logarithms, so that no power overflows: of the moduli as parts of the
-// greatest of all, of D, and of the least density and the least eigenvalue allowed.
+// Computes the optimum with logarithms of all numbers, so that no power overflows: the moduli
+// divided by the greatest of all, D, the least density and the least eigenvalue allowed.
 //
-// At each place the density is the greatest of three, which are those of no bound, of the weaker
+// At each place the density is the greatest of three: that without bounds, that with the weaker
 // eigenvalue at its bound, and the least. With r = (2p+2) / (2p+1), moduli a >= b, the bound w and
 // the least density q they are D (a b)^(p/(2p+2)), (D^r (a w)^(2-r))^(1/2), and q. The second is
 // what makes the error least where one size is given: across, sizes follow a^(-p/(2p+1)), as along
@@ -193,8 +193,8 @@ double error_constant(std::optional<double> norm) {
   return *norm == 1 ? 1.0 / 8 : unit_error(*norm);
 }
 
-// Makes second derivatives a and b along the axes of a triangle that is equilateral in the metric:
-// moduli of half their sum and half their difference.
+// Moduli of half the sum and of half the difference of second derivatives a and b, which are along
+// the axes of triangles that are equilateral in the metric.
 struct equilateral_moduli {
   double mean, difference;
   // Returns half of |a| + |b|.

@@ -21,8 +21,8 @@ namespace asterism::internal {
 
 // Factor between this metric and adaptmesh's for the same error: adaptmesh's meshes have fewer
 // vertices than a mesh with unit edges in its metric. In twelve loops of adaptmesh (six fields,
-// errors 0.01 and 0.001, ratio 1.8, 116 to 10220 vertices) they had 0.855 to 1.04 of them, 0.947 in
-// the mean. By experiment (docs/results/adaptation.md).
+// errors 0.01 and 0.001, ratio 1.8, 116 to 10220 vertices) the ratio of the numbers of vertices was
+// 0.855 to 1.04, 0.947 in the mean. By experiment (docs/results/adaptation.md).
 inline constexpr double unit_share = 0.94;
 
 // Returns s at each vertex; nothing if all values are equal to 1e-10 of the greatest, so that no

@@ -15,7 +15,7 @@
 //   7. sizes are clipped to hmin and hmax, and the weaker eigenvalue is raised to keep the aspect;
 //   8. gradation.
 // The factor of step 4 is found such that the outcome of steps 4 to 8 has the complexity wanted.
-// With a relative error step 2 is M = 0.94 |H| / (E s) in place of that, as adaptmesh's err has it
+// With a relative error E, step 2 makes M = 0.94 |H| / (E s) instead, as adaptmesh does with err
 // (mesh/solution/relative_error.hpp), and the factor is 1.
 #pragma once
 
@@ -34,8 +34,9 @@
 namespace asterism {
 
 // Makes the metric. `intersected` are tensors at the same vertices. Requires a triangulation. Fails
-// for options out of range, numbers that are not as many as vertices, derivatives that overflow.
-// Time and memory are linear; parallel, the same for any number of threads.
+// for options out of range, fields whose number of values is not the number of vertices, and
+// derivatives that overflow. Time and memory are linear; parallel, the same for any number of
+// threads.
 ASTERISM_EXPORT result<solution_metric> make_solution_metric(
     const mesh& m, const std::vector<nodal_values>& fields, const solution_metric_options& options,
     const std::vector<std::vector<metric_tensor>>& intersected = {});

@@ -11,12 +11,12 @@
 namespace asterism {
 
 // Default growth of sizes, with which loops do best (docs/results/adaptation.md has 1.5 to 12, and
-// none). Faster growth is not delivered in any case, as stars do not agree about it; from 3 down,
-// gradation takes vertices that fronts need.
+// none). Faster growth is never delivered, as stars do not agree in such a metric; below 3,
+// gradation uses up vertices that fronts need.
 inline constexpr double loop_gradation = 6;
 
-// Aspect of those who name none: along layers of a solution that was computed in linear elements
-// the bound is then made of how steep it is (docs/manual/adaptation.md).
+// Aspect if none is named: then the aspect along layers of a solution that was computed in linear
+// elements is bounded by their steepness (docs/manual/adaptation.md).
 inline constexpr double no_aspect_named = 1e6;
 
 // Options of the metric. At most one of vertices, complexity and error; without any, the number of

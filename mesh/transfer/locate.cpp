@@ -144,8 +144,8 @@ class locator {
     return best;
   }
 
-  // Assigns to each vertex outside the mesh a triangle near that of a neighbour, beginning with
-  // vertices beside located ones.
+  // Assigns to each vertex outside the mesh a triangle near the triangle of a neighbour, beginning
+  // with vertices beside located ones.
   std::optional<error> follow_neighbours() {
     std::vector<vertex_index> waiting = outside_;
     while (!waiting.empty()) {

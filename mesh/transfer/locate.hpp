@@ -19,12 +19,12 @@ struct located_vertices {
   double greatest_distance = 0;        // of those from it
 };
 
-// A vertex is in the closed triangle it is given, by exact orientations: found by a walk from its
-// neighbour on a space-filling curve, or by the boxes of triangles where the walk meets the
-// boundary. A vertex in none, as rounding or another boundary makes them, is given the nearest of
-// the triangles that are joined by edges to that of a neighbour of the vertex in its own mesh:
-// never one across a gap. A vertex of the boundary is on the side on which its own triangles are,
-// where a slit has two sides in one place. Fails where no neighbour, however far, is in a triangle.
+// Each vertex gets a closed triangle that contains it, by exact orientations: found by a walk from
+// its neighbour on a space-filling curve, or by the boxes of triangles where the walk meets the
+// boundary. A vertex may be in no triangle because of rounding, or because the boundaries differ.
+// It gets the triangle of a neighbour in its own mesh, or a nearer one joined to that by edges, so
+// none across a gap. A vertex of the boundary is on the side on which its own triangles are, where
+// a slit has two sides in one place. Fails where no neighbour, however far, is in a triangle.
 result<located_vertices> locate_vertices(const mesh& in, const mesh_links& links, const mesh& of,
                                          const mesh_links& of_links);
 

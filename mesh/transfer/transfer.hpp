@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Brings a solution from the vertices of one mesh to those of another one of the same domain.
+// Transfers a solution from the vertices of one mesh to the vertices of another mesh of the same
+// domain.
 #pragma once
 
 #include "asterism/core/export.h"
@@ -16,8 +17,8 @@ namespace asterism {
 //              no new extrema; changes integrals.
 // project:     the nearest field in the mean square, over the common parts of old and new
 //              triangles. Keeps integrals and linear fields to rounding; may overshoot.
-// bounded:     the projection with as much diffusion as keeps it, at each vertex, within the old
-//              values around it. Keeps integrals to rounding; makes no new extrema.
+// bounded:     the projection with added diffusion, so that the value at each vertex stays within
+//              the old values around it. Keeps integrals to rounding; makes no new extrema.
 enum class transfer_method { interpolate, project, bounded };
 
 // Transfers all fields, tensors entry by entry. Requires triangulations of domains that differ by

@@ -21,15 +21,15 @@ double largest_value(const solution_field& f) {
   return largest;
 }
 
-// Returns the exponent of two of a number of extraordinary size, else 0.
+// Returns the binary exponent of a number if its modulus exceeds `ordinary`, else 0.
 int power_beyond(double largest, int ordinary) {
   if (!(largest > 0)) return 0;
   const int power = std::ilogb(largest);
   return std::abs(power) > ordinary ? power : 0;
 }
 
-// Returns the exponent of the power of two that divides values to ordinary size: the least that
-// suffices, so that small values are not lost.
+// Returns the exponent of the least power of two that divides values to ordinary size: a greater
+// one would lose small values.
 int power_to_ordinary(double largest, int ordinary) {
   const int power = power_beyond(largest, ordinary);
   return power - std::clamp(power, -ordinary, ordinary);

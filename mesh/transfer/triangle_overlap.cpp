@@ -44,8 +44,8 @@ int side_of(const symbol& s, std::size_t j, const overlap_signs& signs) {
   if (s.new_index == j) return 0;
   // Decides the side by orientations: the crossing is on line m, which shares a corner with line j.
   // Along m the orientation against the old edge changes its sign at the crossing, to positive if
-  // that edge leads from inside of m to outside; so it tells whether the shared corner comes before
-  // the crossing or after.
+  // that edge leads from inside of m to outside; so its sign at the shared corner shows on which
+  // side of the crossing that corner is.
   const std::size_t m = s.new_index;
   const bool ends_at_j = j == next(m);
   const std::size_t shared = ends_at_j ? j : m;
@@ -56,7 +56,8 @@ int side_of(const symbol& s, std::size_t j, const overlap_signs& signs) {
 
 symbol meet(const carrier& line, std::size_t j) {
   if (!line.of_new) return {symbol::kind::crossing, line.edge, j};
-  // Takes the corner in which lines m and j of the new triangle meet, where the second begins.
+  // Takes the corner that edges `line` and j of the new triangle share: the start of the one that
+  // follows the other.
   return {symbol::kind::new_corner, 0, j == next(line.edge) ? j : line.edge};
 }
 
@@ -77,8 +78,8 @@ polygon clipped(const polygon& p, std::size_t j, const overlap_signs& signs) {
   return out;
 }
 
-// Edge from its end with the lesser number, from which crossings are measured: alike for both
-// triangles at the edge.
+// An edge, directed from its end with the lesser number. Crossings are measured from that end, so
+// that both triangles at the edge compute the same ones.
 struct ordered_edge {
   std::size_t low, high;  // corners of the triangle
   explicit ordered_edge(const triangle& v, std::size_t edge)
@@ -93,7 +94,8 @@ double part_along(const numbered_triangle& t, const ordered_edge& e, const numbe
   return a + b > 0 ? a / (a + b) : 0.5;
 }
 
-// Returns the parameter of the foot of a point on an edge, at its lesser end 0.
+// Returns the parameter of the foot of a point on an edge: 0 at the end with the lesser number, 1
+// at the other end.
 double foot_along(const numbered_triangle& t, const ordered_edge& e, const point& at) {
   const point &a = t.at[e.low], &b = t.at[e.high];
   const double x = b.x - a.x, y = b.y - a.y;
@@ -105,9 +107,9 @@ point point_along(const numbered_triangle& t, const ordered_edge& e, double part
   return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
 }
 
-// Sets one place in both triangles. Edges that nearly lie on one line cross anywhere on it, as far
-// as doubles tell: parameters that were measured for each edge by itself would name two places, and
-// the shape functions of one would be integrated with the values at the other.
+// Sets one place in both triangles. For edges that nearly lie on one line, doubles do not determine
+// where they cross: a parameter computed for each edge by itself would name two places, and the
+// shape functions of one would be integrated with the values at the other.
 void set_crossing(const numbered_triangle& old_one, const numbered_triangle& new_one,
                   const symbol& s, overlap_corner& made) {
   const ordered_edge old_edge(old_one.v, s.old_index), new_edge(new_one.v, s.new_index);

@@ -35,8 +35,8 @@ struct numbered_triangle {
   std::array<point, 3> at;
 };
 
-// Orientations of the corners of each triangle against the edges of the other. Edge i leads from
-// corner i to the next.
+// Orientations of the corners of each triangle against the edges of the other triangle. Edge i
+// leads from corner i to the next.
 struct overlap_signs {
   std::array<std::array<sign, 3>, 3> old_against{};  // [edge of the new one][corner of the old one]
   std::array<std::array<sign, 3>, 3> new_against{};  // [edge of the old one][corner of the new one]
