@@ -34,10 +34,9 @@ border_field::border_field(const metric_field& of, const domain& d) : of_(&of) {
 // in which the tensor is the identity: x' = l11 x + l21 y, y' = l22 y.
 double border_field::wanted_length(const metric_tensor& m, const point& q) const {
   constexpr double growth = 1;  // of the length by the distance
-  // Wanted length of edges at a segment, as a multiple of the segment's length: the mesher
-  // halves a segment that is 1.2 times as long as wanted at one of its ends, and its
-  // neighbours must not be halved for that. With 1.3 the next one was halved, too, and so on
-  // around.
+  // Wanted length of edges at a segment, as a multiple of the segment's length: the mesher halves a
+  // segment that is 1.2 times as long as wanted at one of its ends, and its neighbours must not be
+  // halved for that. With 1.3 the next segment was halved, too, and so on around the border.
   constexpr double room = 2;
   const double l11 = std::sqrt(m.m11), l21 = m.m12 / l11,
                l22 = std::sqrt(std::max(m.m22 - l21 * l21, 0.0));

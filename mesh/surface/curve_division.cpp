@@ -8,8 +8,7 @@
 namespace asterism::internal {
 namespace {
 
-// Unit of places on curves: places are multiples of it, so that a place and 1 less it are both
-// exact.
+// Unit of places on curves: places are multiples of it, so that a place p and 1 - p are both exact.
 constexpr double place_unit = 0x1p-30;
 constexpr int side_samples = 256;  // of the length of a curve
 
@@ -17,7 +16,7 @@ double rounded_place(double x) {
   return std::clamp(std::round(x / place_unit) * place_unit, place_unit, 1 - place_unit);
 }
 
-// True for curves that are divided here alone: those that two faces share, and those that trim.
+// True for curves that only this class divides: those that two faces share, and those that trim.
 bool is_divided(const side_curve& curve) {
   return !curve.is_point && (curve.sides.size() == 2 || curve.is_trim);
 }

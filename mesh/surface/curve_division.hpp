@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Divides the curves that two patches share, once for both, and those that trim patches.
+// Divides the curves that two patches share, once for both patches, and the curves that trim
+// patches.
 #pragma once
 
 #include <vector>
@@ -19,8 +20,8 @@ struct patch_faces {
   std::vector<face_meshing>& faces;
 };
 
-// A place on a curve is a number from 0 to 1 along the curve, and the same or 1 less it along its
-// sides. Both are exact.
+// A place on a curve is a number p from 0 to 1 along the curve. Along a side it is p, or 1 - p if
+// the side has the other direction. Both are exact.
 inline double own_place(const patch_side& side, double place) {
   return side.backward ? 1 - place : place;
 }

@@ -32,9 +32,9 @@ struct on_side {
   double place = 0;
 };
 
-// Lists demands on the plane meshes of faces with common sides, each less than the one before. A
-// vertex that one face wants on a common side makes the other face want one, and so on around a
-// vertex or a ring of faces: with less asked, that ends.
+// Demands on the plane meshes of faces with common sides, in decreasing order. A vertex that one
+// face needs on a common side makes the other face need one, and so on around a vertex or a ring of
+// faces. With lower demands this ends.
 enum class plane_demand {
   angles,  // sizes, and the bound of angles
   sizes,   // sizes alone; vertices are kept
@@ -69,10 +69,10 @@ class face_meshing {
   result<std::string> make(const side_places& places, const surface_mesh_options& options);
   const mesh& plane() const { return plane_; }
   void keep_vertices(bool kept) { keeps_ = kept; }
-  // Sets what the next meshes of the face must meet.
+  // Sets the demand on the next meshes of the face.
   void ask_for(plane_demand demand) { demand_ = demand; }
   plane_demand demand() const { return demand_; }
-  // Returns what the present mesh was made with.
+  // Returns the demand with which the present mesh was made.
   plane_demand made_with() const { return made_with_; }
   bool keeps_vertices() const { return keeps_; }
   // Frees the corners of the marked triangles of the present mesh, and of the triangles across the

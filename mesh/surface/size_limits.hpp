@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Limits the distance that is asked of a surface's mesh to what doubles can prove, and the number
-// of vertices to what is made.
+// Refuses distances of a mesh from its surface that doubles cannot prove, and numbers of vertices
+// above the limit.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ namespace asterism::internal {
 // which the auditor narrows no bound.
 double least_chord(const surface& s);
 
-// Refuses a lesser distance, by name.
+// Refuses a chord distance below the least one, by name.
 std::optional<error> fault_of_chord(const surface& s, double chord);
 
-// Refuses sizes for which a mesh takes more vertices than are made, with both numbers. `expected`
-// is the number predicted.
+// Refuses sizes for which a mesh would exceed the limit on vertices; the message has both numbers.
+// `expected` is the number predicted.
 std::optional<error> fault_of_count(double expected, std::size_t most, double chord);
 
 }  // namespace asterism::internal

@@ -168,8 +168,8 @@ space_point surface_chart::lift(const point& p) const {
 
 surface_chart::local_metric surface_chart::metric_at(const point& p,
                                                      const surface_sizes& sizes) const {
-  // Distance from a side at which its metric is taken: far enough inside for a normal, near enough
-  // for the side.
+  // Distance from a side, as a part of the width, at which the metric of a point without a normal
+  // is taken: far enough for a normal to exist, near enough to represent the point.
   constexpr double inside = 1.0 / 256;
   const point wide{high_.x - low_.x, high_.y - low_.y};
   std::optional<principal> k = principal_of(jet_at(p));

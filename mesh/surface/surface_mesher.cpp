@@ -167,8 +167,8 @@ void surface_meshing::make_borders_simple() {
   }
 }
 
-// Asks at first all of the plane meshes. Of a face whose vertices are kept from a mesh without the
-// bound of angles, asks for sizes alone: mending angles between such vertices doubled the mesh.
+// Sets the first demands on the plane meshes: all, or sizes alone for a face whose vertices are
+// kept from a mesh without the angle bound. Mending angles between such vertices doubled the mesh.
 void surface_meshing::ask_at_first() {
   for (face_meshing& face : faces_) {
     const bool keeps = face.keeps_vertices() && face.made_with() != plane_demand::angles;
@@ -197,7 +197,7 @@ std::optional<error> surface_meshing::agree_on_sides() {
   return {};
 }
 
-// Measures the triangles that were not in the round before.
+// Measures the triangles that the round before did not have.
 std::optional<error> surface_meshing::measure() {
   constexpr double enough = 0.5;  // of the chord: what is nearer need not be known better
   // Marks a triangle over which the surface may be folded as much too large, whatever its distance.
@@ -303,10 +303,10 @@ bool surface_meshing::make_coarser_or_finer(std::size_t p, std::span<const doubl
   return true;
 }
 
-// Refines where a triangle is beyond the chord. If only few are, vertices elsewhere are kept: a
-// mesh made anew has other triangles beyond it.
+// Refines where a triangle is beyond the chord. If only few are, vertices elsewhere are kept: in a
+// mesh made anew other triangles would be beyond the chord.
 bool surface_meshing::make_finer(std::size_t p, std::span<const double> distances) {
-  constexpr std::size_t few = 8;  // one in so many
+  constexpr std::size_t few = 8;  // one in this number
   const mesh& m = faces_[p].plane();
   std::vector<unsigned char> beyond(distances.size(), 0);
   std::size_t count = 0;

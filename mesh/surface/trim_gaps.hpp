@@ -13,7 +13,7 @@
 namespace asterism::internal {
 
 // Refuses, by name, an edge whose curves are not proved within the chord distance of each other:
-// vertices are on one of them, so no mesh can be.
+// vertices are on one curve alone, so no mesh could be within that distance of both.
 std::optional<error> fault_of_gaps(const side_graph& graph, const std::vector<face_border>& borders,
                                    const std::vector<bezier_piece>& pieces,
                                    const std::vector<patch_spans>& spans, double chord);
