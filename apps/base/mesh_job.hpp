@@ -41,7 +41,7 @@ struct mesh_job {
   std::vector<std::filesystem::path> outputs;
   std::filesystem::path certificate;    // empty: beside the first output
   std::filesystem::path proof;          // empty: none is written
-  std::size_t threads = 0;              // 0: as many as there are processors
+  std::size_t threads = 0;              // 0: one for each processor
   std::optional<double> max_seconds;    // of wall time, for refinement
   std::optional<double> max_megabytes;  // of resident memory
   int order = 1;                        // of the triangles in files that hold second ones

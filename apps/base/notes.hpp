@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// States what readers and repairs changed of the input, or refuses the input for that.
+// Writes notes on changes of the input by readers and repairs, or refuses the input for such a
+// change.
 #pragma once
 
 #include <optional>

@@ -62,7 +62,7 @@ struct certify_options {
   bool prove_voronoi = false;
   std::optional<std::size_t> max_sites;
   std::optional<double> max_seconds;
-  std::size_t threads = 0;  // 0: as many as there are processors
+  std::size_t threads = 0;  // 0: one for each processor
   bool all_findings = false, all_edges = false;
   bool strict = false;          // what readers change is refused
   bool metric_assumed = false;  // as there is none
@@ -288,7 +288,7 @@ struct measured_mesh {
   std::unique_ptr<metric_field> field;
 };
 
-// Judges a mesh without a metric in the plane one, as if that had been asked for.
+// Judges a mesh without a metric in the plane metric, as if that had been asked for.
 result<measured_mesh> read_measured(certify_options& options) {
   medit_read_options how;
   how.solution = options.solution;

@@ -68,7 +68,7 @@ std::vector<fs::path> outputs_of(const metric_job& job) {
   return all;
 }
 
-// True of an output that holds the metric without a mesh.
+// True if the output holds the metric without a mesh.
 bool is_alone(const fs::path& output) { return has_ending(output.string(), ".sol"); }
 
 // Returns the outputs with the files beside them.
@@ -81,8 +81,8 @@ std::vector<fs::path> written_files(const metric_job& job) {
   return all;
 }
 
-// Checks the options of a series for contradictions, and sets defaults, as if a window were the
-// solution.
+// Checks the options of a series for contradictions, and sets their defaults, by the rules for a
+// metric of one solution.
 std::optional<error> take_series(metric_job& job) {
   if (job.series.empty()) return std::nullopt;
   const metric_request& request = job.request;
@@ -117,7 +117,7 @@ std::optional<error> check_files(const metric_job& job) {
   return std::nullopt;
 }
 
-// Holds one metric for each file that is written.
+// Returns one metric for each file that is written.
 result<metric_series> metrics_for(const metric_job& job) {
   if (!job.series.empty()) return answer_series(job.request, job.series);
   auto made = answer(job.request);

@@ -18,14 +18,14 @@ std::string commands_of(const std::vector<command_entry>& tree) {
   return joined(names, " ");
 }
 
-// True if the value is a number, or a name that only the user knows: no file has it.
+// True if the value is a number or a name, and not a file.
 bool is_no_file(const option_entry& option) {
   const std::string& v = option.value;
   return v.size() == 1 || v == "BETA" || v == "DEG" || v == "MB" || v == "SECONDS" || v == "NAME";
 }
 
-// Commands that write possible words, a line each. Files are completed where a value, or nothing in
-// particular, is wanted, but for closed lists and numbers.
+// Returns commands that write the possible words for an argument, one a line. These include files
+// unless the argument is an option's number or name, or has a closed list of values.
 std::string bash_words(const option_entry& option) {
   std::string known;
   const auto& names = option.choices.empty() ? option.names_of_values : option.choices;

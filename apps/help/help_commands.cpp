@@ -54,8 +54,8 @@ void add_help_command(CLI::App& program, command& chosen) {
   app->callback([&program, name, &chosen] {
     chosen = [&program, name]() -> int {
       if (name->empty()) {
-        // Asks the formatter: help() of a program is that of the command which was parsed, this
-        // one.
+        // Calls the formatter: program.help() would return the help of the command that was parsed,
+        // `help`.
         const std::string all = program.get_formatter()->make_help(&program, program.get_name(),
                                                                    CLI::AppFormatMode::Normal);
         std::cout << wrapped(all, help_columns());

@@ -38,7 +38,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
 // Returns the name that the word begins: the shortest, if all others that begin with the word begin
 // with that name; empty where there is none.
 std::string completed(const std::string& word, const std::vector<std::string>& names) {
-  // Letters, the dashes of options included: fewer name nothing.
+  // Least number of letters that can be completed, dashes of options included.
   constexpr std::size_t least = 3;
   std::string shortest;
   const auto begins = [](const std::string& name, const std::string& with) {
@@ -87,7 +87,8 @@ std::string hidden_option(const CLI::App& app, const std::vector<std::string>& w
   return "";
 }
 
-// "; did you mean green?" where a message ends in the list of what there is: "magic not in {a,b}".
+// Returns a clause such as "; did you mean green?" for a message that ends in the list of possible
+// values: "magic not in {a,b}".
 std::string meant_value(const std::string& message) {
   const std::string between = " not in {";
   const std::size_t at = message.find(between);
@@ -191,8 +192,8 @@ std::string flag_with_value(const CLI::App& app, const std::vector<std::string>&
   return "";
 }
 
-// Returns the end of a message about a word that no argument takes: after a file of an option that
-// is given once for each.
+// Returns the end of a message about a word that no argument takes, if it is the second word after
+// an option that takes one value and may be repeated: that the option must be repeated for it.
 std::string once_for_each(const CLI::App& app, const std::vector<std::string>& words,
                           const CLI::ParseError& failure) {
   if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr) return "";
@@ -222,7 +223,8 @@ std::string without_value(const CLI::App& app, const std::vector<std::string>& w
   return "";
 }
 
-// Returns the end of a message about an option that is the name of an argument without one.
+// Returns the end of a message about an unknown option whose word is the name of a positional
+// argument: "--MESH".
 std::string is_positional(const CLI::App& app, const std::string& word) {
   std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
   for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -89,9 +89,9 @@ result<domain> checked_domain(const mesh_job& job, const domain& loaded, domain_
   return job.repair ? without_repair(checked.failure()) : with_remedy(checked.failure(), loaded);
 }
 
-// Converts the areas that a domain asks of the triangles in its regions to sizes there. A triangle
-// is too large when its corners are farther than 0.75 from its centre, so that none has more than
-// 3/4 sqrt(3) 0.75^2 = 0.7308 of the square of the size.
+// Converts the limits on areas of triangles in a domain's regions to sizes there. A triangle is too
+// large when its corners are farther than 0.75 from its centre, so that none has more than 3/4
+// sqrt(3) 0.75^2 = 0.7308 of the square of the size.
 std::optional<error> take_areas(domain& d, size_wishes& sizes) {
   constexpr double greatest_area = 0.7308;
   std::map<int, double> known;

@@ -33,7 +33,7 @@ struct prepared_input : mesh_input {
 result<prepared_input> prepare(const mesh_job& job);
 
 // Raises the default limit on sites where the domain has many vertices: an angle bound alone takes
-// two to five times as many.
+// two to five times their number.
 void make_room(std::size_t given, mesh_options& options);
 
 // Adds the sides of the convex hull of the vertices, for --convex-hull.

@@ -23,8 +23,8 @@ double in_two_digits(double x) {
   return std::ceil(x / unit) * unit;
 }
 
-// Returns a limit on sites to try. Without a size a bound that cannot be met takes any number of
-// sites. With one, a fifth more than the estimated number is suggested.
+// Returns a limit on sites to try: with a size a fifth more than the estimated number. Without one,
+// a bound that cannot be met may exceed any limit, so a lower bound is suggested first.
 std::string more_sites(const mesh_job& job, const mesh_outcome& outcome) {
   const std::size_t limit = job.refinement.max_sites;
   if (!job.refinement.limit_size && job.refinement.angle_bound > safe_bound)

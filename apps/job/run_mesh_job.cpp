@@ -210,8 +210,8 @@ result<certified_mesh> mesh_within_memory(const mesh_job& job, const mesh_input&
   return mesh_with_progress(job, input, options, limits);
 }
 
-// Makes the mesh of a job, with the number of vertices wanted, if one is, and replaces the input by
-// that of this mesh.
+// Makes the mesh of a job, with the number of vertices wanted, if any, and replaces the input by
+// the input of this mesh.
 result<certified_mesh> make(const mesh_job& job, prepared_input& input, run_limits& limits) {
   mesh_options options = job.refinement;
   options.keep_if_complete = input.of_mesh;

@@ -26,7 +26,7 @@ void add_size_bounds(CLI::App& app, double& least, double& greatest, double& asp
 void add_size_options(CLI::App& app, mesh_job& job, std::vector<worded_size>& worded);
 
 // Enters the sizes into the job, names as the domain's file has them. Throws CLI::ValidationError
-// for what is no size, and for names that the file does not have.
+// for a text that is no size, and for names that the file does not have.
 void take_sizes(mesh_job& job, const std::vector<worded_size>& worded);
 
 }  // namespace asterism::apps

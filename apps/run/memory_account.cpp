@@ -26,7 +26,7 @@ std::atomic<bool> is_counting = false;
 std::atomic<std::int64_t> held = 0, most = no_limit;
 std::atomic<std::int64_t> next_look = no_limit;  // when this much is held
 
-// Reads how much memory is resident, in bytes; 0 where the system does not report it.
+// Resident memory of the program, in bytes; 0 where the system does not report it.
 struct residence {
   double all = 0, of_files = 0;  // of files: code, and constants of the program and its libraries
 };
@@ -45,9 +45,9 @@ residence read_residence() {
   return {static_cast<double>(pages) * page, static_cast<double>(shared) * page};
 }
 
-// Computes how much may be allocated, from the other resident memory, which differs between
-// machines: code, as it is first used, and blocks that the allocator keeps after they were freed.
-// Reads it again after each further megabyte.
+// Computes the number of bytes that may be allocated: the limit less the other resident memory,
+// which differs between machines. That is code that was used, and freed blocks that the allocator
+// keeps. Reads it again after each further megabyte.
 class allowance {
  public:
   void begin(double bytes) {

@@ -11,8 +11,8 @@ namespace {
 
 constexpr const char* wipe = "\r\033[K";
 
-// Estimates the time left while filling, in which sites come at an even rate; the time that mending
-// takes cannot be estimated.
+// Estimates the remaining time of a fill, which adds sites at an even rate; the time of mending
+// cannot be estimated.
 std::string time_left(const mesh_progress& progress, double seconds) {
   const auto sites = static_cast<double>(progress.sites);
   if (seconds < 1 || sites < 1 || progress.sites_expected <= sites) return "";

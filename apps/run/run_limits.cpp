@@ -70,9 +70,9 @@ void run_limits::conclude() {
   concluded_.notify_all();
 }
 
-// Returns the seconds that a run which is told to end may take until it writes: the audit of the
-// present mesh, without its stars, and its measures take up to twenty microseconds a site.
-double run_limits::patience() const {
+// Returns the seconds between a request to end and the writing of files: the audit of the present
+// mesh, without its stars, and its measures take up to twenty microseconds a site.
+double run_limits::seconds_to_conclude() const {
   constexpr double at_least = 0.7, for_a_site = 2e-5;
   return at_least + for_a_site * static_cast<double>(sites_.load(std::memory_order_relaxed));
 }
@@ -85,8 +85,8 @@ double run_limits::seconds_worked() const {
   return std::chrono::duration<double>(clock::now() - start_).count();
 }
 
-// Ends the program if a run that is told to end does not end in time. The time is processor time of
-// the run, so that no mesh is lost on a busy machine; a run that waits for a file or a pipe is
+// Ends the program if a run does not end in time after a request to end. The time is processor time
+// of the run, so that no mesh is lost on a busy machine; a run that waits for a file or a pipe is
 // given a few times as long in wall time.
 void run_limits::watch() {
   constexpr double times_waiting = 4;
@@ -99,7 +99,7 @@ void run_limits::watch() {
     if (!told) told.emplace(clock::now(), seconds_worked());
     const double waited = std::chrono::duration<double>(clock::now() - told->first).count();
     const double worked = seconds_worked() - told->second;
-    if (worked < patience() && waited < times_waiting * patience()) continue;
+    if (worked < seconds_to_conclude() && waited < times_waiting * seconds_to_conclude()) continue;
     const std::string said = fmt::format(
         "{}asterism: not reached: stopped: {}, and nothing was certain yet; nothing is written\n",
         isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", *why);

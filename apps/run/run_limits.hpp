@@ -4,9 +4,9 @@
 // then writes the results that are certain.
 //
 // A run ends at the next place where it polls; there are many such places. A thread watches it, in
-// case an unforeseen loop takes minutes: a run that is told to end and has not begun to write its
-// files within the time that a conclusion takes is ended there, with status 1, and nothing is
-// written.
+// case an unforeseen loop takes minutes: if a run has been requested to end, and does not begin to
+// write its files within the time that a conclusion takes, the program ends with status 1, and
+// nothing is written.
 #pragma once
 
 #include <pthread.h>
@@ -48,7 +48,7 @@ class run_limits {
 
   double to_conclude() const;
   std::optional<std::string> reason_to_hurry() const;
-  double patience() const;
+  double seconds_to_conclude() const;
   double seconds_worked() const;
   void watch();
 

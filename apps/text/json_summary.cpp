@@ -61,7 +61,7 @@ void add_audit(json& object, const audit_report& audit, const std::vector<region
   object["witnesses"] = witnesses;
 }
 
-// Adds how periodic sides match, where that was asked.
+// Adds how periodic sides match, if the question includes that.
 void add_periodic(json& object, const std::vector<periodic_match>& matches) {
   if (!matches.empty()) object["periodic"] = internal::json_of(matches);
 }
@@ -75,8 +75,8 @@ void add_second_order(json& object, const std::optional<second_order_report>& r)
       {"least_jacobian", r->least_jacobian}};
 }
 
-// Adds whether the theorem on nets applies to the mesh, and the measures of its hypotheses; null
-// where that was not asked.
+// Adds whether the theorem on nets applies to the mesh, and the measures of its hypotheses; null if
+// the question does not include that.
 void add_theorem(json& object, const std::optional<theorem_hypotheses>& measured) {
   object["theorem"] = json();
   if (!measured) return;
@@ -125,7 +125,7 @@ namespace {
 
 json word(const std::string& text) { return text.empty() ? json() : json(text); }
 
-// Returns each part of the question, and whether an option or the certificate asked it.
+// Returns each part of the question, with its source: an option or the certificate.
 json question_of(const judgement& judged) {
   const asked_domain& shape = judged.shape;
   const metric_answer& metric = judged.metric;

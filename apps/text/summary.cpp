@@ -48,7 +48,7 @@ std::string mean_length_text(double part, double mean) {
                                 : "";
 }
 
-// Returns how many edges have a metric length near 1.
+// Returns the share of edges with a metric length near 1.
 std::string unit_edges_text(double part, const std::map<std::string, double>& measured) {
   const auto mean = measured.find("mean_length");
   return fmt::format("{:.2f}% unit edges", part * 100) +
@@ -59,7 +59,7 @@ std::string unit_edges_text(double part, const std::map<std::string, double>& me
 // factor beyond.
 std::string change_text(double logarithm) {
   const double factor = elementary::exp(logarithm);
-  // Two digits of 99.5 % and more would be written 1e+02.
+  // Writes 99 % and more as a factor: with two digits 99.5 % would be 1e+02 %.
   if (factor >= 1.99) return fmt::format("{:.3g} times", factor);
   return fmt::format("{:.2g} %", 100 * (factor - 1));
 }

@@ -16,7 +16,7 @@ const std::map<std::string, transfer_method> transfer_methods = {
     {"project", transfer_method::project},
     {"bounded", transfer_method::bounded}};
 
-// Says how far integrals differ that look alike in nine digits.
+// Returns a clause on the difference of integrals that are equal in nine digits.
 std::string difference_text(const transferred_component& c) {
   const double difference = c.integral_after - c.integral_before;
   if (difference == 0) return ", the same";

@@ -47,7 +47,7 @@ std::vector<sentence_part> parts_of(std::string_view sentence) {
   return parts;
 }
 
-// Leaves out the place of a vertex that the sentence has told already.
+// Removes the place of a vertex where the sentence has stated it before.
 std::string with_places_once(std::string sentence) {
   std::set<std::string> told;
   const std::string_view mark = "vertex ";

@@ -52,7 +52,7 @@ std::string cut_short_text(const audit_report& report);
 // Returns "applies: at sigma eps 0.013 angles of 27.25 degrees are proved", or why it does not.
 std::string theorem_text(const theorem_hypotheses& measured);
 
-// Returns "; dual of the Voronoi diagram: proved", where that was asked.
+// Returns "; dual of the Voronoi diagram: proved", if the question includes that.
 std::string voronoi_text(const audit_report& report);
 
 }  // namespace asterism::apps
