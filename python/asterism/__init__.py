@@ -5,13 +5,13 @@
     mesh, u = asterism.adapt(mesh, u, vertices=4000)      # the mesh on which the next solution is best
 
 Arrays: points (n, 2), tensors (n, 3) = m11 m12 m22, sites (n, 5) = x y m11 m12 m22, triangles (t, 3)
-int32, counter-clockwise; indices count from 0. What a mesh shows is a view of the library's memory:
-nothing is copied, nothing can be written, and it lives as long as the view.
+int32, counter-clockwise; indices count from 0. The arrays of a mesh are views of the library's memory:
+nothing is copied, they are read-only, and the memory lives as long as a view of it.
 
-What is wrong with an argument raises InputError, a ValueError that says where. A run that does not
-reach its goal raises nothing: it warns, and the mesh says so by `complete` and `reason`.
+A wrong argument raises InputError, a ValueError whose message names the place. A run that does not
+reach its goal raises nothing: it warns, and `complete` and `reason` of the mesh say so.
 
-asterism.dolfinx and asterism.petsc, imported by those names, are for those packages' own meshes.
+asterism.dolfinx and asterism.petsc, to be imported by these names, are for meshes of these packages.
 """
 from ._adapt import Adapted, adapt, implied_metric, metric, transfer
 from ._asterism import InputError, __version__

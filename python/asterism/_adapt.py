@@ -54,18 +54,18 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
     intersected in the order of the names; or a metric (n, 3) or (n, 2, 2), which is bounded, graded and
     scaled.
     norm: p of the L^p norm of the error, at least 1; "inf" for the maximum.
-    At most one of complexity (area in the metric), vertices and error; without, as many vertices as
-    the mesh has. hmin, hmax: lengths; aspect: how many times as long as wide, at most (1e6, and along
-    layers of values that linear elements computed what their steepness allows).
-    gradation: neighbouring lengths grow by this factor at most over a length of one; None: by any. By
-    default 6 for fields, with which loops do best, and None for a metric.
-    intersect: metrics (n, 3) that are to hold besides. step: how many times a length may change from
-    what it is in the mesh. hessian: 'l2', 'green' or 'lsq' (docs/manual/adaptation.md); or the
-    second derivatives themselves, (n, 3) = xx xy yy or (n, 2, 2) of either sign, one or a dict of them,
-    of which the metric is made then, without values.
-    relative: the error is a part of the greatest less the least value of each field, or with a cutoff C
-    of the value at each point and at least of C times the greatest, as adaptmesh's err.
-    A target that cannot be met is a NotReachedWarning; `report` of the result has the numbers.
+    At most one of complexity (area in the metric), vertices and error; without any, the number of
+    vertices of the mesh. hmin, hmax: lengths; aspect: greatest length over width (1e6; along layers of
+    values that linear elements computed, what the layers' steepness allows).
+    gradation: greatest factor by which lengths grow over a length of one; None: any factor. By default
+    6 for fields, with which loops do best, and None for a metric.
+    intersect: metrics (n, 3) with which this one is intersected. step: greatest factor by which a
+    length may differ from the mesh's. hessian: 'l2', 'green' or 'lsq' (docs/manual/adaptation.md); or
+    the second derivatives themselves, (n, 3) = xx xy yy or (n, 2, 2) of either sign, one or a dict of
+    them; the metric is then made of these, without values.
+    relative: the error is relative to the greatest less the least value of each field, or, with a
+    cutoff C, to the modulus at each point, at least to C times the greatest, as adaptmesh's err. A
+    target that cannot be met is a NotReachedWarning; `report` of the result has the numbers.
     """
     made = _mesh_made(mesh)
     method, hessians = _hessians(hessian, len(mesh.points))
@@ -86,7 +86,7 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
 
 @told
 def implied_metric(mesh: Mesh) -> npt.NDArray[np.float64]:
-    """The metric (n, 3) that the mesh was made in, as far as its edges tell."""
+    """The metric (n, 3) that the mesh was made in, computed from its edges."""
     return _asterism._implied_metric(_mesh_made(mesh))
 
 
@@ -121,20 +121,20 @@ def _as_given(fields: Any, moved: Any, report: Dict[str, Any]) -> Any:
 
 if TYPE_CHECKING:
     class _Pair(Tuple[Mesh, Any]):
-        """What `mesh, u = asterism.adapt(...)` takes apart, for those who read types."""
+        """Type of the pair in `mesh, u = asterism.adapt(...)`, for type checkers."""
 else:
     _Pair = object
 
 
 @told_methods
 class Adapted(_Pair):
-    """The next mesh of a loop, with what was brought to it.
+    """The next mesh of a loop, with the fields transferred to it.
 
     mesh: the Mesh; values: the fields that its metric was made of, at its points, in the form in which
-    they were given (None of a metric); carried: those that were only carried, likewise; metric: the
-    tensors (n, 3) wanted at the points of the mesh before; report: `metric`, `transfer`, whether the
-    mesh was `kept`, `boundary_distance`, `reached` and `reason`. `mesh, u = asterism.adapt(...)` takes
-    the first two.
+    they were given (None of a metric); carried: the fields that were only transferred, in their form,
+    too; metric: the tensors (n, 3) wanted at the points of the mesh before; report: `metric`,
+    `transfer`, whether the mesh was `kept`, `boundary_distance`, `reached` and `reason`. `mesh, u =
+    asterism.adapt(...)` takes the first two.
     """
 
     def __init__(self, mesh: Mesh, values: Any, carried: Any, metric: ReportedArray,
@@ -178,18 +178,18 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[flo
 
     mesh: one of ours, or Mesh(points, triangles, regions=, edges=, markers=) from elsewhere; regions,
     markers and lines inside stay. values: as asterism.metric() takes them; None: the mesh's own `values`.
-    carry: fields (n,), (n, 2) or (n, 3), or a dict of them, that come along and have no part in the
-    metric. how: in which way all of them are brought, as asterism.transfer() has it.
+    carry: fields (n,), (n, 2) or (n, 3), or a dict of them, that are only transferred and have no part
+    in the metric. how: method of transfer for all fields, as in asterism.transfer().
     metric: a metric in place of values, in any form that tensors have; or implied=True: that of the
-    mesh's edges. norm to cutoff: as asterism.metric() has them; of a hessian (n, 3) the metric is made,
-    and values only come along.
+    mesh's edges. norm to cutoff: as in asterism.metric(); with a hessian (n, 3) the metric is made of
+    that, and values are only transferred.
     no_split_across: no inner edge joins two points of the boundary, so that no triangle has all three
     there.
     domain: what is meshed, in any form that asterism.mesh() takes, with chord_tolerance for its curves;
     None: what the mesh covers. Of that, vertices where the boundary turns by more than corner_angle (30)
-    stay, and the new boundary is within hausd of the old one, both ways (None: where vertices go, a
-    hundredth of the size wanted across it).
-    periodic: pairs of markers of sides that get the same points, as asterism.mesh() has them.
+    stay, and the new boundary is within hausd of the old one, both ways (None: where vertices are
+    removed, a hundredth of the size wanted across the boundary).
+    periodic: pairs of markers of sides that get the same points, as in asterism.mesh().
     keep: whether the mesh may stay: 'auto' where it is as good as a new one, 'never', or 'always' where
     it is certified in the metric. The rest is as in asterism.mesh().
     A goal that is not reached is a NotReachedWarning, and `report` says why.

@@ -37,8 +37,8 @@ _OTHER_NAMES: Dict[str, Tuple[str, ...]] = {
 }
 
 
-# Limits in characters, those in bytes of the command line (mesh/support/one_line.hpp): of a word longer than the first
-# one, as many characters as the other two say stay at its beginning and at its end.
+# Greatest length of a word, and numbers of characters that stay at the beginning and at the end of a longer word: the
+# limits of the command line (mesh/support/one_line.hpp), there in bytes.
 _LONGEST_WORD, _KEPT_BEFORE, _KEPT_AFTER = 240, 100, 60
 _DIRECTIONS = "\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
 
@@ -68,7 +68,7 @@ def _hint(word: str, known: List[str]) -> str:
 
 
 def _why(name: str, signature: inspect.Signature, arguments: Tuple[Any, ...], more: Dict[str, Any]) -> str:
-    """Returns what is wrong with a call, or "" where nothing is."""
+    """Returns the fault of a call's arguments, or "" if there is none."""
     known = [of for of in signature.parameters if of not in ("self", "cls")]
     kinds = [of.kind for of in signature.parameters.values()]
     if inspect.Parameter.VAR_KEYWORD not in kinds:

@@ -30,16 +30,16 @@ class Repair(NamedTuple):
 
 @told_methods
 class Domain:
-    """A planar straight-line graph: what is to be meshed.
+    """A planar straight-line graph that is to be meshed.
 
     points (n, 2); segments (s, 2) of point numbers; without segments the points are a ring, in their
     order; markers (s,) int, carried to the mesh's edges; holes (h, 2), a point inside each; regions
-    (r, 2) and region_numbers (r,), a point inside each and its number. Raises InputError for what
-    cannot be meant: segments that cross, rings that are not closed, hole points on a segment. What
-    can be put in order is: repeated points are one, overlapping segments are split. With `repair`,
-    True or a distance, crossings become points, near points one, and gaps are closed; `repairs` says
-    where. With `convex_hull` the sides of the convex hull of the points are segments of marker 0 where
-    none is between the two: points alone are a domain so, without a ring.
+    (r, 2) and region_numbers (r,), a point inside each and its number. Raises InputError for segments
+    that cross, rings that are not closed, and hole points on a segment. Other faults are mended:
+    repeated points become one, overlapping segments are split. With `repair`, True or a distance,
+    crossings become points, near points one, and gaps are closed; `repairs` says where. With
+    `convex_hull` the sides of the convex hull of the points become segments of marker 0 where none is
+    given. So points alone are a domain, without a ring.
     """
 
     _is_meshed = False
@@ -114,8 +114,9 @@ class Domain:
     @classmethod
     def read(cls, path: "str | os.PathLike[str]", *, repair: "bool | float" = False,
              convex_hull: bool = False) -> Domain:
-        """From a file: .poly, .node with convex_hull=True, .geojson, .json or .wkt; .dxf, as read_dxf() does; or what a mesh file covers,
-        or its edges bound where it has no triangles. What its reader passed over is a UserWarning."""
+        """From a file: .poly, .node with convex_hull=True, .geojson, .json or .wkt; .dxf, as read_dxf()
+        does; or the area that a mesh file's triangles cover, or its edges bound where it has no
+        triangles. Parts that the reader skips are named in a UserWarning."""
         name = path_of(path)
         if not os.path.exists(name):
             raise InputError(f"{name}: cannot be opened for reading: no such file{_near(name)}")
@@ -135,7 +136,7 @@ class Domain:
 
     @classmethod
     def _covering(cls, mesh: Mesh) -> Domain:
-        """Returns the domain of a mesh. The mesh may be kept if it already meets what is asked."""
+        """Returns the domain of a mesh. The mesh may be kept if it already meets the demands."""
         domain = cls.from_mesh(mesh)
         domain._is_meshed = True
         return domain
@@ -144,9 +145,9 @@ class Domain:
     def from_mesh(cls, mesh: Mesh, corner_angle: Optional[float] = None) -> Domain:
         """What a Mesh covers, with its regions and markers.
 
-        An edge between triangles of different regions is a segment, and told in a UserWarning where it
-        is not among the mesh's edges. Every point is one of the domain; with a corner_angle, in degrees,
-        those alone that keep its shape, as `asterism adapt` finds them: a curved outer boundary becomes
+        An edge between triangles of different regions is a segment, with a UserWarning where it is not
+        among the mesh's edges. Every point is one of the domain; with a corner_angle, in degrees, only
+        those that determine its shape, as `asterism adapt` finds them: a curved outer boundary becomes
         coarser where the mesh's metric is, lines between regions do not.
         """
         made = getattr(mesh, "_made", None)
@@ -158,11 +159,11 @@ class Domain:
     def from_geo(cls, shape: Any, *, repair: "bool | float" = False, convex_hull: bool = False) -> Domain:
         """From polygons: a shape of shapely, or anything else that has __geo_interface__, or such a dict.
 
-        What they contain, and how sides and regions are numbered, is as in a .geojson file: a
-        polygon's holes take nothing away from the others, the rings of polygon k have the marker k
-        from 1, a stretch of boundary that two polygons share becomes an edge inside the mesh, and of
-        several features each is a region. Points and lines, what is empty and rings without area are
-        passed over, with a UserWarning.
+        What they contain, and how sides and regions are numbered, is as in a .geojson file: a polygon's
+        holes remove nothing from other polygons, the rings of polygon k have the marker k from 1, a
+        stretch of boundary that two polygons share becomes an edge inside the mesh, and of several
+        features each is a region. Points, lines, empty geometries and rings without area are skipped,
+        with a UserWarning.
         """
         name = type(shape).__name__
         geometry = _bare(shape)

@@ -32,8 +32,8 @@ class Mesh:
 
     From elsewhere: points (n, 2), triangles (t, 3); a metric in any form that tensors have, one for all
     or one a point; regions (t,); edges (b, 2) with their markers (b,), also called edge_markers; values:
-    fields at the points, as asterism.adapt() takes them. Numbers are whole and of 32 bits. What is left
-    out: the region is 1, and sides that are not among the edges have the marker 0, told in a UserWarning.
+    fields at the points, as asterism.adapt() takes them. Numbers are whole and of 32 bits. Without
+    regions the region is 1; sides that are not among the edges get the marker 0, with a UserWarning.
     corners, required_points (k,) and required_edges (k, 2) stay where the mesh is adapted.
     """
 
@@ -214,9 +214,9 @@ class Mesh:
     def save(self, path: "str | os.PathLike[str]") -> List[str]:
         """Writes the format that the ending names, and the certificate, if there is one, beside it: .mesh or
         .meshb (with .sol or .solb), .msh (gmsh 4.1), .msh2 (2.2), .vtu, .su2, .node (with .ele and .edge), .svg,
-        .png, .pdf, or .html, a page to look at and to judge by. The values go along: into .msh, .vtu and .html,
-        beside a .mesh into NAME.fields.sol; that others have no place for them is a UserWarning. Returns the
-        names of the files."""
+        .png, .pdf, or .html, a page to look at and to judge by. The values are written, too: in .msh,
+        .vtu and .html, and for a .mesh in NAME.fields.sol beside it; for other formats, which have no
+        place for them, there is a UserWarning. Returns the names of the files."""
         return self._made.save(path_of(path), list(self.values.items()))
 
     def show(self, values: Optional[Fields] = None, *, before: Optional[Before] = None,
@@ -224,11 +224,12 @@ class Mesh:
              height: int = 640) -> Page:
         """The page about the mesh: a notebook shows it where this is the last line of a cell.
 
-        values: fields on it to colour by, as asterism.adapt() takes them; None: its own `values`. before: what it
-        was made of, which a button shows, or the rounds of a loop, which a slider shows: a Mesh, with other fields
-        (mesh, u), a Domain, a list of these, or a dict of them by label. wanted: the metric asked for, in any
-        form that tensors have, to colour by how far the one delivered is from it. label: of the mesh itself,
-        beside those before. height: of the frame, in pixels.
+        values: fields on it to colour by, as asterism.adapt() takes them; None: its own `values`.
+        before: an earlier mesh or the domain, which a button shows, or the rounds of a loop, which a
+        slider shows: a Mesh, with other fields (mesh, u), a Domain, a list of these, or a dict of them
+        by label. wanted: the metric asked for, in any form that tensors have: a colour shows the
+        distance of the metric delivered from it. label: name of the mesh itself beside the earlier
+        ones. height: of the frame, in pixels.
         """
         return page_of(self, values, before, wanted, title, label, height)
 
@@ -302,8 +303,8 @@ def _weights(corners: Doubles, at: Doubles) -> Doubles:
 @told
 def read(path: "str | os.PathLike[str]") -> Mesh:
     """Reads a mesh: .mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl, or .xdmf through meshio;
-    with the metric of its .sol or in it (without one: the plane's) and the certificate beside it. What its
-    reader changed is a UserWarning."""
+    with the metric of its .sol or in it (without one: the plane's) and the certificate beside it.
+    Changes by the reader are a UserWarning."""
     name = path_of(path)
     if not name.lower().endswith(MESHIO_FILES):
         return Mesh._of(_Mesh.read(name))

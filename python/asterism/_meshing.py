@@ -49,45 +49,45 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     its metric); a size, the length of an edge; a tensor (3,) = m11 m12 m22 or (2, 2) for the whole
     domain; a callable from (n, 2) points to sizes (n,), tensors (n, 3) or (n, 2, 2); a pair (mesh,
     tensors or sizes at its points), or the tensors alone with on=mesh; or a Mesh, for its own.
-    A callable is asked at one point what kind of answer it gives, then for thousands of points at a time,
-    each once, and for single ones (n = 1) where they are not known in advance; each row is to depend on
-    its point alone. One that does not give n rows, or raises, for n > 1 is asked for one point at a time
-    from then on.
-    size: edges are to have this length in the metric; None: no longer than angles need, but 1 in sizes
-    and in a metric that asterism.metric() made.
-    vertices, complexity: in place of a size, the number of vertices, or the area of the domain as the
-    metric measures it; the metric is scaled to that. A mesh with over 5 % more or fewer vertices than
-    that is made again with another scale, ten times at most, and the nearest is returned.
+    A callable is called at one point to find the kind of its result, then for thousands of points at a
+    time, each once, and for single points (n = 1) where they are not known in advance; each row must
+    depend on its point alone. If for n > 1 it does not return n rows, or raises, it is called for one
+    point at a time from then on.
+    size: edges are to have this length in the metric; None: no limit but what angles need, except for
+    sizes and a metric of asterism.metric(), with which it is 1.
+    vertices, complexity: in place of a size, the number of vertices, or the area of the domain in the
+    metric; the metric is scaled to that. A mesh with over 5 % more or fewer vertices than that is made
+    again with another scale, ten times at most, and the nearest is returned.
     metric_tolerance: how far the metric delivered may be from the one wanted, as ln of the greatest
-    ratio of two lengths; 0: no tensor is changed; None: any, but of half of the sites no more than
-    ln 10, and on the whole no more than ten times as dense or as thin.
+    ratio of two lengths; 0: no tensor is changed; None: any at single sites, with a median of at most
+    ln 10 and a ratio of densities of at most ten.
     max_sites: refinement ends at this many; None: at 100000, or three times those asked for, or ten times
     the vertices of the domain.
     chord_tolerance: greatest distance of a curve of the domain from its chords; None: a fiftieth of each
     chord, and with a size, vertices or complexity a fiftieth of the size wanted across the curve, or a
-    hundredth where the metric is on a mesh. Curves are divided for each mesh: the vertices of the domain
-    that stay are the ends of its curves and those that are on none.
+    hundredth where the metric is on a mesh. Curves are divided for each mesh: only the ends of curves,
+    and the domain's vertices on no curve, are vertices of each mesh.
     size_at, size_box, size_in, size_near: finer sizes at places, of which the finest counts: (x, y,
     radius, h) and (x0, y0, x1, y1, h), and {region: h} and {marker: h}; a number after h, or a pair (h,
     growth), is the factor from edge to edge away from the place, 1.3 where there is none.
     layers: {marker: (h0, growth)} or {marker: (h0, growth, n)}: layers along the segments with a marker,
     the first h0 high, each growth times as high as the one before, n of them.
-    hmin, hmax, aspect: bounds on all edges, and on how many times as long as wide triangles are.
+    hmin, hmax, aspect: bounds on all edges, and on length over width of triangles.
     With any of these and without size, vertices or complexity the size elsewhere is hmax, or the width of
     the domain.
-    voronoi: it is to be proved the dual of the anisotropic Voronoi diagram, too (prove_voronoi is an older
-    name of it).
-    periodic: pairs of markers, [(4, 2)]: both sides get the same points, the one the other shifted or
-    turned; how they match is the certificate's `periodic`.
+    voronoi: True to prove, too, that the mesh is the dual of the anisotropic Voronoi diagram
+    (prove_voronoi is an older name of this argument).
+    periodic: pairs of markers, [(4, 2)]: both sides get the same points, one side being the other one
+    shifted or turned; `periodic` of the certificate says how they match.
     repair: True, or the distance within which points are joined: a domain whose segments cross or leave
-    gaps is mended, told in a UserWarning. convex_hull: the domain is closed by the convex hull of its points,
-    of which no ring is made then.
+    gaps is repaired, with a UserWarning. convex_hull: the domain is closed by the convex hull of its
+    points; these are then not joined to a ring.
     guarantee: edges are made shorter until the theorem on nets applies to the mesh, which then has its
     angles by proof; InputError where a corner is too sharp for it, or the metric jumps. Goes with size or
     sizes, not with vertices, complexity, improve and metric_tolerance.
-    max_seconds: refinement ends after this time, and the mesh says so. threads: as many are used; the
-    mesh is the same for any number. progress: called now and then with a dict of counts. Ctrl-C ends the
-    run.
+    max_seconds: refinement ends after this time, and `reason` says so. threads: number of threads; the
+    mesh is the same for any number. progress: called now and then with a dict of counts. Ctrl-C ends
+    the run.
     """
     if callable(size) or np.ndim(size) > 0:  # type: ignore[arg-type]
         raise InputError(f"size: a number is wanted, not {type(size).__name__}; sizes that differ from place to place "

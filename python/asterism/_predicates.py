@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The predicates over arrays of any shape, asked in batches between which Ctrl-C is heard.
+"""The predicates over arrays of any shape, evaluated in batches; Ctrl-C takes effect between two
+batches.
 
 An int for arguments of one row each, else int8, of the shape that the rows are broadcast to. With
-counts=True a pair with how many questions each tier decided.
+counts=True returns a pair: the results, and the number of questions that each tier decided.
 """
 from __future__ import annotations
 

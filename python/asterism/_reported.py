@@ -8,11 +8,11 @@ import numpy as np
 
 
 class ReportedArray(np.ndarray):  # type: ignore[type-arg]
-    """An array with a `report` of how it was made; a copy has it, what is computed from it has not.
+    """An array with a `report` of how it was made; a copy has it, an array computed from it has not.
 
     Of a metric: complexities, the error predicted, the shares of the vertices at which bounds,
     gradation and intersections changed something. Of transferred values: integrals and extrema before
-    and after, and what lay outside.
+    and after, and the numbers of vertices and triangles outside.
     """
 
     report: Optional[Dict[str, Any]]

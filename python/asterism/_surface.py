@@ -20,7 +20,7 @@ from ._meshing import NotReachedWarning
 
 @told_methods
 class Surface:
-    """Patches in space: Bezier, B-spline or NURBS, untrimmed. What is wrong with one raises InputError.
+    """Patches in space: Bezier, B-spline or NURBS, untrimmed. An invalid patch raises InputError.
 
         S = asterism.Surface.bspline(control, knots_u, knots_v, weights)    # control: (n, m, 3)
         S = asterism.Surface.named("teapot")
@@ -48,9 +48,9 @@ class Surface:
     def bspline(cls, control: npt.ArrayLike, knots_u: npt.ArrayLike, knots_v: npt.ArrayLike,
                 weights: Optional[npt.ArrayLike] = None, trims: Optional[Sequence[Any]] = None,
                 name: str = "") -> "Surface":
-        """Control points (n, m, 3) with all knots, the first and the last of each as often as the degree
-        and once more; the degrees are the numbers of knots less those of points less 1. Weights (n, m):
-        all 1. Trims are loops of a file (Surface.read); here they raise InputError."""
+        """Control points (n, m, 3) with all knots, the first and the last repeated degree + 1 times; a
+        degree is the number of knots less the number of points less 1. Weights (n, m): all 1. Trims are
+        loops of a file (Surface.read); here they raise InputError."""
         if trims:
             raise InputError("trims: patches are trimmed by the loops of a .json file, for Surface.read")
         points = _control(control)
@@ -92,7 +92,7 @@ class Surface:
 
 @told_methods
 class SurfaceMesh:
-    """Triangles in space, and what was proved of them. The arrays are read-only."""
+    """Triangles in space, and the results of their proof. The arrays are read-only."""
 
     def __init__(self, made: Dict[str, Any]) -> None:
         for name in ("points", "triangles", "patches", "uv"):
@@ -134,11 +134,11 @@ def mesh_surface(surfaces: Union[Surface, Sequence[Surface]], chord: float, *, n
     """Triangles within `chord` of a surface, and it within that of them, and the proof.
 
     normal: degrees that the normal may turn along an edge, about; None: 69. hmax: the longest edge, about.
-    aspect: greatest ratio of lengths where the curvature wants one. vertices: about so many, whatever the
-    distance comes to. angle_bound: of the plane meshes, degrees; None: 20, or none where faces do not come to
-    agree with it how to divide their common sides, which warns. no_crossings: prove also that no two
-    triangles cross. max_seconds: making meshes ends after this time. threads: as many are used; the mesh
-    is the same for any number. Ctrl-C ends the run.
+    aspect: greatest ratio of lengths where the curvature wants one. vertices: about this number,
+    whatever the resulting distance. angle_bound: of the plane meshes, degrees; None: 20, or none where
+    faces do not come to agree with it how to divide their common sides, which warns. no_crossings:
+    prove also that no two triangles cross. max_seconds: making meshes ends after this time. threads:
+    number of threads; the mesh is the same for any number. Ctrl-C ends the run.
 
     A mesh that is not certified warns with NotReachedWarning, and says why by `reason`.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes, tags and functions of FEniCSx (dolfinx): taken, given back, adapted, without a file.
+"""Converts and adapts meshes, tags and functions of FEniCSx (dolfinx), without a file.
 
     import asterism.dolfinx
     mesh, uh, cell_tags, facet_tags = asterism.dolfinx.adapt(mesh, uh, cell_tags, facet_tags, vertices=4000)
@@ -72,9 +72,9 @@ def to_dolfinx(mesh: Mesh, comm: Any = None) -> ToDolfinx:
 
 
 class AdaptedDolfinx:
-    """The next dolfinx mesh, what was brought to it, and its tags. `mesh, uh, cell_tags, facet_tags =` takes
-    the first four; also `carried`, `points` (as ToDolfinx has them), the `asterism` mesh with its certificate,
-    the `metric` wanted and the `report`."""
+    """The next dolfinx mesh, the fields transferred to it, and its tags. `mesh, uh, cell_tags,
+    facet_tags =` takes the first four; also `carried`, `points` (as ToDolfinx has them), the `asterism`
+    mesh with its certificate, the `metric` wanted and the `report`."""
 
     def __init__(self, made: ToDolfinx, values: Any, carried: Any, asterism: Mesh, metric: ReportedArray,
                  report: Dict[str, Any]) -> None:
@@ -120,8 +120,8 @@ def adapt(mesh: Any, values: Values = None, cell_tags: Any = None, facet_tags: A
 
 
 def transfer(values: Values, to: Any, how: str = "project", *, mesh: Any = None) -> Any:
-    """Functions, or arrays at the nodes of the geometry of `mesh`, brought to the dolfinx mesh `to`, in the
-    ways of asterism.transfer(). Functions of degree 2 are interpolated: how="interpolate"."""
+    """Functions, or arrays at the nodes of the geometry of `mesh`, transferred to the dolfinx mesh
+    `to`, as by asterism.transfer(). Functions of degree 2 are interpolated: how="interpolate"."""
     source = mesh if mesh is not None else _mesh_of(values)
     old, new = from_dolfinx(source), from_dolfinx(to)
     given = _Given(source, values, "u")
