@@ -25,8 +25,8 @@ std::uint64_t in_one_number(vertex_index a, vertex_index b) {
   return std::uint64_t{a} << bits | b;
 }
 
-// Sorts edges by counting for a, and by comparisons among those of one a: linear where degrees are
-// bounded. The cost for vertices of any degree has the bound of std::sort.
+// Sorts edges by counting for a, and by comparisons among edges with the same a: linear where
+// degrees are bounded. The cost for vertices of any degree has the bound of std::sort.
 void list_edges(audit_context& context) {
   const auto& triangles = context.subject.triangles;
   auto& start = context.edge_start;
@@ -86,8 +86,8 @@ void check_matched(const audit_context& context, audit_tally& tally, const direc
 // would cost more in mispredicted branches.
 bool all_are_matched(std::span<const directed_edge> edges,
                      const std::vector<vertex_index>& arrivals) {
-  constexpr std::size_t few = 16;
-  if (arrivals.size() > few) return false;
+  constexpr std::size_t most_compared = 16;
+  if (arrivals.size() > most_compared) return false;
   int all = 1;
   for (const directed_edge& e : edges) {
     int is_matched = 0;

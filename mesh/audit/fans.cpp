@@ -29,9 +29,9 @@ void list_steps(const audit_context& context, std::size_t first, std::size_t las
 // Returns the step that begins at `from`, or the end of the list. Searches a short list linearly,
 // as a bisection is mispredicted at every second step.
 std::vector<fan_step>::iterator step_from(std::vector<fan_step>& steps, vertex_index from) {
-  constexpr std::size_t few = 16;
+  constexpr std::size_t most_compared = 16;
   auto next = steps.begin();
-  if (steps.size() > few)
+  if (steps.size() > most_compared)
     next = std::lower_bound(steps.begin(), steps.end(), from,
                             [](const fan_step& s, vertex_index other) { return s.from < other; });
   else

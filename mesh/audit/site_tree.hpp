@@ -34,7 +34,7 @@ class site_tree {
 
   // Returns the numbers of all sites, ordered so that sites near each other are close in the list.
   const std::vector<vertex_index>& order() const { return order_; }
-  // Returns the starts of groups of neighbouring sites in that order, then the number of sites.
+  // Returns the starts of the groups of neighbouring sites in order(), then the number of sites.
   const std::vector<std::size_t>& groups() const { return groups_; }
 
   // Calls visit(w) for each site that is not certainly too far from v, in an order that depends on
@@ -54,8 +54,8 @@ class site_tree {
   // metrics much alike.
   bool gather(const std::vector<reaching>& stars, std::vector<std::size_t>& leaves,
               std::size_t from = 0) const;
-  // Visits the sites that visit_near without leaves would visit for one of the stars for which the
-  // leaves were gathered, limited to sites from position `from` of the order on.
+  // Visits the sites that visit_near would visit without `leaves`, for one of the stars for which
+  // the leaves were gathered: those from position `from` of the order on.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
                   const Visit& visit, std::size_t from = 0) const;
@@ -83,7 +83,8 @@ class site_tree {
   // visited, where numbers are out of range, or sites too many.
   template <class Visit>
   bool visit_near(nearby_sites& nearby, const site& v, double reach, const Visit& visit) const;
-  // True if the site with this `squared` is certainly too far for this reach of the same v.
+  // True if the site for which visit_near gave this `squared` is certainly too far from the same v
+  // for this reach.
   static bool is_too_far_by(double squared, double reach) {
     constexpr double up = 1 + 0x1p-48, least = 0x1p-400;
     const double square = reach * reach;
@@ -192,7 +193,7 @@ class site_tree {
   // Returns the square of a distance from v beyond which no site of the node matters in any
   // direction; infinite where none is known. Nearer sites need not matter.
   static double far_squared(const node& n, const centre& v);
-  // True if the squared length of d in the metric m is certainly more than `far_squared`.
+  // True if the squared length of d in the metric m certainly exceeds `far_squared`.
   static bool is_farther(const point& d, const metric_tensor& m, double far_squared);
   // Calls visit(argument). Returns false if visit returns false, and true if it returns nothing.
   template <class Visit, class Argument>
@@ -206,7 +207,8 @@ class site_tree {
   }
   template <class Visit>
   bool visit_leaf(const node& n, const centre& v, std::size_t from, const Visit& visit) const;
-  // Calls visit(leaf) for each that is not too far and does not end before `from` in the order.
+  // Calls visit(leaf) for each leaf that is not too far and does not end before `from` in the
+  // order.
   template <class Visit>
   void visit_leaves(const centre& c, std::size_t from, const Visit& visit) const;
 
@@ -275,7 +277,7 @@ void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v
 template <class Visit>
 bool site_tree::visit_near(nearby_sites& nearby, const site& v, double reach,
                            const Visit& visit) const {
-  constexpr double little = 0.15;  // of a share, which is at most a quarter
+  constexpr double weak = 0.15;  // of a share, which is at most a quarter
   if (!(nearby.are_usable && is_measurable(v, reach))) return false;
   measure(nearby, v);
   const double* const measured = nearby.measured.data();
@@ -283,7 +285,7 @@ bool site_tree::visit_near(nearby_sites& nearby, const site& v, double reach,
     if (is_too_far_by(measured[k], reach)) continue;
     const std::size_t i = nearby.nth[k];
     const point d{places_[i].x - v.position.x, places_[i].y - v.position.y};
-    if (nearby.share[k] < little &&
+    if (nearby.share[k] < weak &&
         too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], centre_of(v, reach)))
       continue;
     visit(order_[i], measured[k]);

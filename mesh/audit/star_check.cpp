@@ -36,8 +36,8 @@ void star_check::hold_all(std::span<const prepared_fan> fans) {
       reaching_.push_back({at(p.v), p.reach_concerned});
   // Least number of stars for which one common search pays: it visits three times as many nodes as
   // the search for one star.
-  constexpr std::size_t few = 4;
-  const bool are_many = reaching_.size() >= few;
+  constexpr std::size_t least_shared = 4;
+  const bool are_many = reaching_.size() >= least_shared;
   const bool gathered = are_many && around_.sites->gather(reaching_, nearby_);
   if (!gathered && are_many) {
     hold_all(fans.first(fans.size() / 2));

@@ -49,8 +49,8 @@ std::vector<site> sites_of(const std::vector<vertex_index>* vertices, const std:
 star_surroundings::star_surroundings(const audit_context& context)
     : unit(in_unit_size(context.subject.sites, power_of_squares)),
       at(unit.empty() ? context.subject.sites : unit),
-      few(sites_of(context.changed, at)),
-      changed_sites(few),
+      changed_list(sites_of(context.changed, at)),
+      changed_sites(changed_list),
       subsegments(context) {
   if (context.changed == nullptr) return;
   is_changed.assign(at.size(), 0);

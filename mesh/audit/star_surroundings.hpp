@@ -37,7 +37,7 @@ struct star_surroundings {
   const std::vector<site>& at;  // those to ask about
   std::optional<site_tree> of_unit;
   const site_tree* sites = nullptr;
-  std::vector<site> few;  // the changed ones, in the context's order
+  std::vector<site> changed_list;  // the changed ones, in the context's order
   site_tree changed_sites;
   std::vector<char> is_changed;  // one flag a site; none where all is to be looked at
   subsegment_tree subsegments;

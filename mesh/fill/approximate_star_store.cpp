@@ -27,12 +27,12 @@ bool has_gap(const approximate_star& star, vertex_index y, vertex_index x) {
 }
 
 void add_neighbours(const approximate_star& star, std::vector<vertex_index>& to) {
-  for (const plain_gap& gap : star) to.push_back(gap.neighbour);
+  for (const approximate_gap& gap : star) to.push_back(gap.neighbour);
 }
 
 bool has_neighbour(const approximate_star& star, vertex_index w) {
   return std::any_of(star.begin(), star.end(),
-                     [w](const plain_gap& gap) { return gap.neighbour == w; });
+                     [w](const approximate_gap& gap) { return gap.neighbour == w; });
 }
 
 // Concatenates, in order, what append(begin, end, claims) adds to `claims` for each chunk.
@@ -183,10 +183,10 @@ std::vector<char> approximate_star_store::mend_disagreeing(const std::vector<ver
     return build_careful_star(sites_->all(), v, candidates);
   });
   // Compares again only the stars made anew and their neighbours: others have not changed.
-  std::vector<vertex_index> doubtful = all.stars;
-  doubtful.insert(doubtful.end(), all.by.begin(), all.by.end());
-  sort_unique(doubtful);
-  for (const vertex_index v : doubtful) agrees[v] = agrees_with_neighbours(v) ? 1 : 0;
+  std::vector<vertex_index> to_compare = all.stars;
+  to_compare.insert(to_compare.end(), all.by.begin(), all.by.end());
+  sort_unique(to_compare);
+  for (const vertex_index v : to_compare) agrees[v] = agrees_with_neighbours(v) ? 1 : 0;
   return agrees;
 }
 
@@ -196,7 +196,7 @@ claim_list approximate_star_store::claims_on_disagreeing(const std::vector<char>
   claim_list claims;
   collect_claims(stars_.size(), claims, [&](std::size_t begin, std::size_t end, claim_list& out) {
     for (std::size_t v = begin; v < end; ++v)
-      for (const plain_gap& gap : stars_[v])
+      for (const approximate_gap& gap : stars_[v])
         if (agrees[gap.neighbour] == 0) out.add(gap.neighbour, static_cast<vertex_index>(v));
   });
   return claims;
@@ -237,7 +237,7 @@ void approximate_star_store::renew_disturbed(const claim_list& disturbed) {
     make_anew(claims, [&](vertex_index v, const std::vector<vertex_index>& candidates) {
       return build_approximate_star(
           sites_->all(), v, candidates, stars_[v],
-          [&](plain_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
+          [&](approximate_gap& gap, vertex_index next) { return take_from_new(v, gap, next); });
     });
     changed_.insert(changed_.end(), claims.stars.begin(), claims.stars.end());
   }
@@ -245,7 +245,7 @@ void approximate_star_store::renew_disturbed(const claim_list& disturbed) {
 
 // Copies the Voronoi vertex of a gap of an older site v from the star of a new site beside that
 // gap, if it has the same triangle. Stars of new sites do not change while older ones are renewed.
-bool approximate_star_store::take_from_new(vertex_index v, plain_gap& gap,
+bool approximate_star_store::take_from_new(vertex_index v, approximate_gap& gap,
                                            vertex_index next) const {
   const auto take = [&](vertex_index w, vertex_index first, vertex_index second) {
     // Largest number of gaps of a star that is searched: beyond it, computing the vertex again
@@ -332,7 +332,7 @@ void approximate_star_store::make_star(vertex_index w, double distance,
     else
       extend_star(w, std::span(near).subspan(before));
     const double wanted = diameters * farthest_vertex(w, attempt >= 2);
-    if (all || wanted <= reach || is_hopeless(w, attempt, reach >= ordinary, near.size())) return;
+    if (all || wanted <= reach || ends_search(w, attempt, reach >= ordinary, near.size())) return;
     reach = std::clamp(margin * wanted, least_growth * reach, 2 * reach);
   }
 }
@@ -372,7 +372,7 @@ double approximate_star_store::farthest_vertex(vertex_index w, bool leaves_out) 
 // outer side, however wide the search. Where lengths differ by large factors, there may be none
 // beyond sites whose metrics are far denser. At the rim of many given sites the next ones are far,
 // so that the number of tested sites is bounded.
-bool approximate_star_store::is_hopeless(vertex_index w, int attempt, bool is_ordinary,
+bool approximate_star_store::ends_search(vertex_index w, int attempt, bool is_ordinary,
                                          std::size_t looked_at) const {
   constexpr int enough_attempts = 3;
   constexpr std::size_t many = 512;

@@ -71,7 +71,7 @@ class approximate_star_store {
 
   void make_stars(std::size_t first, std::size_t last, double distance, claim_list& disturbed);
   void renew_disturbed(const claim_list& disturbed);
-  bool take_from_new(vertex_index v, plain_gap& gap, vertex_index next) const;
+  bool take_from_new(vertex_index v, approximate_gap& gap, vertex_index next) const;
   void make_star(vertex_index w, double distance, std::vector<vertex_index>& near,
                  std::uint64_t& looked_at);
   bool find_near(vertex_index w, double known, double reach, std::vector<vertex_index>& near,
@@ -79,7 +79,7 @@ class approximate_star_store {
   void extend_star(vertex_index w, std::span<const vertex_index> more);
   double farthest_vertex(vertex_index w, bool leaves_out) const;
   bool is_enough(std::size_t i) const;
-  bool is_hopeless(vertex_index w, int attempt, bool is_ordinary, std::size_t looked_at) const;
+  bool ends_search(vertex_index w, int attempt, bool is_ordinary, std::size_t looked_at) const;
   double first_reach_among_dense(vertex_index w, double distance) const;
 
   const placed_sites* sites_;

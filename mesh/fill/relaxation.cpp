@@ -91,7 +91,7 @@ void relaxation::find_places(const cancellation& stop) {
 point relaxation::middle_of_neighbours(vertex_index v) const {
   constexpr double part = 0.5;
   point sum{0, 0};
-  for (const plain_gap& gap : parts_.stars[v]) {
+  for (const approximate_gap& gap : parts_.stars[v]) {
     const point to = way(here(v), here(gap.neighbour));
     sum = {sum.x + to.x, sum.y + to.y};
   }
@@ -121,7 +121,7 @@ bool relaxation::may_go(const filtered_kernel& kernel, vertex_index v, double di
   thread_local std::vector<ways_to_neighbour> ways;
   ways.clear();
   const metric_tensor& m = parts_.sites[v].metric;
-  for (const plain_gap& gap : parts_.stars[v]) {
+  for (const approximate_gap& gap : parts_.stars[v]) {
     const point old_way = way(places_[v], here(gap.neighbour)),
                 new_way = way(places_[v], places_[gap.neighbour]);
     ways.push_back({gap.neighbour,
@@ -131,9 +131,9 @@ bool relaxation::may_go(const filtered_kernel& kernel, vertex_index v, double di
   constexpr double part = 0.998;  // what metrics vary on the way seldom is more than the rest
   if (!keeps_distances(v, ways, distance) || !keep_small(m, ways, part * distance)) return false;
   const approximate_star& star = parts_.stars[v];
-  const bool is_at_segment = std::any_of(star.begin(), star.end(), [this](const plain_gap& gap) {
-    return parts_.sites.is_on_segment(gap.neighbour);
-  });
+  const bool is_at_segment = std::any_of(
+      star.begin(), star.end(),
+      [this](const approximate_gap& gap) { return parts_.sites.is_on_segment(gap.neighbour); });
   return (!is_at_segment || stays_clear(v, distance)) && locator_.contains(kernel, places_[v]);
 }
 
@@ -146,9 +146,9 @@ bool relaxation::stays_clear(vertex_index v, double distance) const {
 }
 
 // True if v at its new place keeps `distance` to every neighbour, in both metrics and at both
-// places of the neighbour; a neighbour that was nearer before may stay as near. False where the two
-// metrics' lengths of the way between them differ by more than a factor of two: across a jump of
-// the metric the mean of the neighbours lies on the dense side.
+// places of the neighbour; a neighbour that was nearer before may stay as near. False if the
+// lengths of the displacement between v and a neighbour, in their two metrics, differ by more than
+// a factor of two: across a jump of the metric the mean of the neighbours lies on the dense side.
 bool relaxation::keeps_distances(vertex_index v, const std::vector<ways_to_neighbour>& ways,
                                  double distance) const {
   const double squared = distance * distance;

@@ -108,7 +108,7 @@ void site_proposals::propose(const filtered_kernel& kernel, vertex_index v, doub
 std::optional<site_proposal> site_proposals::vertex_of_gap(vertex_index v, std::size_t i,
                                                            double distance) const {
   const approximate_star& star = parts_.stars[v];
-  const plain_gap& gap = star[i];
+  const approximate_gap& gap = star[i];
   const double squared = distance * distance;
   const bool found = gap.squared_radius < infinity;
   if (!(gap.squared_radius > squared) || !(found || uneven_)) return std::nullopt;
@@ -174,8 +174,8 @@ void site_proposals::place(std::vector<site_proposal> proposals, double distance
 }
 
 // Returns the numbers of the proposals in bands, four for each doubling of the radius, the farthest
-// from other sites first, and those of a band along the curve: neighbours in memory stay
-// neighbours.
+// from other sites first, and within a band in the order of the curve, so that proposals near each
+// other are near in memory.
 std::vector<std::uint32_t> site_proposals::in_order_of_placing(
     const std::vector<site_proposal>& proposals, double distance) const {
   constexpr double bands_in_doubled_square = 2;

@@ -40,7 +40,7 @@ class work_meter {
   double units() const {
     return work_weights::approximate_star * static_cast<double>(disturbed_) +
            work_weights::plain_candidate * static_cast<double>(candidates_) +
-           work_weights::plain_gap * static_cast<double>(gaps_);
+           work_weights::approximate_gap * static_cast<double>(gaps_);
   }
 
  private:

@@ -39,14 +39,14 @@ bool stands_out(const candidate& y, const candidate& w, const candidate& x) {
 // Sorts the candidates by direction from the first, by counting how many turn less than each:
 // comparisons would be mispredicted. Returns false, leaving them as they were, if they are many, or
 // two have one direction.
-bool order_few(std::vector<candidate>& all) {
-  constexpr std::size_t few = 16;
+bool order_by_counting(std::vector<candidate>& all) {
+  constexpr std::size_t most_counted = 16;
   const std::size_t size = all.size();
-  if (size > few) return false;
-  std::array<double, few> turns;
+  if (size > most_counted) return false;
+  std::array<double, most_counted> turns;
   turns.fill(infinity);
   for (std::size_t i = 0; i < size; ++i) turns[i] = all[i].turn;
-  std::array<std::int64_t, few> places{};
+  std::array<std::int64_t, most_counted> places{};
   std::uint32_t taken = 0;
   double nearest = infinity;
   std::int64_t first = 0;
@@ -60,7 +60,7 @@ bool order_few(std::vector<candidate>& all) {
     nearest = std::min(nearest, distance);
   }
   if (taken + 1 != 1U << size) return false;
-  std::array<candidate, few> sorted;
+  std::array<candidate, most_counted> sorted;
   for (std::size_t i = 0; i < size; ++i) {
     const std::int64_t after = places[i] - first;
     sorted[static_cast<std::size_t>(after < 0 ? after + std::ssize(all) : after)] = all[i];
@@ -109,12 +109,12 @@ std::vector<candidate>& order_candidates(const std::vector<site>& sites, vertex_
     all.push_back({turn_of(d), w, number, squared_length(s.metric, d), d,
                    inverse * dual + own_inverse * own});
   }
-  if (!order_few(all)) order_all(all);
+  if (!order_by_counting(all)) order_all(all);
   return all;
 }
 
 // Computes vertex and radius of the gap of s between y and x.
-void close_gap(const site& s, const site& y, const site& x, plain_gap& gap) {
+void close_gap(const site& s, const site& y, const site& x, approximate_gap& gap) {
   const auto to_y = between(s.position, y.position), to_x = between(s.position, x.position);
   if (!(cross(to_y, to_x) > 0)) return;
   const auto vertex = numeric::voronoi_vertex_near(s, y, x);
@@ -128,7 +128,8 @@ void close_gap(const site& s, const site& y, const site& x, plain_gap& gap) {
 
 }  // namespace
 
-void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next) {
+void close_gap(const std::vector<site>& sites, vertex_index v, approximate_gap& gap,
+               vertex_index next) {
   gap.squared_radius = infinity;
   const site &s = sites[v], &y = sites[gap.neighbour], &x = sites[next];
   if (!is_thin(s.metric)) return close_gap(s, y, x, gap);
@@ -137,8 +138,8 @@ void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, v
   gap.vertex = round.outward(gap.vertex);
 }
 
-bool take_vertex(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next,
-                 vertex_index w, const plain_gap& found) {
+bool take_vertex(const std::vector<site>& sites, vertex_index v, approximate_gap& gap,
+                 vertex_index next, vertex_index w, const approximate_gap& found) {
   const site& s = sites[v];
   if (!(found.squared_radius < infinity) || is_thin(s.metric) || is_thin(sites[w].metric))
     return false;
@@ -153,7 +154,7 @@ bool take_vertex(const std::vector<site>& sites, vertex_index v, plain_gap& gap,
   return true;
 }
 
-bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_gap& gap,
+bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const approximate_gap& gap,
                   vertex_index next) {
   if (gap.squared_radius < infinity) return false;
   const point& q = sites[v].position;
@@ -169,7 +170,7 @@ bool is_plainly_a_star(const std::vector<site>& sites, vertex_index v,
   const metric_tensor& m = sites[v].metric;
   const double determinant = m.m11 * m.m22 - m.m12 * m.m12;
   for (std::size_t i = 0; i < star.size(); ++i) {
-    const plain_gap &before = star[i], &after = star[following(star, i)];
+    const approximate_gap &before = star[i], &after = star[following(star, i)];
     const double area = before.vertex.x * after.vertex.y - before.vertex.y * after.vertex.x;
     const double radii = before.squared_radius * after.squared_radius;
     if (!(radii < infinity && area > 0 && area * area * determinant > least * radii)) return false;
@@ -222,7 +223,7 @@ bool stands_out_with_care(const std::vector<site>& sites, vertex_index v, const 
   const auto before = w.z - y.z, after = x.z - w.z;
   const double turned = cross(before, after), size = (std::abs(before.x) + std::abs(before.y)) *
                                                      (std::abs(after.x) + std::abs(after.y));
-  plain_gap gap{y.who, {}, infinity};
+  approximate_gap gap{y.who, {}, infinity};
   if (!(std::abs(turned) > in_doubt * size)) close_gap(sites, v, gap, x.who);
   if (gap.squared_radius == infinity) return turned > 0;
   const auto to_w = between(sites[v].position, sites[w.who].position);
@@ -284,8 +285,8 @@ class star_directions {
 
   // Returns the first gap that contains d; the number of gaps if there is none.
   std::size_t first_that_holds(const displacement<double>& d) const {
-    constexpr std::size_t few = 16;
-    if (star_.size() > few) {
+    constexpr std::size_t most_compared = 16;
+    if (star_.size() > most_compared) {
       const std::size_t i = last_not_beyond(d);
       if (holds(i, d)) return i;
     }

@@ -25,7 +25,7 @@
 namespace asterism::internal {
 
 // The gap from one neighbour counter-clockwise to the next one.
-struct plain_gap {
+struct approximate_gap {
   vertex_index neighbour = 0;
   // The Voronoi vertex of the centre and both neighbours, relative to the centre, and its squared
   // distance, as the centre measures; infinite when none was found.
@@ -33,7 +33,7 @@ struct plain_gap {
   double squared_radius = 0;
 };
 
-using approximate_star = boost::container::small_vector<plain_gap, 8>;
+using approximate_star = boost::container::small_vector<approximate_gap, 8>;
 
 // Returns the number of the gap after gap i.
 inline std::size_t following(const approximate_star& star, std::size_t i) {
@@ -42,7 +42,7 @@ inline std::size_t following(const approximate_star& star, std::size_t i) {
 
 // Sets the vertex of a gap that is known from another star, given the site after the gap; returns
 // false if it is not known.
-using known_vertex = std::function<bool(plain_gap& gap, vertex_index next)>;
+using known_vertex = std::function<bool(approximate_gap& gap, vertex_index next)>;
 
 // Returns the star of v among the candidates; v itself and repetitions are skipped. `before` may be
 // an earlier star of v whose neighbours are the first candidates, in its order: gaps that are in
@@ -61,15 +61,16 @@ approximate_star build_careful_star(const std::vector<site>& sites, vertex_index
 
 // Sets the vertex of a gap of v's star between gap.neighbour and `next` to `found`, which the star
 // of w, one of these two, has. Returns false where that is not known, or is no vertex of v's gap.
-bool take_vertex(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next,
-                 vertex_index w, const plain_gap& found);
+bool take_vertex(const std::vector<site>& sites, vertex_index v, approximate_gap& gap,
+                 vertex_index next, vertex_index w, const approximate_gap& found);
 
 // Computes the vertex of a gap of v's star between gap.neighbour and `next`.
-void close_gap(const std::vector<site>& sites, vertex_index v, plain_gap& gap, vertex_index next);
+void close_gap(const std::vector<site>& sites, vertex_index v, approximate_gap& gap,
+               vertex_index next);
 
 // True if the gap of v's star between gap.neighbour and `next` is less than half a turn and has no
 // vertex: where metrics vary fast, farther sites seldom give it one.
-bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const plain_gap& gap,
+bool lacks_vertex(const std::vector<site>& sites, vertex_index v, const approximate_gap& gap,
                   vertex_index next);
 
 // True if each neighbour is one without doubt: the Voronoi vertices to both sides of it are known,

@@ -182,8 +182,8 @@ std::vector<std::size_t> reduce(std::vector<row>& matrix) {
   return pivots;
 }
 
-// Returns the whole numbers in this ratio that have no common divisor, the last weight negative at
-// the point.
+// Scales the weights, which are rationals, to whole numbers without a common divisor, so that the
+// last weight is negative at the point z.
 std::vector<whole> in_lowest_terms(const row& weights, const box_point& z) {
   whole multiple = 1, divisor = 0;
   for (const rational& x : weights) multiple = lcm(multiple, denominator(x));
@@ -210,8 +210,8 @@ bool is_of_multiples(std::size_t column, std::size_t size) {
 }
 
 // Returns a basis of the weights of this size with which the weighted sum vanishes altogether. With
-// `are_few` the coefficients for which is_of_multiples() holds are zero.
-std::vector<row> vanishing_weights(const excesses& g, std::size_t size, bool are_few) {
+// `is_reduced` the coefficients for which is_of_multiples() holds are zero.
+std::vector<row> vanishing_weights(const excesses& g, std::size_t size, bool is_reduced) {
   const int degree = size == 1 ? 2 : size == 3 ? 3 : 4;
   std::vector<std::pair<int, int>> monomials;
   for (int i = 0; i <= degree; ++i)
@@ -223,13 +223,13 @@ std::vector<row> vanishing_weights(const excesses& g, std::size_t size, bool are
         for (std::size_t k = 0; k < 6; ++k)
           if (monomials[r] == std::pair(box_powers[i].first + box_powers[k].first,
                                         box_powers[i].second + box_powers[k].second) &&
-              !(are_few && is_of_multiples(z * size + i, size)))
+              !(is_reduced && is_of_multiples(z * size + i, size)))
             matrix[r][z * size + i] = g[z][k];
   const std::vector<std::size_t> pivots = reduce(matrix);
   std::vector<row> basis;
   for (std::size_t c = 0; c < 3 * size; ++c) {
     if (std::find(pivots.begin(), pivots.end(), c) != pivots.end()) continue;
-    if (are_few && is_of_multiples(c, size)) continue;
+    if (is_reduced && is_of_multiples(c, size)) continue;
     row& one = basis.emplace_back(3 * size, rational(0));
     one[c] = 1;
     for (std::size_t i = 0; i < pivots.size(); ++i) one[pivots[i]] = -matrix[i][c];
@@ -239,9 +239,9 @@ std::vector<row> vanishing_weights(const excesses& g, std::size_t size, bool are
 
 std::optional<std::vector<whole>> exact_meeting(const meeting_sites& sites, const meeting_box& box,
                                                 const excesses& g, const box_point& z) {
-  for (const auto& [size, are_few] :
+  for (const auto& [size, is_reduced] :
        {std::pair(1, false), std::pair(3, false), std::pair(3, true), std::pair(6, true)})
-    for (const row& weights : vanishing_weights(g, static_cast<std::size_t>(size), are_few)) {
+    for (const row& weights : vanishing_weights(g, static_cast<std::size_t>(size), is_reduced)) {
       auto found = in_lowest_terms(weights, z);
       if (is_edge_at_meeting(sites, box, found)) return found;
     }

@@ -79,29 +79,29 @@ void refine_state::divide(const domain& d, const filled_domain& filling, numbere
 // Notes for each of a few sites near each other whether it is strictly inside and encroaches on
 // nothing. Mostly no subsegment meets their common box: then all sites are on the same side of the
 // boundary.
-void refine_state::ask_of_few(const star_predicates& kernel, std::span<const site> few,
+void refine_state::test_group(const star_predicates& kernel, std::span<const site> group,
                               std::vector<char>& out) const {
-  bounding_box box{few[0].position, few[0].position};
-  for (const site& s : few) box.include(s.position);
+  bounding_box box{group[0].position, group[0].position};
+  for (const site& s : group) box.include(s.position);
   const auto stop_at_first = [](std::uint32_t) { return false; };
   const proximity& near = std::as_const(*sites_).near();
   if (near.subsegments().visit(box, stop_at_first) && near.influences().visit(box, stop_at_first)) {
-    out.insert(out.end(), few.size(), strictly_inside_near(kernel, few[0].position));
+    out.insert(out.end(), group.size(), strictly_inside_near(kernel, group[0].position));
     return;
   }
-  for (const site& s : few)
+  for (const site& s : group)
     out.push_back(strictly_inside_near(kernel, s.position) &&
                   segments_.encroached_by(kernel, s).empty());
 }
 
 void refine_state::add_proposed(const std::vector<site>& proposed, numbered_sites& taken) {
-  constexpr std::size_t chunk = 256, few = 16;
+  constexpr std::size_t chunk = 256, group_size = 16;
   const std::vector<char> fits = collect_chunks<char>(
       proposed.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<char>& out) {
         tier_counters apart;  // proposing is no part of the work that is bounded
         const auto kernel = kernel_->fork(apart);
-        for (std::size_t i = begin; i < end; i += few)
-          ask_of_few(*kernel, std::span(proposed).subspan(i, std::min(few, end - i)), out);
+        for (std::size_t i = begin; i < end; i += group_size)
+          test_group(*kernel, std::span(proposed).subspan(i, std::min(group_size, end - i)), out);
       });
   sites_->reserve(proposed.size());
   taken.reserve(taken.size() + proposed.size());

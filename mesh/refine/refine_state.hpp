@@ -34,8 +34,8 @@ class refine_state {
   // subsegment. No subsegment is split once there are `most_sites`. `field` and `kernel` must
   // outlive the state. Fails where the field does, and for a boundary that check_domain would have
   // refused. `cancelled` ends clear_encroachments and shorten_subsegments early. It is polled
-  // between stars and between splits, which may be many, and each slow where only exact arithmetic
-  // decides.
+  // between stars and between splits: these may be many, and each takes long where only exact
+  // arithmetic decides.
   static result<refine_state> start(const domain& d, const metric_field& field,
                                     const star_predicates& kernel, std::size_t most_sites,
                                     const filled_domain& filling,
@@ -89,9 +89,9 @@ class refine_state {
   std::vector<vertex_index> number_along_curve(const std::vector<vertex_index>& inside) {
     return sites_->number_along_curve(inside);
   }
-  // Splits one subsegment at its split point, or at the point beside that on the curve that the
-  // subsegment is a chord of, if it can be split there. Returns false, with nothing changed, when
-  // the mesh is full or the subsegment cannot be split there (split_boundary::can_split_at).
+  // Splits one subsegment at its split point, or, if the subsegment is a chord of a curve, at the
+  // point of the curve beside the split point. Returns false, with nothing changed, when the mesh
+  // is full or the subsegment cannot be split there (split_boundary::can_split_at).
   bool split(std::size_t subsegment, double shortest);
   // Splits the subsegment that q lies on, if there is one, at its split point, not at q. Returns
   // false where split() does, and where there is none.
@@ -126,7 +126,7 @@ class refine_state {
   void guess_stars(const neighbour_lists& stars, const numbered_sites& taken);
   bool split_at(std::size_t subsegment, const point& q, double shortest);
   bool split_exactly_at(std::size_t subsegment, const point& q, double shortest, bool on_curve);
-  void ask_of_few(const star_predicates& kernel, std::span<const site> few,
+  void test_group(const star_predicates& kernel, std::span<const site> group,
                   std::vector<char>& out) const;
   bool strictly_inside_near(const star_predicates& kernel, const point& q) const;
 

@@ -89,11 +89,12 @@ class refinement_loop {
 
   // Returns the corners beside which low angles could not be mended; the caller begins again
   // without demanding them.
-  const std::set<vertex_index>& hopeless() const { return hopeless_; }
+  const std::set<vertex_index>& unmended() const { return unmended_; }
 
  private:
-  // Splits subsegments that are too long or encroached, before there are stars: a split changes as
-  // many of them as the old subsegment is long. Returns false when it ended early.
+  // Splits subsegments that are too long or encroached, before there are stars: the number of stars
+  // that a split changes grows with the length of the subsegment. Returns false when it ended
+  // early.
   bool prepare_segments() {
     if (options_.limit_size) state_.shorten_subsegments(longest_subsegment);
     return state_.clear_encroachments(tolerance_.floor);
@@ -188,7 +189,7 @@ class refinement_loop {
 
   // Returns the mesh that was kept, as collateral angles could not be mended.
   mesh_outcome without_collateral(ending how) {
-    hopeless_ = queue_.corners_beside_low(state_);
+    unmended_ = queue_.corners_beside_low(state_);
     mesh_outcome o = std::move(*before_collateral_);
     o.stopped = how == ending::stopped;
     if (o.stopped) {
@@ -305,7 +306,7 @@ class refinement_loop {
   const mesh_options& options_;
   const std::set<vertex_index>& spared_;
   star_confirmation confirmed_;
-  std::set<vertex_index> hopeless_;
+  std::set<vertex_index> unmended_;
   progress_listener progress_;
   vertex_index given_;
   refine_state state_;
@@ -325,8 +326,8 @@ class refinement_loop {
 }  // namespace
 
 // Mends low angles beside all sharp corners together or not at all: one corner whose refinement
-// never ends takes all sites allowed. So refinement begins again without the corners found
-// hopeless; each round finds at least one more.
+// never ends takes all sites allowed. So refinement begins again without the corners at
+// which mending failed; each round finds at least one more.
 result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed) {
   constexpr int rounds = 3;
   std::set<vertex_index> spared;
@@ -345,7 +346,7 @@ result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed) 
          made.value().ended.bad_triangles < best->ended.bad_triangles))
       best = std::move(made).value();
     const std::size_t before = spared.size();
-    spared.insert(loop.hopeless().begin(), loop.hopeless().end());
+    spared.insert(loop.unmended().begin(), loop.unmended().end());
     if (stopped || spared.size() == before) break;
   }
   return *std::move(best);

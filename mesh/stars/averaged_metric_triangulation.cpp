@@ -102,7 +102,7 @@ bool averaged_metric_triangulation::is_better_in_stars(vertex_index a, vertex_in
   const bool may_ask = work_units(questions_->counted) <= most_for_each * sites;
   const uncertain_bool stays = may_ask ? ask(a, b, c, d) : uncertain_bool();
   if (stays.certain() && stays.value()) return false;
-  doubtful_[a] = doubtful_[b] = 1;
+  has_doubtful_edge_[a] = has_doubtful_edge_[b] = 1;
   if (!stays.certain()) return false;
   const uncertain_bool comes = ask(c, d, a, b);
   return comes.certain() && comes.value();
@@ -202,7 +202,7 @@ void averaged_metric_triangulation::collect_ring(vertex_index v,
 }
 
 neighbour_lists averaged_metric_triangulation::settled_neighbours() {
-  doubtful_.assign(sites_.size(), 0);
+  has_doubtful_edge_.assign(sites_.size(), 0);
   const bool is_settled =
       from_.delaunay.flip_towards([this](vertex_index a, vertex_index b, vertex_index c,
                                          vertex_index d) { return is_better_in_stars(a, b, c, d); },
@@ -217,7 +217,7 @@ neighbour_lists averaged_metric_triangulation::settled_neighbours() {
   }
   lists.make_room_for_marks();
   for (std::size_t i = 0; is_settled && i < from_.numbers.size(); ++i)
-    if (doubtful_[from_.numbers[i]] == 0) lists.mark(i);
+    if (has_doubtful_edge_[from_.numbers[i]] == 0) lists.mark(i);
   return lists;
 }
 

@@ -77,7 +77,7 @@ class averaged_metric_triangulation {
     };
   }
   // Decides whether the stars refuse the edge from a to b and accept that from c to d. Marks the
-  // ends of an edge whose stars do not plainly accept it.
+  // ends of an edge whose stars do not accept it without doubt.
   bool is_better_in_stars(vertex_index a, vertex_index b, vertex_index c, vertex_index d);
   // Returns the number of flips that the next site may take.
   std::size_t flips_left() const;
@@ -90,7 +90,8 @@ class averaged_metric_triangulation {
   site_triangulation from_;
   std::vector<site> sites_;  // by number in the triangulation
   std::vector<char> inside_;
-  std::vector<char> doubtful_;  // by number in the triangulation: is an edge at it in doubt?
+  std::vector<char>
+      has_doubtful_edge_;  // by number in the triangulation: is an edge at it in doubt?
 };
 
 // Returns the neighbours that the star of each site is likely to have, counter-clockwise from the

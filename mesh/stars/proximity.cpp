@@ -37,9 +37,9 @@ proximity::proximity(const std::vector<site>& sites, const boundary& edges)
 }
 
 std::vector<vertex_index> proximity::order_anew(const std::vector<site>& sites) const {
-  constexpr std::size_t few = 16;  // one in so many
+  constexpr std::size_t one_in = 16;
   std::vector<vertex_index> order = order_;
-  if (few * (order.size() - along_curve_) > order.size()) sort_along_curve(order, sites, box_);
+  if (one_in * (order.size() - along_curve_) > order.size()) sort_along_curve(order, sites, box_);
   return order;
 }
 

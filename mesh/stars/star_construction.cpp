@@ -180,7 +180,7 @@ std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_i
 std::vector<vertex_index> ring_of(const approximate_star& guess) {
   std::vector<vertex_index> ring;
   ring.reserve(guess.size());
-  for (const plain_gap& gap : guess) ring.push_back(gap.neighbour);
+  for (const approximate_gap& gap : guess) ring.push_back(gap.neighbour);
   return ring;
 }
 
@@ -232,7 +232,7 @@ struct star_extent {
   bool is_wide = false;
 
   // Calls visit(w) for each site not certainly out of reach of all gaps: those of finite radius,
-  // and those that have none. May call it more than once for a site.
+  // and those in the list of open gaps. May call it more than once for a site.
   template <class Visit>
   bool visit(const site_oracle& oracle, vertex_index v, const Visit& visit) const {
     const site_index& near = oracle.near()->sites();
@@ -256,7 +256,7 @@ star_extent extent_of(const site_oracle& oracle, vertex_index v, const star& s) 
         extent.is_wide = true;
         return extent;
       }
-      plain_gap gap{part.neighbours[i], {}, 0};
+      approximate_gap gap{part.neighbours[i], {}, 0};
       const vertex_index next = part.neighbours[part.after(i)];
       if (oracle.edges().is_subsegment(gap.neighbour, next)) continue;
       close_gap(oracle.sites(), v, gap, next);

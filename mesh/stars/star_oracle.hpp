@@ -37,13 +37,13 @@ class site_oracle {
     return {*sites_, *boundary_, kernel, memory, near_};
   }
   // Returns the same oracle with a work guard, which must outlive it.
-  site_oracle with_patience(star_work_guard& patience) const {
+  site_oracle guarded_by(star_work_guard& guard) const {
     site_oracle other = *this;
-    other.patience_ = &patience;
+    other.guard_ = &guard;
     return other;
   }
   // True once the work limit was reached: the star is left as it is (stars/star_work_guard.hpp).
-  bool is_over() const { return patience_ != nullptr && patience_->is_over(*kernel_); }
+  bool is_over() const { return guard_ != nullptr && guard_->is_over(*kernel_); }
 
   // Returns the orientation of u, v, w: positive when they turn counter-clockwise.
   sign orientation(vertex_index u, vertex_index v, vertex_index w) const;
@@ -51,8 +51,8 @@ class site_oracle {
   bool same_direction(vertex_index v, vertex_index w, vertex_index u) const;
   // True if the site `near` is nearer to v than the site `far`. Requires both on one ray from v.
   bool nearer_on_ray(vertex_index v, vertex_index near, vertex_index far) const;
-  // True if v and w may be neighbours when x and y are their common ones (predicates/). Ties are
-  // broken.
+  // True if v and w may be neighbours when x and y are their common neighbours (predicates/). Ties
+  // are broken.
   bool edge_test(vertex_index v, vertex_index w, vertex_index x, vertex_index y) const;
   // True if the open segment v w stays off the boundary (stars/visibility.hpp).
   bool visible(vertex_index v, vertex_index w) const;
@@ -69,7 +69,7 @@ class site_oracle {
   const star_predicates* kernel_;
   edge_test_cache* memory_;
   const proximity* near_;
-  star_work_guard* patience_ = nullptr;
+  star_work_guard* guard_ = nullptr;
 };
 
 }  // namespace asterism::internal

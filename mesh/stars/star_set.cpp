@@ -210,7 +210,7 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
                                                            const site_index* latest,
                                                            std::size_t in_all) {
   constexpr std::size_t chunk = 64;
-  const bool few = in_all <= chunk;
+  const bool is_alone = in_all <= chunk;
   const double done = work_units(oracle.kernel().counters());
   const double part =
       (most_units(oracle) - done) / static_cast<double>(chunk_count(which.size(), chunk));
@@ -219,10 +219,10 @@ std::vector<star_set::made_star> star_set::construct_block(const site_oracle& or
       which.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<made_star>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
         // Uses the common cache of answers if stars are few: this thread then makes them alone.
-        star_work_guard patience(cancelled_, few ? done + part : part);
+        star_work_guard guard(cancelled_, is_alone ? done + part : part);
         edge_test_cache memory(edge_test_cache::extent::few);
         const site_oracle own =
-            (few ? oracle : oracle.with_kernel(*kernel, &memory)).with_patience(patience);
+            (is_alone ? oracle : oracle.with_kernel(*kernel, &memory)).guarded_by(guard);
         for (std::size_t i = begin; i < end; ++i) {
           constexpr std::size_t at_a_time = 8;
           const bool cancelled = i % at_a_time == 0 && cancelled_.is_requested();
@@ -367,8 +367,8 @@ void star_set::add_many(const site_oracle& oracle, vertex_index first) {
   std::vector<vertex_index> disturbed = collect_chunks<vertex_index>(
       added.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& out) {
         const auto kernel = oracle.kernel().fork(counts[begin / chunk]);
-        star_work_guard patience(cancelled_, part);
-        const site_oracle own = oracle.with_kernel(*kernel).with_patience(patience);
+        star_work_guard guard(cancelled_, part);
+        const site_oracle own = oracle.with_kernel(*kernel).guarded_by(guard);
         // Lists a star that was not tested, at the work limit, like one that accepts a site: both
         // are made anew.
         for (std::size_t i = begin; i < end; ++i)
@@ -390,10 +390,10 @@ void star_set::split_subsegment(const site_oracle& oracle, vertex_index a, verte
   replace_end(oracle, b, stars_[b], a, m);
   mark_stale(a);
   mark_stale(b);
-  // Looks for hidden sites only if m was rounded to an inner side: it can then hide sites from each
-  // other, and nothing else. Rounded to the outer side it reveals nothing but a and b to each
-  // other, whose stars are stale already: a segment that enters the sliver a, m, b through a b can
-  // only end in m. Both happen to an internal subsegment.
+  // Searches for hidden sites only if m was rounded to an inner side: then m can hide sites from
+  // each other. If m was rounded to the outer side, only a and b can see each other for the first
+  // time, and their stars are stale already: a segment that enters the sliver a, m, b through a b
+  // can only end in m. For an internal subsegment both happen.
   const sign turn = oracle.orientation(a, b, m);
   if (turn == sign::positive || (turn == sign::negative && oracle.edges().is_subsegment(m, a))) {
     remove_hidden(oracle, a, m);
@@ -414,8 +414,8 @@ void star_set::accept(const site_oracle& oracle, vertex_index v, constructed_sta
 }
 
 bool star_set::rebuild(const site_oracle& oracle, vertex_index v, star_search search) {
-  star_work_guard patience(cancelled_, most_units(oracle));
-  constructed_star built = construct_star(oracle.with_patience(patience), v, search);
+  star_work_guard guard(cancelled_, most_units(oracle));
+  constructed_star built = construct_star(oracle.guarded_by(guard), v, search);
   const bool changed = is_news(v, built);
   accept(oracle, v, std::move(built));
   return changed;

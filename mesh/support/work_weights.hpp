@@ -19,9 +19,9 @@ inline constexpr double crossing_entered = 0.3;       // 3 us
 inline constexpr double edge_in_arrangement = 0.05;   // 500 ns: begun with
 
 // Weights of the fill (fill/work_meter.hpp).
-inline constexpr double approximate_star = 0.2;   // 2 us: made anew
-inline constexpr double plain_candidate = 0.003;  // 30 ns: site or subsegment looked at
-inline constexpr double plain_gap = 0.0003;       // 3 ns: held against a site, or made
+inline constexpr double approximate_star = 0.2;    // 2 us: made anew
+inline constexpr double plain_candidate = 0.003;   // 30 ns: site or subsegment looked at
+inline constexpr double approximate_gap = 0.0003;  // 3 ns: held against a site, or made
 
 // Weights of refinement (refine/refine_state.cpp).
 inline constexpr double bad_triangle = 0.2;     // 2 us: tried, where hardly any succeeds

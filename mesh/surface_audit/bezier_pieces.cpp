@@ -113,8 +113,8 @@ bezier_piece make_piece(const surface_patch& p, const span_of_knots& u, const sp
   mark_points(p, u, v, piece);
   piece.is_rational = std::any_of(p.control.begin(), p.control.end(),
                                   [](const control_point& c) { return c.weight != 1; });
-  // Sets the weights of a polynomial to 1: they are a partition of one in exact arithmetic, which
-  // intervals do not show.
+  // Sets the weights of a polynomial to 1: in exact arithmetic the computed weights are 1, but
+  // their intervals are wider.
   if (!piece.is_rational)
     for (weighted_point& c : piece.net) c.weight = 1;
   for (const weighted_point& c : piece.net)
@@ -162,8 +162,8 @@ struct curve_jet {
   plain_control value, first, second;
 };
 
-// Evaluates a Bezier curve, and overwrites its control points. Leaves out the second derivative
-// unless it is asked for: most evaluations are for a step of a projection.
+// Evaluates a Bezier curve, and overwrites its control points. Computes the second derivative only
+// on request: most evaluations are for a step of a projection, which does not use it.
 template <bool twice>
 curve_jet along(plain_row& c, int degree, double share) {
   curve_jet jet;
@@ -214,14 +214,14 @@ projective_jet projective(const bezier_piece& piece, double s, double t) {
 plain_vector first_three(const plain_control& c) { return {c[0], c[1], c[2]}; }
 
 // Returns the derivative of a quotient: (c - at * weight) / w.
-plain_vector less(const plain_control& c, const plain_vector& at, double w) {
+plain_vector quotient_slope(const plain_control& c, const plain_vector& at, double w) {
   return (1 / w) * (first_three(c) - c[3] * at);
 }
 
 plain_jet first_of(const projective_jet& j) {
   const double w = j.value[3];
   const plain_vector at = (1 / w) * first_three(j.value);
-  return {at, less(j.s, at, w), less(j.t, at, w)};
+  return {at, quotient_slope(j.s, at, w), quotient_slope(j.t, at, w)};
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ plain_second_jet evaluate_twice(const bezier_piece& piece, double s, double t) {
   const double w = j.value[3];
   const auto second = [&](const plain_control& c, double w1, const plain_vector& d2, double w2,
                           const plain_vector& d1) {
-    return less(c, first.at, w) - (w1 / w) * d2 - (w2 / w) * d1;
+    return quotient_slope(c, first.at, w) - (w1 / w) * d2 - (w2 / w) * d1;
   };
   return {first, second(j.ss, j.s[3], first.by_s, j.s[3], first.by_s),
           second(j.st, j.s[3], first.by_t, j.t[3], first.by_s),

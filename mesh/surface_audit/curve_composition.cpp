@@ -118,14 +118,14 @@ space_curve composed(const bezier_piece& piece, const plane_curve& curve,
 }
 
 std::vector<std::uint32_t> pieces_along(const patch_spans& spans, const plane_curve& curve) {
-  constexpr std::size_t few = 4;
+  constexpr std::size_t most_pieces = 4;
   if (curve.empty()) return {};
   for (const weighted_point& p : curve)
     if (!(p.weight.inf() > 0)) return {};
   const auto u = spans_in(spans.u, range_of(curve, false)),
              v = spans_in(spans.v, range_of(curve, true));
   std::vector<std::uint32_t> all;
-  if ((u.second - u.first + 1) * (v.second - v.first + 1) > few) return {};
+  if ((u.second - u.first + 1) * (v.second - v.first + 1) > most_pieces) return {};
   for (std::size_t i = u.first; i <= u.second; ++i)
     for (std::size_t j = v.first; j <= v.second; ++j)
       all.push_back(static_cast<std::uint32_t>(spans.first + i * (spans.v.size() - 1) + j));

@@ -55,10 +55,11 @@ double coordinate(const space_point& p, int axis) {
 
 // Returns the orientation of three points in the plane of two coordinates.
 int turn(const space_point& a, const space_point& b, const space_point& c, int i, int k) {
-  const auto less = [](double x, double y) { return dyadic(x) - dyadic(y); };
-  return sign_of_exact(
-      less(coordinate(b, i), coordinate(a, i)) * less(coordinate(c, k), coordinate(a, k)) -
-      less(coordinate(b, k), coordinate(a, k)) * less(coordinate(c, i), coordinate(a, i)));
+  const auto difference = [](double x, double y) { return dyadic(x) - dyadic(y); };
+  return sign_of_exact(difference(coordinate(b, i), coordinate(a, i)) *
+                           difference(coordinate(c, k), coordinate(a, k)) -
+                       difference(coordinate(b, k), coordinate(a, k)) *
+                           difference(coordinate(c, i), coordinate(a, i)));
 }
 
 bool is_between(const space_point& p, const space_point& q, const space_point& x, int i, int k) {

@@ -13,8 +13,11 @@ namespace {
 // Returns twice the area of a, b, p: positive if p is on the left of the line from a to b.
 rounded_interval turn(const parameter_point& a, const parameter_point& b,
                       const parameter_point& p) {
-  const auto less = [](double x, double y) { return rounded_interval(x) - rounded_interval(y); };
-  return less(b[0], a[0]) * less(p[1], a[1]) - less(b[1], a[1]) * less(p[0], a[0]);
+  const auto difference = [](double x, double y) {
+    return rounded_interval(x) - rounded_interval(y);
+  };
+  return difference(b[0], a[0]) * difference(p[1], a[1]) -
+         difference(b[1], a[1]) * difference(p[0], a[0]);
 }
 
 // True unless the segment certainly has no point in the box.

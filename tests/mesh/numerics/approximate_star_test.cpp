@@ -80,7 +80,8 @@ template <class Build>
 std::size_t disagreeing(const std::vector<site>& sites, int n, const Build& build) {
   std::vector<std::vector<vertex_index>> stars(sites.size());
   for (vertex_index v = 0; v < sites.size(); ++v)
-    for (const plain_gap& gap : build(v, sites_near(sites, v))) stars[v].push_back(gap.neighbour);
+    for (const approximate_gap& gap : build(v, sites_near(sites, v)))
+      stars[v].push_back(gap.neighbour);
   const auto has = [&](vertex_index v, vertex_index y, vertex_index x) {
     const auto at = std::find(stars[v].begin(), stars[v].end(), y);
     return at != stars[v].end() && (at + 1 == stars[v].end() ? stars[v][0] : at[1]) == x;
@@ -122,7 +123,7 @@ TEST_CASE("of sites on one ray a careful star has the nearest alone", "[star]") 
   std::vector<vertex_index> others(sites.size() - 1);
   std::iota(others.begin(), others.end(), vertex_index{1});
   const auto on_line = [&](const approximate_star& star) {
-    return std::count_if(star.begin(), star.end(), [&](const plain_gap& gap) {
+    return std::count_if(star.begin(), star.end(), [&](const approximate_gap& gap) {
       return sites[gap.neighbour].position.y == 0;
     });
   };
@@ -141,8 +142,8 @@ TEST_CASE("a star is plain where doubles leave no doubt, and not where four site
   CHECK(is_plainly_a_star(grid, 0, on_circle));
   // (1, 1) is on the circle around (0, 0), (1, 0) and (0, 1).
   on_circle.insert(std::find_if(on_circle.begin(), on_circle.end(),
-                                [](const plain_gap& g) { return g.neighbour == 3; }),
-                   plain_gap{2, {}, 0});
+                                [](const approximate_gap& g) { return g.neighbour == 3; }),
+                   approximate_gap{2, {}, 0});
   for (std::size_t i = 0; i < on_circle.size(); ++i)
     close_gap(grid, 0, on_circle[i], on_circle[following(on_circle, i)].neighbour);
   CHECK_FALSE(is_plainly_a_star(grid, 0, on_circle));
