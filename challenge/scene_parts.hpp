@@ -10,7 +10,7 @@
 
 namespace asterism::challenge {
 
-// Returns a whole number of at most that size.
+// Returns a random whole number whose absolute value is at most `size`.
 inline double small_integer(random_source& random, int size) { return random.integer(-size, size); }
 
 inline point integer_point(random_source& random, int size) {

@@ -72,9 +72,10 @@ inline int compare_product(double a, double b, double c) {
 
 inline bool is_finite(double x) { return std::abs(x) <= std::numeric_limits<double>::max(); }
 
-// Computes the error of a rounded sum, which is a double, and with the greater operand first this
-// is that double (Dekker, "A floating-point technique for extending the available precision",
-// 1971). Where the sum is infinite it says where rounding upward stops: above minus infinity.
+// Returns the sum rounded upward. The exact error of a sum rounded to nearest is a double, which
+// smaller - (nearest - greater) computes exactly (Dekker, "A floating-point technique for extending
+// the available precision", 1971). An infinite sum is correct too: rounded upward, -infinity
+// becomes the double above it.
 inline double sum(double a, double b) {
   const double nearest = a + b;
   const bool ordered = std::abs(a) >= std::abs(b);

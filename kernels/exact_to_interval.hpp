@@ -42,7 +42,8 @@ inline interval enclose(const dyadic& x) {
   return between(near_zero, bits <= double_bits ? near_zero : std::bit_cast<double>(pattern + 1));
 }
 
-// Used by arc_search for exact coefficients with interval signs.
+// Returns an interval around the number. arc_search calls this if its coefficients are exact and
+// its signs intervals.
 template <class Number>
 requires std::is_same_v<Number, interval> interval number_as(const dyadic& x) { return enclose(x); }
 

@@ -142,7 +142,7 @@ inline uncertain_bool in_wedge(const site& v, const site& w, const point& q) {
       of_u * (of_d * of_m) * asterism::internal::both(bound_factor(wedge_depth)) +
       asterism::internal::both(smallest_decided);
   if (both_less(bound, absolute(value))) return sign_bits(value) == 0;
-  // Returns no if one of the lanes is certainly not positive.
+  // Returns false if one of the lanes is certainly not positive.
   const bool outside = (value[0] < -bound[0]) | (value[1] < -bound[1]);
   return outside ? uncertain_bool(false) : uncertain_bool();
 }

@@ -9,7 +9,7 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the root of x^2 + y^2: a plain one, unless a square may leave the range of doubles.
+// Returns the root of x^2 + y^2, computed directly unless a square may leave the range of doubles.
 double root_of_squares(double x, double y) {
   const double squares = x * x + y * y;
   const bool is_ordinary = squares > 0x1p-900 && squares < 0x1p1000;

@@ -401,7 +401,7 @@ bool site_index::visit_cone(const std::vector<site>& sites, const site& v, doubl
   return visit_reach_within(sites, v, reach, is_outside, visit_inside);
 }
 
-// Visits as above, but skips nodes for which is_outside(box) is true.
+// Calls visit(w) as visit_reach() does, but skips nodes for which is_outside(box) is true.
 template <class Outside, class Visit>
 bool site_index::visit_reach_within(const std::vector<site>& sites, const site& v, double reach,
                                     const Outside& is_outside, Visit&& visit) const {

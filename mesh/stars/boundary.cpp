@@ -100,7 +100,8 @@ bool boundary::is_subsegment(vertex_index a, vertex_index b) const {
 
 void boundary::split(std::size_t subsegment, vertex_index m) {
   const boundary_edge whole = subsegments_[subsegment];
-  // Grows the list in small steps: sites that are no corners may be most.
+  // Grows the list in small steps: it has an entry for each site, and most sites may have no
+  // corner.
   if (corners_.capacity() <= m) corners_.reserve(m + 1 + m / 8);
   if (corners_.size() <= m) corners_.resize(m + 1);
   corners_[m] = {{whole.b, whole.a}};

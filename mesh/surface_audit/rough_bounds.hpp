@@ -9,7 +9,8 @@
 
 namespace asterism::internal {
 
-// Upper bound of (1 + 2^-53)^k for up to 2^12 roundings k: those of an error bound itself.
+// Upper bound of (1 + 2^-53)^k for k up to 2^12: the factor by which the roundings of an error
+// bound may reduce it.
 inline constexpr double slack = 1 + 0x1p-40;
 
 struct middle_and_half {
