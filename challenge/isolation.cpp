@@ -82,8 +82,8 @@ class search {
     return halved(from, failed);
   }
 
-  // Finds it by bisection: among the questions from `from` on, the first `good` are answered well
-  // as a batch, the first `bad` are not.
+  // Finds the first failing question by bisection: among the questions from `from` on, the first
+  // `good` are answered well as a batch, the first `bad` are not.
   result<std::size_t> halved(std::size_t from, program_run failed) {
     std::size_t good = 0, bad = questions_.size() - from;
     program_run well;

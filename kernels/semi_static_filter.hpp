@@ -64,8 +64,9 @@ inline uncertain_sign decide(double value, double magnitude, double factor) {
   return decide(value, factor * magnitude + smallest_decided);
 }
 
-// Bounds |ax by| <= (ax^2 + by^2) / 2: half a sum of squares is the magnitude and shows the range
-// as well, also where rounding towards zero makes the largest double of an overflow.
+// Bounds |ax by| <= (ax^2 + by^2) / 2: half the sum of squares serves as the magnitude and as the
+// test of the range, which finds an overflow even where rounding towards zero gives the largest
+// double.
 inline uncertain_sign orientation(const point& p, const point& q, const point& r) {
   const two_doubles from_p = pair(p.x, p.y);
   const two_doubles a = pair(q.x, q.y) - from_p, b = pair(r.x, r.y) - from_p;

@@ -65,7 +65,7 @@ Number radicand_beyond(const displacement<Number>& z, const displacement<Number>
 
 inline constexpr int ray_depth = 12, c_depth = 8, discriminant_depth = 16, convexity_depth = 9,
                      steepness_depth = 14, cross_depth = 5;
-// Largest number of factors on any monomial that is compared with the tolerance, without its
+// Largest number of factors 1 + theta on any monomial of a side condition, without those of its
 // quotients and roots.
 inline constexpr int side_condition_depth = 24;
 

@@ -238,7 +238,7 @@ std::optional<enclosed_arc::span> enclosed_arc::make_span(const offset& from,
   return s;
 }
 
-// Returns a point of the arc between two others, certainly.
+// Encloses a point of the arc that lies between two others; none if that is not certain.
 std::optional<offset> enclosed_arc::middle(const offset& from, const offset& to) const {
   const vector2<double> direction{0.5 * (from.x.value() + to.x.value()),
                                   0.5 * (from.y.value() + to.y.value())};

@@ -70,7 +70,8 @@ struct domain {
   domain_origin origin;
   // Curved parts of the boundary. Consecutive vertices of a curve are joined by a segment.
   std::vector<domain_curve> curves = {};
-  // Polygons that define the inside, without areas of hole points; empty: segments define it.
+  // Polygons that define the inside, except for the areas around hole points; if empty, segments
+  // define it.
   std::vector<domain_polygon> polygons = {};
 
   // Returns the smallest box around all vertices; a box of the origin alone when there are none.

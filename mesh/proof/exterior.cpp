@@ -182,7 +182,7 @@ class sweep {
       if (first == status_.end()) return nullptr;
       return first == status_.begin() ? &bottom_ : &std::prev(first)->second;
     }
-    // An edge of length zero compares as its point does.
+    // Uses that an edge of length zero is ordered as its point is.
     const auto next = status_.lower_bound(sweep_edge{v, v, false});
     return next == status_.begin() ? &bottom_ : &std::prev(next)->second;
   }

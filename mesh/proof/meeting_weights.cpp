@@ -16,7 +16,7 @@ rational value_at(const polynomial& p, const rational& s, const rational& t) {
   return p[0] + s * (p[1] + s * p[3] + t * p[4]) + t * (p[2] + t * p[5]);
 }
 
-// Returns p with these in place of its variables.
+// Returns p with the affine functions a and b in place of its two variables.
 polynomial substituted(const polynomial& p, const affine& a, const affine& b) {
   polynomial q{};
   q[0] = p[0];

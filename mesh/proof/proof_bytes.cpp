@@ -36,7 +36,8 @@ class byte_stream {
   std::string bytes_;
 };
 
-// The number of bytes, negative for a negative number, then these, least first.
+// Adds the number of bytes, negative for a negative number, then the bytes of its absolute value,
+// least first.
 void add_whole(byte_stream& to, const proof_detail::whole& number) {
   const mpz_t& digits = number.backend().data();
   std::vector<std::uint8_t> bytes((mpz_sizeinbase(digits, 2) + 7) / 8);
@@ -48,7 +49,8 @@ void add_whole(byte_stream& to, const proof_detail::whole& number) {
   for (const std::uint8_t byte : bytes) to.add(byte);
 }
 
-// Weights of degree 1 and 2 have the numbers after those of degree 0.
+// Returns the number of the exception's kind in the format. Meetings with weights of degree 1 and 2
+// have the next two numbers after meetings with weights of degree 0.
 std::uint8_t kind_of(const proof_exception& e) {
   const auto kind = static_cast<std::uint8_t>(e.why);
   return static_cast<std::uint8_t>(kind + (e.weights.size() > 9   ? 2

@@ -38,7 +38,8 @@ class byte_reader {
     const std::int32_t a = signed_number();
     return {a, signed_number()};
   }
-  // A number of bytes, negative for a negative number, then these.
+  // Reads a number of bytes, negative for a negative number, then the bytes of its absolute value,
+  // least first.
   proof_detail::whole whole_number() {
     const auto size = static_cast<std::int16_t>(take<std::uint16_t>());
     std::vector<std::uint8_t> bytes;

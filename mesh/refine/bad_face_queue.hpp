@@ -56,10 +56,10 @@ class bad_face_queue {
   }
 
  private:
-  // Returns the class of a length above 32 bits as if at random. Classes are eight to a factor of
-  // two of the square: the exponent of the double and three bits of its mantissa. From 10,000
-  // random sites in swirl:12 with 30 degrees, one class to a factor of two makes 32,124 sites, two
-  // make 31,738, eight 31,770 and sixteen 31,772.
+  // Returns a rank: the class of a length, and below it 32 bits as if at random. There are eight
+  // classes to a factor of two of the squared length: the exponent of the double and three bits of
+  // its mantissa are the class. From 10,000 random sites in swirl:12 with 30 degrees, one class to
+  // a factor of two makes 32,124 sites, two make 31,738, eight 31,770 and sixteen 31,772.
   static std::uint64_t rank_of(const triangle& where, double squared_length) {
     constexpr int mantissa_bits = 52, bits_of_class = 3, shift_for_random = 32;
     const std::uint64_t length_class =

@@ -304,7 +304,7 @@ bool delaunay_triangulation::cross(vertex_index a, vertex_index b,
   return false;
 }
 
-// Flips the edges that cross the segment away from it.
+// Flips the edges that cross the segment from a to b until none does.
 bool delaunay_triangulation::clear_way(
     vertex_index a, vertex_index b, std::vector<std::pair<vertex_index, vertex_index>> crossing) {
   for (std::size_t i = 0; i < crossing.size(); ++i) {

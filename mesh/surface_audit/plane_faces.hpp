@@ -15,7 +15,7 @@ namespace asterism::internal {
 // given sites on its sides. Fails if a given site is on no side, or corners are not the patch's.
 result<domain> rectangle_of(const surface_patch& patch, const shell_face& face);
 
-// Audits the plane mesh of each face against that domain.
+// Audits the plane mesh of each face against the domain that it must cover.
 void audit_planes(const surface& s, const surface_shell& shell, const shell_question& asked,
                   shell_report& report);
 
