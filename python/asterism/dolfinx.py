@@ -46,7 +46,7 @@ def from_dolfinx(mesh: Any, cell_tags: Any = None, facet_tags: Any = None) -> Me
     points = at[:, :2]
     regions = np.ones(len(cells), dtype=np.int64)
     if cell_tags is not None:
-        _check_dim(cell_tags, 2, "cell_tags")
+        _check_tags(mesh, cell_tags, 2, "cell_tags")
         regions[:] = 0
         regions[cell_tags.indices] = cell_tags.values
     edges, markers = _edges_and_markers(mesh, cells, regions, facet_tags)
@@ -208,10 +208,14 @@ def _degree(of: Any) -> int:
     return int(degree)
 
 
+def _check_mesh(name: str, on: Any, mesh: Any) -> None:
+    if not np.array_equal(on.geometry.x, mesh.geometry.x):
+        raise InputError(f"{name}: it is on another mesh")
+
+
 def _check_function(name: str, of: Any, mesh: Any) -> None:
     space = of.function_space
-    if space.mesh.geometry.x.shape != mesh.geometry.x.shape or not np.array_equal(space.mesh.geometry.x, mesh.geometry.x):
-        raise InputError(f"{name}: it is on another mesh")
+    _check_mesh(name, space.mesh, mesh)
     element = space.ufl_element()
     family = str(element.family() if callable(getattr(element, "family", None)) else getattr(element, "family_name", ""))
     width = len(_dofs(of)[0]) if len(_dofs(of)) else 3
@@ -358,9 +362,11 @@ def _counter_clockwise(points: Any, cells: Any) -> Any:
     return turned
 
 
-def _check_dim(tags: Any, dim: int, name: str) -> None:
+def _check_tags(mesh: Any, tags: Any, dim: int, name: str) -> None:
     if getattr(tags, "dim", None) != dim:
         raise InputError(f"{name}: MeshTags of dimension {dim} are wanted")
+    if hasattr(tags, "mesh"):  # newer versions know their topology alone
+        _check_mesh(name, tags.mesh, mesh)
 
 
 def _facets(mesh: Any) -> npt.NDArray[np.int64]:
@@ -389,7 +395,7 @@ def _edges_and_markers(mesh: Any, cells: Any, regions: Any, facet_tags: Any) -> 
     parts = (times == 1) | (regions[left // 3] != regions[right // 3])
     marked = np.zeros(len(found), dtype=np.int64)
     if facet_tags is not None:
-        _check_dim(facet_tags, 1, "facet_tags")
+        _check_tags(mesh, facet_tags, 1, "facet_tags")
         if (np.asarray(facet_tags.values) == 0).any():
             raise InputError("facet_tags: 0 is the marker of facets without a tag; give them another number")
         tagged = np.searchsorted(found, _keys(_facets(mesh)[facet_tags.indices], count))

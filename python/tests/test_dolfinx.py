@@ -141,12 +141,14 @@ def test_what_is_refused(square):
     q = fill(fem.FunctionSpace(mesh, ("CG", 2)), front)
     other = dmesh.create_unit_square(MPI.COMM_SELF, 5, 5)
     zero = dmesh.meshtags(mesh, 1, facet_tags.indices, facet_tags.values * 0)
+    ones = np.arange(4, dtype=np.int32), np.ones(4, dtype=np.int32)
     for call, message in (
             (lambda: asterism.dolfinx.adapt(mesh, q, vertices=9, how="conservative"), "of degree 2"),
             (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(mesh, ("CG", 3)))), "degree 1 or 2"),
             (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(mesh, ("DG", 1)))), "degree 1 or 2"),
             (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(other, ("CG", 1)))), "another mesh"),
             (lambda: asterism.dolfinx.adapt(mesh, u, facet_tags, cell_tags), "cell_tags: MeshTags"),
+            (lambda: asterism.dolfinx.adapt(mesh, u, cell_tags, dmesh.meshtags(other, 1, *ones)), "facet_tags: it is"),
             (lambda: asterism.dolfinx.adapt(mesh, u, cell_tags, zero), "0 is the marker"),
             (lambda: asterism.dolfinx.adapt(mesh), "which metric is wanted"),
             (lambda: asterism.dolfinx.from_dolfinx(7), "a dolfinx mesh is wanted"),
