@@ -10,6 +10,7 @@
 
 #include "asterism/apps/base/commands.hpp"
 #include "asterism/apps/base/complain.hpp"
+#include "asterism/apps/base/notes.hpp"
 #include "asterism/apps/options/option_values.hpp"
 #include "asterism/apps/options/solution_options.hpp"
 #include "asterism/apps/options/thread_limit.hpp"
@@ -124,19 +125,46 @@ result<metric_series> metrics_for(const metric_job& job) {
   if (!made) return made.failure();
   metric_series one;
   one.windows.push_back(std::move(made.value().background));
+  one.left_out.push_back(std::move(made.value().left_out));
   one.report = std::move(made.value().report);
   return one;
 }
 
+// Returns sites with the identity at the vertices that the reader left out of the mesh, so that a
+// metric that is written alone has a tensor for each vertex of the mesh's file.
+mesh with_left_out(const mesh& made, const std::vector<vertex_index>& left_out) {
+  mesh whole;
+  auto next = left_out.begin();
+  for (const site& s : made.sites) {
+    for (; next != left_out.end() && *next == whole.sites.size(); ++next)
+      whole.sites.push_back(site{point{0, 0}, metric_tensor{1, 0, 1}});
+    whole.sites.push_back(s);
+  }
+  whole.sites.resize(whole.sites.size() + static_cast<std::size_t>(left_out.end() - next),
+                     site{point{0, 0}, metric_tensor{1, 0, 1}});
+  return whole;
+}
+
+// Says what readers changed in the meshes, once for windows on one mesh.
+void say_what_was_changed(const metric_series& made, bool quiet) {
+  std::vector<std::string> said;
+  for (const mesh& window : made.windows) {
+    if (window.notes == said) continue;
+    said = window.notes;
+    (void)say_notes(said, {quiet});
+  }
+}
+
 // Writes the metric with its mesh, or alone. `note` says what was not reached.
-result<bool> write_metric(const fs::path& output, const mesh& made, const std::string& note) {
+result<bool> write_metric(const fs::path& output, const mesh& made,
+                          const std::vector<vertex_index>& left_out, const std::string& note) {
   write_options options;
   options.note = note;
   if (!is_alone(output)) {
     const auto written = write_mesh(output, made, options);
     return written ? result<bool>(true) : written.failure();
   }
-  std::string text = medit_solution_text(made);
+  std::string text = medit_solution_text(left_out.empty() ? made : with_left_out(made, left_out));
   if (!note.empty()) text.insert(text.find('\n') + 1, "# " + note + "\n");
   const auto written = internal::write_files({{output, text}});
   return written ? result<bool>(true) : written.failure();
@@ -158,12 +186,14 @@ int run_metric(metric_job job) {
   if (const auto failed = check_files(job)) return complain(*failed, refused);
   const auto made = metrics_for(job);
   if (!made) return complain(made.failure(), refused);
+  say_what_was_changed(made.value(), job.quiet);
   const solution_metric_report& report = made.value().report;
   const std::string note = report.reached ? "" : "The target was not met: " + report.reason;
   const held_signals held;
   const std::vector<fs::path> outputs = outputs_of(job);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const auto written = write_metric(outputs[k], made.value().windows[k], note);
+    const auto written =
+        write_metric(outputs[k], made.value().windows[k], made.value().left_out[k], note);
     if (!written) return complain(written.failure(), not_reached);
   }
   if (job.json)

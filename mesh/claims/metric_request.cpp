@@ -128,7 +128,8 @@ result<requested_metric> answer(const metric_request& request) {
   for (std::size_t v = 0; v < made.background.sites.size(); ++v)
     made.background.sites[v].metric = metric.value().tensors[v];
   made.report = std::move(metric.value().report);
-  if (auto failed = add_carried(request, read.value().left_out, made)) return *failed;
+  if (auto failed = add_carried(request, left_out, made)) return *failed;
+  made.left_out = std::move(read.value().left_out);
   return made;
 }
 

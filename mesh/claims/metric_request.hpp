@@ -46,6 +46,7 @@ struct requested_metric {
   asterism::solution values;
   std::size_t own_fields = 0;  // of them, the solution's
   solution_metric_report report;
+  std::vector<vertex_index> left_out = {};  // vertices of the file without a triangle, ascending
 };
 
 // Refuses a request for several metrics, for none, or for several numbers of vertices.

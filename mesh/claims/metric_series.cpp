@@ -24,6 +24,7 @@ struct window {
   mesh on;
   std::string mesh_file;
   std::vector<nodal_values> fields;
+  std::vector<vertex_index> left_out;
 };
 
 result<window> read_window(const metric_request& request, const std::string& file) {
@@ -39,6 +40,7 @@ result<window> read_window(const metric_request& request, const std::string& fil
   if (!fields) return fields.failure().at(file);
   made.fields = std::move(fields).value();
   made.on = std::move(read.value().content);
+  made.left_out = std::move(read.value().left_out);
   return made;
 }
 
@@ -108,6 +110,7 @@ metric_series divided(std::vector<window> windows, solution_metric made) {
     for (std::size_t v = 0; v < count; ++v) w.on.sites[v].metric = own[v];
     series.complexities.push_back(complexity_of(own, nodal_areas(w.on, mesh_links(w.on))));
     series.windows.push_back(std::move(w.on));
+    series.left_out.push_back(std::move(w.left_out));
     first += count;
   }
   return series;

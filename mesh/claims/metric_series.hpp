@@ -22,8 +22,9 @@ namespace asterism::internal {
 // Metric of each window at the vertices of its mesh, and the report of all together.
 struct metric_series {
   std::vector<mesh> windows;
-  std::vector<double> complexities;  // of each
-  solution_metric_report report;     // asked and delivered: the sums
+  std::vector<std::vector<vertex_index>> left_out;  // vertices of each file without a triangle
+  std::vector<double> complexities;                 // of each
+  solution_metric_report report;                    // asked and delivered: the sums
 };
 
 // Makes the metrics. A window is a file of numbers at the vertices of request.mesh, or a mesh that

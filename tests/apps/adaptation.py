@@ -183,6 +183,21 @@ class MetricTest(AdaptationTest):
         done = self.run_command("info", "far.sol")
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_a_metric_alone_of_a_file_with_a_vertex_in_no_triangle(self):
+        """It has a row for each vertex of the file, so that it is a metric of that file."""
+        points, triangles = grid(20)
+        at = 7
+        self.write("lone.mesh", mesh_text([*points[:at], (5.0, 5.0), *points[at:]],
+                                          [[v + (v >= at) for v in t] for t in triangles]))
+        done = self.run_command("metric", "lone.mesh", "--implied", "-o", "lone.sol")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("note: 1 vertex in no triangle left out, the first: vertex 8 at (5, 5)", done.stderr)
+        self.assertEqual(self.metric("--implied").stderr, "")
+        rows, plain = (rows_after(self.folder / name, "SolAtVertices", 2) for name in ("lone.sol", "m.sol"))
+        self.assertEqual(rows, [*plain[:at], [1, 0, 1], *plain[at:]])
+        done = self.run_command("adapt", "lone.mesh", "--metric", "lone.sol", "-o", "n.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_numbers_that_are_none(self):
         self.write("nan.sol", (self.folder / "u.sol").read_text().replace("\nEnd", "\nEnd")
                    .replace(repr(front(*self.points[3])), "nan", 1))
