@@ -20,6 +20,14 @@ std::string list_of(const std::vector<int>& regions) {
   return fmt::format("{}", fmt::join(regions, ", "));
 }
 
+// Returns the names of the regions in a file, as the end of a message.
+std::string names_of(const physical_names& names) {
+  std::string text;
+  for (const auto& [number, name] : names.regions)
+    text += (text.empty() ? "; it names " : ", ") + quoted_token(name);
+  return text.empty() ? "; it names none, and a number is wanted" : text;
+}
+
 }  // namespace
 
 result<std::vector<int>> frozen_regions(const std::vector<std::string>& named,
@@ -35,8 +43,9 @@ result<std::vector<int>> frozen_regions(const std::vector<std::string>& named,
     const auto at = std::find_if(names.regions.begin(), names.regions.end(),
                                  [&name](const auto& one) { return one.second == name; });
     if (at == names.regions.end())
-      return error{"--frozen: " + mesh_file + " names no region " + quoted_token(name),
-                   error_code::bad_option};
+      return error{
+          "--frozen: " + mesh_file + " names no region " + quoted_token(name) + names_of(names),
+          error_code::bad_option};
     regions.push_back(at->first);
   }
   std::sort(regions.begin(), regions.end());

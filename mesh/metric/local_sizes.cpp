@@ -13,6 +13,7 @@
 #include "asterism/mesh/metric/wall_layers.hpp"
 #include "asterism/mesh/numerics/metric_bounds.hpp"
 #include "asterism/mesh/search/place_tree.hpp"
+#include "asterism/mesh/support/first_numbers.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -62,23 +63,11 @@ class locally_sized_field : public metric_field {
   size_bounds bounds_;
 };
 
-std::string list_of(const std::set<int>& numbers) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  std::size_t count = 0;
-  for (const int n : numbers) {
-    if (count++ == most) return text + ", ...";
-    if (!text.empty()) text += ", ";
-    text += std::to_string(n);
-  }
-  return text.empty() ? "none" : text;
-}
-
 error no_marker(const domain& d, int marker) {
   std::set<int> there;
   for (const segment& s : d.segments) there.insert(s.marker);
   return {"no segment has the marker " + std::to_string(marker) +
-              "; the markers there are: " + list_of(there),
+              "; the markers there are: " + first_numbers(there),
           error_code::bad_option};
 }
 
@@ -88,9 +77,9 @@ error no_region(const domain& d, int region) {
     there.insert(s.left_region);
     if (s.internal) there.insert(s.right_region);
   }
-  return {
-      "there is no region " + std::to_string(region) + "; the regions there are: " + list_of(there),
-      error_code::bad_option};
+  return {"there is no region " + std::to_string(region) +
+              "; the regions there are: " + first_numbers(there),
+          error_code::bad_option};
 }
 
 void add_places_without_shape(const size_wishes& wishes, std::vector<sized_place>& places) {

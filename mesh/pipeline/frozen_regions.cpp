@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "asterism/mesh/numerics/metric_angle.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
+#include "asterism/mesh/support/first_numbers.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -104,13 +106,13 @@ void drop_triangles(mesh& m, const std::vector<int>& frozen, std::vector<vertex_
 }  // namespace
 
 result<frozen_part> without_regions(const mesh& whole, const std::vector<int>& frozen) {
-  for (const int region : frozen) {
-    bool is_there = false;
-    for (std::size_t t = 0; t < whole.triangles.size() && !is_there; ++t)
-      is_there = region_of(whole, t) == region;
-    if (!is_there)
-      return error{fmt::format("region {} has no triangle", region), error_code::bad_option};
-  }
+  std::set<int> found;
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t) found.insert(region_of(whole, t));
+  for (const int region : frozen)
+    if (!found.contains(region))
+      return error{fmt::format("region {} has no triangle; the regions there are: {}", region,
+                               first_numbers(found)),
+                   error_code::bad_option};
   frozen_part part;
   part.rest = whole;
   const triangle_sides sides(whole);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "asterism/mesh/domain/curve_chords.hpp"
 #include "asterism/mesh/domain/message_names.hpp"
 #include "asterism/mesh/domain/point_algebra.hpp"
+#include "asterism/mesh/support/first_numbers.hpp"
 
 namespace asterism::internal {
 
@@ -107,6 +109,14 @@ std::optional<std::array<point, 2>> exact_images(const side_map& map, const poin
   return std::array{point{(*y)[0], (*x)[0]}, point{(*x)[1], (*y)[1]}};
 }
 
+// Returns the markers of the boundary, as the end of a message.
+std::string markers_of(const domain& d) {
+  std::set<int> found;
+  for (const segment& one : d.segments)
+    if (!one.internal) found.insert(one.marker);
+  return "; the markers there are: " + first_numbers(found);
+}
+
 // Returns the segments with a marker, each by its start.
 result<std::map<vertex_index, vertex_index>> segments_with(const domain& d, int marker) {
   std::map<vertex_index, vertex_index> leaving;
@@ -121,7 +131,7 @@ result<std::map<vertex_index, vertex_index>> segments_with(const domain& d, int 
     if (!leaving.emplace(one.a, s).second || ++arriving[one.b] > 1)
       return error{"the segments with " + marker_text(marker) + " branch"};
   }
-  if (leaving.empty()) return error{"no segment has " + marker_text(marker)};
+  if (leaving.empty()) return error{"no segment has " + marker_text(marker) + markers_of(d)};
   return leaving;
 }
 

@@ -133,12 +133,16 @@ class Frozen(command.CommandTest):
         self.done("verify", "new.mesh")
 
     def test_what_cannot_be_frozen(self):
-        for words, said in ((("7",), "region 7 has no triangle"), (("nothing",), "names no region 'nothing'"),
+        for words, said in ((("7",), "region 7 has no triangle; the regions there are: 1, 2, 3"),
+                            (("nothing",), "names no region 'nothing'; it names none, and a number is wanted"),
                             (("1", "2", "3"), "all triangles are in frozen regions")):
             options = [w for word in words for w in ("--frozen", word)]
             told = self.done("adapt", "old.mesh", "--solution", "u.sol", "--vertices", "600", *options, "-o", "new.mesh",
                              status=2)
             self.assertIn(said, told)
+        self.write("old.msh", gmsh(self.at, self.triangles))
+        told = self.done("adapt", "old.msh", "--solution", "u.sol", "--frozen", "hub", "-o", "new.mesh", status=2)
+        self.assertIn("names no region 'hub'; it names 'inlet', 'blade row', 'outlet'", told)
         self.assertNotIn("new.mesh", self.files())
 
 

@@ -130,7 +130,7 @@ class Periodic(command.CommandTest):
         self.refuse(SLANTED, ["1,2"], "markers 1 and 2", "their lengths are 1 and 1.03")
         self.refuse(SLANTED.replace("1.25 1", "1.25 2"), ["4,2"], both + "their lengths are ")
         self.refuse(BENT, ["4,2"], both + "the one is not the other shifted or turned: at the image of (-0.25, 0.5), ")
-        self.refuse(SLANTED, ["4,6"], "markers 4 and 6", "no segment has marker 6")
+        self.refuse(SLANTED, ["4,6"], "markers 4 and 6", "no segment has marker 6; the markers there are: 1, 2, 3, 4")
         self.refuse(SLANTED, ["4,4"], "marker 4 is named twice")
         self.refuse(SLANTED, ["4,2", "2,1"], "markers 2 and 1", "marker 2 is named twice")
         self.refuse(SLANTED.replace("3 3 4 3", "3 3 4 4"), ["4,2"], both)
