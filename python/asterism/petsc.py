@@ -76,8 +76,8 @@ def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None,
     else with the vertices, which are kept. Every process calls this; one that fails, or is interrupted, ends the
     call on all of them with its error.
     """
-    comm = dm.comm.tompi4py()
-    part = _together(comm, lambda: _part_of(dm, {"metric": metric, "u": values, "carried": carry}))
+    comm = _comm_of(dm)
+    part = _together(comm, lambda: _part_of(dm, {"metric": metric, "u": values, "carried": carry}, overlap))
     parts = comm.gather(part)
     plan = _on_first(comm, lambda: _adapted(parts, values, carry, metric is not None, wishes))
     made, scattered = plan if comm.rank == 0 else (None, None)
@@ -90,7 +90,7 @@ def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None,
 
 def gathered(dm: Any) -> Optional[Mesh]:
     """The asterism.Mesh of a distributed DMPlex in its one order, on the first process; elsewhere None."""
-    comm = dm.comm.tompi4py()
+    comm = _comm_of(dm)
     parts = comm.gather(_together(comm, lambda: _part_of(dm, {})))
     made: Optional[Mesh] = _on_first(comm, lambda: _mesh_of(_whole_of(parts))[0])
     return made
@@ -159,6 +159,15 @@ def _ending_all(comm: Any) -> Iterator[None]:
 # The part of a process.
 
 
+def _comm_of(dm: Any) -> Any:
+    """Returns the processes that have the dm. Raises an error on each where it is none."""
+    from petsc4py import PETSc
+
+    if not isinstance(dm, PETSc.DMPlex):
+        raise InputError(f"dm: a DMPlex of PETSc is wanted, not {type(dm).__name__}")
+    return dm.comm.tompi4py()
+
+
 def _cones(dm: Any, cells: Tuple[int, int], edges: Tuple[int, int]) -> Tuple[Any, Any]:
     """Returns the edges of each cell and the vertices of each edge, as numbers of points."""
     from petsc4py import PETSc
@@ -189,7 +198,9 @@ def _strata(dm: Any) -> Tuple[Tuple[int, int], Tuple[int, int], Tuple[int, int]]
     return dm.getHeightStratum(0), dm.getDepthStratum(1), dm.getDepthStratum(0)
 
 
-def _part_of(dm: Any, given: Dict[str, Any]) -> _Part:
+def _part_of(dm: Any, given: Dict[str, Any], overlap: Any = 0) -> _Part:
+    if not isinstance(overlap, (int, np.integer)) or overlap < 0:
+        raise InputError(f"overlap: a number of layers of cells from 0 on is wanted, not {overlap!r}")
     cells, edges, vertices = _strata(dm)
     if any(dm.getConeSize(p) != 3 for p in (cells[0], cells[1] - 1) if cells[1] > cells[0]):
         raise InputError("dm: triangles are wanted")

@@ -123,6 +123,12 @@ def run_errors():
     dm = square()
     at = coordinates(dm)
     last = MPI.size - 1
+    for wrong, of in ((dict(dm=None), "DMPlex"), (dict(dm=dm, values=front(at), overlap=-1), "overlap")):
+        try:
+            asterism.petsc.adapt(**wrong)
+            raise AssertionError("no error")
+        except asterism.InputError as error:
+            assert of in str(error)
     told = []
     for arguments in ({"metric": np.ones((2, 3))} if MPI.rank == last else {"metric": (1, 0, 1)},
                       {"values": front(at), "vertices": -1}, {"values": np.full(len(at), float(MPI.rank + 1)) + at[:, 0] * MPI.rank},
