@@ -13,7 +13,7 @@ from ._asterism import InputError
 from ._calls import told, told_methods, warn
 from ._domain import AnyDomain, Domain, as_domain
 from ._forms import (
-    Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, tensor_rows)
+    definite, Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, tensor_rows)
 from ._mesh import Mesh
 from ._meshing import NotReachedWarning, Progress
 from ._page import Before, Page
@@ -38,7 +38,7 @@ def _made_of(what: Any) -> str:
 
 
 def _metrics(given: Sequence[npt.ArrayLike], count: int) -> List[Any]:
-    return [tensor_rows("intersect", one, count) for one in given]
+    return [definite("intersect", tensor_rows("intersect", one, count)) for one in given]
 
 
 @told
@@ -248,7 +248,7 @@ def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike
         raise InputError("values, metric, implied: one of the three says which metric is wanted, not "
                          + ("none" if values is None and metric is None and not implied else "several"))
     if metric is not None:
-        return [], tensor_rows("metric", metric, len(mesh.points))
+        return [], definite("metric", tensor_rows("metric", metric, len(mesh.points)))
     return fields_and_tensors(values) if values is not None else ([], None)
 
 

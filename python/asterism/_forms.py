@@ -91,7 +91,7 @@ def fields_and_tensors(values: Fields) -> Tuple[NamedFields, Optional[Doubles]]:
     if not isinstance(values, Mapping):
         array = doubles("values", values)
         if (array.ndim == 2 and array.shape[1] == 3) or (array.ndim == 3 and array.shape[1:] == (2, 2)):
-            return [], tensor_rows("values", array)
+            return [], definite("values", tensor_rows("values", array))
         if array.ndim != 1 and not (array.ndim == 2 and array.shape[1] in (1, 2)):
             raise InputError("values: one number a point, vectors (n, 2), tensors (n, 3), or a dict of fields by "
                              "name")
@@ -117,8 +117,11 @@ def gradation_of(gradation: Any, of_fields: bool) -> Any:
 
 
 def definite(name: str, rows: Doubles) -> Doubles:
-    """Returns tensors (n, 3) or (3,), all of them positive definite by exact signs."""
-    if rows.size and np.isfinite(rows).all():
+    """Returns tensors (n, 3) or (3,), all of them finite, and positive definite by exact signs."""
+    if rows.size:
+        finite = np.isfinite(np.atleast_2d(rows)).all(axis=1)
+        if not finite.all():
+            raise InputError(f"{name}: row {int(np.argmin(finite))} is not finite")
         wrong = np.flatnonzero(np.atleast_1d(_asterism._is_positive_definite(rows)) == 0)
         if len(wrong):
             m11, m12, m22 = np.atleast_2d(rows)[wrong[0]].tolist()

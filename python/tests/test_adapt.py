@@ -72,7 +72,7 @@ def test_targets_that_cannot_be_met_are_warnings(background):
     (None, {"gradation": "mild"}, "a number above 1 or None"),
     (None, {"hessian": "guess"}, "'lsq' is wanted"),
     (None, {"complexity": 10, "vertices": 10}, "one of"),
-    (None, {"intersect": [np.ones((2, 3))]}, "intersect: 2 tensors"),
+    (None, {"intersect": [np.tile([1, 0, 1], (2, 1))]}, "intersect: 2 tensors"),
 ])
 def test_what_is_refused(background, values, options, message):
     if values is None:

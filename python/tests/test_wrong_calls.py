@@ -25,6 +25,11 @@ def flat(mesh):
 
 
 CALLS = [
+    # Metrics that are none
+    (lambda m: asterism.adapt(m, metric=(1, 0, -1)), "metric: row 0, 1.0 0.0 -1.0, is not positive definite"),
+    (lambda m: asterism.adapt(m, metric=(1, 0, np.nan)), "metric: row 0 is not finite"),
+    (lambda m: asterism.adapt(m, flat(m), intersect=[(1, 2, 1)]), "intersect: row 0, 1.0 2.0 1.0, is not positive"),
+    (lambda m: asterism.metric(m, m.metric * [-1, 0, 1]), "values: row 0, -"),
     # Names and numbers of arguments
     (lambda m: asterism.mesh(), "domain is missing"),
     (lambda m: asterism.mesh(L_SHAPE, sizes=0.1), "no argument 'sizes'; did you mean size"),
