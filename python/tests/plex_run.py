@@ -100,6 +100,15 @@ def run_adapt(is_distributed=True):
                 "vertices": len(found.points), "share": share, "reached": made.report["reached"], **measures(found)}
 
 
+def run_blocks():
+    """As many vertices as are meshed in blocks, by as many threads as the last word says."""
+    dm = square()
+    made = asterism.petsc.adapt(dm, values=front(coordinates(dm)), vertices=6000, threads=int(sys.argv[2]))
+    found = whole(made.dm)
+    if MPI.rank == 0:
+        return {"digest": digest(found), "vertices": len(found.points), "certified": made.asterism.certified}
+
+
 def run_undistributed():
     """All of the mesh is on the first process; others have none of it."""
     return run_adapt(False)
@@ -172,7 +181,7 @@ def run_page():
 
 if __name__ == "__main__":
     jobs = {"adapt": run_adapt, "undistributed": run_undistributed, "metric": run_metric, "errors": run_errors,
-            "page": run_page, "built": run_built}
+            "page": run_page, "built": run_built, "blocks": run_blocks}
     told = jobs[sys.argv[1]]()
     if MPI.rank == 0:
         print(json.dumps(told))

@@ -48,6 +48,13 @@ def test_the_same_mesh_on_any_number_of_processes():
     assert overlapped["digest"] == alone["digest"]
 
 
+def test_the_same_mesh_in_blocks_for_any_number_of_threads():
+    alone = run(1, "blocks", "1")
+    assert alone["certified"] and alone["vertices"] > 5000
+    for processes, threads in ((1, "7"), (2, "2"), (3, "7"), (4, "2")):
+        assert run(processes, "blocks", threads) == alone
+
+
 def test_a_mesh_that_is_on_one_process_alone():
     assert run(3, "undistributed")["digest"] == run(1, "adapt")["digest"]
 
