@@ -3,12 +3,9 @@
 // Finds the triangle on the left of a directed edge, and decides which edges lie between regions.
 #pragma once
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,18 +21,26 @@ class triangle_sides {
     vertex_index triangle;  // on the left
   };
 
-  explicit triangle_sides(const mesh& m) {
-    sides_.reserve(3 * m.triangles.size());
-    for (vertex_index t = 0; t < m.triangles.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i)
-        sides_.push_back({{m.triangles[t][i], m.triangles[t][(i + 1) % 3]}, t});
-    tbb::parallel_sort(sides_.begin(), sides_.end(), [](const side& p, const side& q) {
-      return key(p.ends) != key(q.ends) ? key(p.ends) < key(q.ends) : p.triangle < q.triangle;
-    });
+  explicit triangle_sides(const mesh& m) : sides_(3 * m.triangles.size()) {
+    vertex_index most = 0;
+    for (const triangle& t : m.triangles) most = std::max({most, t[0], t[1], t[2]});
     if (sides_.empty()) return;
-    first_.assign(std::size_t{sides_.back().ends[0]} + 2, 0);
-    for (const side& s : sides_) ++first_[s.ends[0] + std::size_t{1}];
+    // Distributes the sides by their first ends, then sorts the few of each.
+    first_.assign(std::size_t{most} + 2, 0);
+    for (const triangle& t : m.triangles)
+      for (const vertex_index v : t) ++first_[v + std::size_t{1}];
     for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (vertex_index t = 0; t < m.triangles.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const vertex_index a = m.triangles[t][i];
+        sides_[next[a]++] = {{a, m.triangles[t][(i + 1) % 3]}, t};
+      }
+    for (std::size_t v = 0; v + 1 < first_.size(); ++v)
+      std::sort(sides_.data() + first_[v], sides_.data() + first_[v + 1],
+                [](const side& p, const side& q) {
+                  return p.ends[1] != q.ends[1] ? p.ends[1] < q.ends[1] : p.triangle < q.triangle;
+                });
   }
 
   const std::vector<side>& all() const { return sides_; }
@@ -64,9 +69,6 @@ class triangle_sides {
   }
 
  private:
-  static std::uint64_t key(const std::array<vertex_index, 2>& ends) {
-    return std::uint64_t{ends[0]} << 32U | ends[1];
-  }
   // Returns the sides that begin at a vertex.
   std::span<const side> from(vertex_index a) const {
     if (std::size_t{a} + 1 >= first_.size()) return {};
