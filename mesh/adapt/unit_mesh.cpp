@@ -179,7 +179,6 @@ void unit_mesher::fit(double tolerable) {
     constexpr double least = 0.8, most = 1.6, power = 0.75;
     crowding_ = std::clamp(crowding_ * quick_exp(power * quick_log(ratio)), least, most);
   }
-  if (options_.count > 0) meet_count();
 }
 
 void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
@@ -187,7 +186,8 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
   forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) measure(v);
   seed(seeds);
-  // Accepts a count that is off by a few percent here, as the mesh is fitted again.
+  // Leaves the count off by a few percent, as the mesh is fitted again: merging the shortest edges
+  // for the last of them is mostly in vain here.
   constexpr double tolerable = 0.05;
   fit(tolerable);
 }
@@ -202,6 +202,7 @@ void unit_mesher::refit(metric_at field) {
   crowding_ = std::sqrt(crowding_);
   constexpr double tolerable = 0.015;
   fit(tolerable);
+  if (options_.count > 0) meet_count();
 }
 
 void unit_mesher::meet_count(metric_at field) {
