@@ -36,14 +36,14 @@ void background_metric::set_tensors(std::vector<metric_tensor> tensors) {
                   });
 }
 
-metric_tensor background_metric::mean(const triangle_locator::located& where) const {
+tensor_logarithm background_metric::mean_logarithm(const triangle_locator::located& where) const {
   const triangle& t = locator_->triangles()[where.triangle];
   const auto& w = where.weights;
   double sum = 0;
   for (const double x : w) sum += x;
   tensor_logarithm l;
   for (std::size_t i = 0; i < 3; ++i) add_weighted(w[i] / sum, logarithms_[t[i]], l);
-  return exponential(l);
+  return l;
 }
 
 metric_tensor background_metric::at(const point& q) const {
@@ -72,7 +72,7 @@ triangle_locator::located background_metric::nearby(const point& q, vertex_index
 metric_tensor background_metric::at(const point& q, vertex_index& hint) const {
   const triangle_locator::located where = nearby(q, hint);
   hint = where.triangle;
-  return mean(where);
+  return quick_exponential(mean_logarithm(where));
 }
 
 triangle background_metric::nodes_around(const point& q, vertex_index& hint) const {

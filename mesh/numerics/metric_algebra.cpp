@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
+#include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/numerics/scaled_tensor.hpp"
 
 namespace asterism::internal {
@@ -53,6 +54,17 @@ decomposition decompose(double m11, double m12, double m22) {
   return {mean + radius, mean - radius, c, s};
 }
 
+template <class Exp>
+metric_tensor exponential_by(const Exp& exp, const tensor_logarithm& l) {
+  // Raises a weak eigenvalue that may come out negative: entries have errors of three roundings, so
+  // that of the determinant is at most 2^-51 of the square of the strong eigenvalue.
+  constexpr double thinnest = 0x1p-48;
+  const decomposition d = decompose(l.l11, l.l12, l.l22);
+  const double high = exp(d.high), low = std::max(exp(d.low), high * thinnest);
+  return {high * (d.c * d.c) + low * (d.s * d.s), (high - low) * (d.c * d.s),
+          high * (d.s * d.s) + low * (d.c * d.c)};
+}
+
 }  // namespace
 
 tensor_logarithm logarithm(const metric_tensor& m) {
@@ -67,16 +79,9 @@ tensor_logarithm logarithm(const metric_tensor& m) {
   return {low_log + step * (d.c * d.c), step * (d.c * d.s), low_log + step * (d.s * d.s)};
 }
 
-metric_tensor exponential(const tensor_logarithm& l) {
-  // Raises a weak eigenvalue that may come out negative: entries have errors of three roundings, so
-  // that of the determinant is at most 2^-51 of the square of the strong eigenvalue.
-  constexpr double thinnest = 0x1p-48;
-  const decomposition d = decompose(l.l11, l.l12, l.l22);
-  const double high = elementary::exp(d.high),
-               low = std::max(elementary::exp(d.low), high * thinnest);
-  return {high * (d.c * d.c) + low * (d.s * d.s), (high - low) * (d.c * d.s),
-          high * (d.s * d.s) + low * (d.c * d.c)};
-}
+metric_tensor exponential(const tensor_logarithm& l) { return exponential_by(elementary::exp, l); }
+
+metric_tensor quick_exponential(const tensor_logarithm& l) { return exponential_by(quick_exp, l); }
 
 double difference(const tensor_logarithm& a, const tensor_logarithm& b) {
   const decomposition d = decompose(a.l11 - b.l11, a.l12 - b.l12, a.l22 - b.l22);
