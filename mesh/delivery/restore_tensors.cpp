@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "asterism/kernels/star_gap.hpp"
@@ -194,17 +195,29 @@ class giver {
   std::size_t least_found_ = std::numeric_limits<std::size_t>::max();  // when mended
 };
 
-// Lists the nodes of all faces at gaps of unknown reach, a list for each gap.
-std::vector<node_list> nodes_at_unknown_reach(const adapting::working_mesh& m) {
+// Lists the faces with one of these nodes, in order.
+node_list faces_with(const adapting::working_mesh& m, const node_list& nodes) {
+  std::vector<char> is_one(m.nodes().size(), 0);
+  for (const vertex_index v : nodes) is_one[v] = 1;
+  node_list faces;
+  for (vertex_index t = 0; t < m.faces().size(); ++t) {
+    const adapting::face& f = m.faces()[t];
+    if (f.exists() && is_one[f.v[0]] + is_one[f.v[1]] + is_one[f.v[2]] > 0) faces.push_back(t);
+  }
+  return faces;
+}
+
+// Lists the nodes of those of the faces that are at gaps of unknown reach, a list for each gap.
+std::vector<node_list> nodes_at_unknown_reach(const adapting::working_mesh& m, const node_list& faces) {
   constexpr std::size_t chunk = 2048;
-  const auto append = [&m](std::size_t begin, std::size_t end, std::vector<node_list>& found) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const adapting::face& f = m.faces()[t];
-      for (std::size_t i = 0; f.exists() && i < 3; ++i)
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<node_list>& found) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const adapting::face& f = m.faces()[faces[k]];
+      for (std::size_t i = 0; i < 3; ++i)
         if (has_unknown_reach(m, f, i)) found.push_back({f.v.begin(), f.v.end()});
     }
   };
-  return collect_chunks<node_list>(m.faces().size(), chunk, append);
+  return collect_chunks<node_list>(faces.size(), chunk, append);
 }
 
 }  // namespace
@@ -213,13 +226,18 @@ void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreein
                 const cancellation& stop) {
   constexpr int rounds = 2;
   constexpr std::size_t few = 20;  // one node in this number
+  node_list faces(m.faces().size());
+  std::iota(faces.begin(), faces.end(), vertex_index{0});
+  std::erase_if(faces, [&m](vertex_index t) { return !m.faces()[t].exists(); });
   for (int round = 0; round < rounds && !stop.is_requested(); ++round) {
-    const std::vector<node_list> found = nodes_at_unknown_reach(m);
-    m.note_looked_at(work_weights::faces_for_three_gaps * m.faces().size());
+    const std::vector<node_list> found = nodes_at_unknown_reach(m, faces);
+    m.note_looked_at(work_weights::faces_for_three_gaps * faces.size());
     m.charge_work(stop);
     if (found.empty() || few * found.size() > m.count()) return;
+    const adapting::working_mesh before = m;
     for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
     agreeing.run();
+    faces = faces_with(m, changes_of(before, m).nodes);  // the reach at others is known
   }
 }
 
