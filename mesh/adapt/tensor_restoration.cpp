@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
@@ -19,13 +20,20 @@ bool has_room(double now, double before) {
   return now >= std::min(clearance_kept, before > 0 ? before / 2 : before);
 }
 
-// Returns the tensor at `share` of the way from a to b, interpolated by logarithms.
-metric_tensor between(const metric_tensor& a, const metric_tensor& b, double share) {
-  const tensor_logarithm from = logarithm(a), to = logarithm(b);
-  const double rest = 1 - share;
-  return exponential({rest * from.l11 + share * to.l11, rest * from.l12 + share * to.l12,
-                      rest * from.l22 + share * to.l22});
-}
+// The way from one tensor to another, interpolated by logarithms.
+struct tensor_way {
+  tensor_way(const metric_tensor& a, const metric_tensor& b)
+      : from(logarithm(a)), to(logarithm(b)) {}
+
+  // Returns the tensor at `share` of the way.
+  metric_tensor at(double share) const {
+    const double rest = 1 - share;
+    return exponential({rest * from.l11 + share * to.l11, rest * from.l12 + share * to.l12,
+                        rest * from.l22 + share * to.l22});
+  }
+
+  tensor_logarithm from, to;
+};
 
 bool is_usable(const metric_tensor& m) {
   return std::isfinite(m.m11) && std::isfinite(m.m22) && plain_root_of_determinant(m) > 0;
@@ -100,9 +108,11 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
   constexpr double short_way = 0.01;
   const bool is_short = whole_alone || !(log_distortion(now, wanted_[v]) > short_way);
   bool is_measured = false;
+  std::optional<tensor_way> way;
   for (const double share : {1.0, 0.5, 0.2}) {
     if (share < 1 && is_short) break;
-    const metric_tensor tried = share < 1 ? between(now, wanted_[v], share) : wanted_[v];
+    if (share < 1 && !way) way.emplace(now, wanted_[v]);
+    const metric_tensor tried = share < 1 ? way->at(share) : wanted_[v];
     if (!is_usable(tried)) continue;
     m_.set_metric(v, tried);
     if (has_low_around(v)) continue;
