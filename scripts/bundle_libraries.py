@@ -14,6 +14,7 @@ import hashlib
 import pathlib
 import re
 import shutil
+import stat
 import subprocess
 import sys
 import tempfile
@@ -106,6 +107,14 @@ def age_of(files: list[pathlib.Path]) -> tuple[int, int]:
     return max(versions)  # type: ignore[return-value]
 
 
+def entry_of(path: pathlib.Path, tree: pathlib.Path) -> zipfile.ZipInfo:
+    """Returns the head of a file's entry. All have one date, so that two builds of the same sources are equal."""
+    entry = zipfile.ZipInfo(path.relative_to(tree).as_posix(), date_time=(1980, 1, 1, 0, 0, 0))
+    entry.external_attr = (stat.S_IFREG | (0o755 if ".so" in path.name else 0o644)) << 16
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    return entry
+
+
 def write_wheel(tree: pathlib.Path, wheel: pathlib.Path) -> None:
     info = next(tree.glob("*.dist-info"))
     record = info / "RECORD"
@@ -117,7 +126,7 @@ def write_wheel(tree: pathlib.Path, wheel: pathlib.Path) -> None:
     record.write_text("".join(rows) + f"{record.relative_to(tree).as_posix()},,\n", encoding="utf-8")
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in [*files, record]:
-            archive.write(path, path.relative_to(tree).as_posix())
+            archive.writestr(entry_of(path, tree), path.read_bytes())
 
 
 def main(plain: pathlib.Path, folder: pathlib.Path) -> None:
