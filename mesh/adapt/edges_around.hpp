@@ -31,13 +31,15 @@ class edges_around {
   // Returns the faces around the node.
   const face_list& faces() const { return at_; }
 
-  // Computes the centre of each face across from the node, except across segments.
+  // Computes the centre of each face across from the node, except across segments, until a call
+  // returns false.
   template <class Visit>
   void visit_centres_across(const Visit& visit) {
     for (std::size_t k = 0; k < at_.size(); ++k) {
       const face& f = m_.faces()[at_[k]];
       const std::size_t i = f.corner_of(v_);
-      if (f.next[i] != none && f.segment[i] == none) visit(present_.of(f.next[i]));
+      if (f.next[i] == none || f.segment[i] != none) continue;
+      if (!visit(present_.of(f.next[i]))) return;
     }
   }
   // Stores the present clearances, of the node as the mesh has it, to be compared with later ones.

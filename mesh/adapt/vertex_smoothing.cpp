@@ -41,6 +41,20 @@ double defect(double beyond) {
 
 }  // namespace
 
+struct vertex_smoothing::side_products {
+  metric_tensor uu, uw, ww;  // the products of the two coordinates are doubled
+  double twice;              // area
+
+  // Returns the greatest of the cotangents, times an area that is measured by a tensor.
+  double greatest(const metric_tensor& m) const {
+    const auto measured = [&m](const metric_tensor& p) {
+      return m.m11 * p.m11 + m.m12 * p.m12 + m.m22 * p.m22;
+    };
+    const double u = measured(uu), w = measured(ww), inner = measured(uw);
+    return std::max({inner, u - inner, w - inner});
+  }
+};
+
 vertex_smoothing::vertex_smoothing(working_mesh& m, double angle_bound, double unit,
                                    wanted_at wanted)
     : m_(m),
@@ -67,13 +81,15 @@ vertex_smoothing::wanted_tensor vertex_smoothing::look_up(const point& q,
 // at most 14 % (docs/design/adaptation.md).
 bool vertex_smoothing::is_in_vain() const {
   constexpr std::size_t part = 6;
-  const double least = cotangent_of(angle_bound_ / 2) - cotangent_;
+  const double most = cotangent_of(angle_bound_ / 2);
   m_.note_looked_at(m_.faces().size());
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
     for (std::size_t t = begin; t < end; ++t) {
       if (!m_.faces()[t].exists()) continue;
+      const side_products sides = sides_of(static_cast<vertex_index>(t));
       for (const vertex_index u : m_.faces()[t].v)
-        if (excess_of(static_cast<vertex_index>(t), u) > least) found.push_back(u);
+        if (sides.greatest(wanted_[u].metric) > most * wanted_[u].root * sides.twice)
+          found.push_back(u);
     }
   };
   constexpr std::size_t chunk = 4096;
@@ -116,8 +132,7 @@ void vertex_smoothing::find_defect_free() {
       const node_kind kind = m_.at(v).kind;
       if (kind != node_kind::free && kind != node_kind::sliding) continue;
       at.turn_to(v);
-      const double now = defect_of_others(at, v, infinity) + defect_of_own(at, v);
-      is_defect_free_[v] = now > 0 ? 0 : 1;
+      is_defect_free_[v] = present_defect(at, v) > 0 ? 0 : 1;
     }
   });
 }
@@ -137,64 +152,60 @@ void vertex_smoothing::unmark_around(vertex_index v) {
   }
 }
 
-template <class Answer>
-double vertex_smoothing::excess_as(vertex_index t, vertex_index by, const Answer& answer) const {
+vertex_smoothing::side_products vertex_smoothing::sides_of(vertex_index t) const {
   const face& f = m_.faces()[t];
   const point &a = m_.at(f.v[0]).position, &b = m_.at(f.v[1]).position, &c = m_.at(f.v[2]).position;
-  const metric_tensor& m = wanted_[by].metric;
   const double ux = b.x - a.x, uy = b.y - a.y, wx = c.x - a.x, wy = c.y - a.y;
-  const double uu = squared(m, ux, uy), ww = squared(m, wx, wy),
-               uw = ux * (m.m11 * wx + m.m12 * wy) + uy * (m.m12 * wx + m.m22 * wy);
-  const double area = wanted_[by].root * (ux * wy - uy * wx);
-  return answer(std::max({uw, uu - uw, ww - uw}), area);
+  const double across = ux * wy, back = uy * wx;
+  return {{ux * ux, 2 * ux * uy, uy * uy},
+          {ux * wx, across + back, uy * wy},
+          {wx * wx, 2 * wx * wy, wy * wy},
+          across - back};
 }
 
-// Returns the excess of the greatest cotangent of the face's angles over the one without defect, in
-// the wanted tensor of a node.
-double vertex_smoothing::excess_of(vertex_index t, vertex_index by) const {
-  return excess_as(t, by,
-                   [this](double greatest, double area) { return greatest / area - cotangent_; });
-}
-
-// Most angles are above the aim by a wide margin, which is decided without a division. Products and
-// quotient have relative rounding errors of some 1e-16.
-double vertex_smoothing::defect_of(vertex_index t, vertex_index by) const {
+// Returns the defect of a face's angles in the wanted tensor of a node: of the excess of their
+// greatest cotangent over the one without defect. Most angles are above the aim by a wide margin,
+// which is decided without a division. Products and quotient have relative rounding errors of some
+// 1e-16.
+double vertex_smoothing::defect_of(const side_products& sides, vertex_index by) const {
   constexpr double roundings = 1e-12;
-  return excess_as(t, by, [this](double greatest, double area) {
-    const bool is_surely_wide = greatest < (1 - roundings) * cotangent_ * area;
-    return is_surely_wide ? 0 : defect(greatest / area - cotangent_);
-  });
+  const double greatest = sides.greatest(wanted_[by].metric), area = wanted_[by].root * sides.twice;
+  const bool is_surely_wide = greatest < (1 - roundings) * cotangent_ * area;
+  return is_surely_wide ? 0 : defect(greatest / area - cotangent_);
 }
 
-// Returns the defect of the faces around the node in the wanted tensors of their other nodes.
-// Returns a number no less than `most` once the sum reaches that, or where a face does not turn
-// left.
+// Returns the defect of the faces around the node in the wanted tensors of their other nodes. Ends
+// once the sum reaches `most`.
 double vertex_smoothing::defect_of_others(const edges_around& at, vertex_index v,
                                           double most) const {
   double sum = 0;
   for (const vertex_index t : at.faces()) {
     const face& f = m_.faces()[t];
     const std::size_t i = f.corner_of(v);
-    const vertex_index a = f.v[after(i)], b = f.v[before(i)];
-    if (!turns_left(m_.at(v).position, m_.at(a).position, m_.at(b).position)) return infinity;
-    sum += defect_of(t, a) + defect_of(t, b);
+    const side_products sides = sides_of(t);
+    sum += defect_of(sides, f.v[after(i)]) + defect_of(sides, f.v[before(i)]);
     if (!(sum < most)) break;
   }
   return sum;
 }
 
-// Returns the defect of the faces at the node plus that of the opposite faces towards
-// it.
-double vertex_smoothing::defect_of_own(edges_around& at, vertex_index v) const {
+// Returns the defect of the faces at the node plus that of the opposite faces towards it. Ends once
+// the sum reaches `most`.
+double vertex_smoothing::defect_of_own(edges_around& at, vertex_index v, double most) const {
   constexpr double weight_of_clearance = 2;
   double sum = 0;
-  for (const vertex_index t : at.faces()) sum += defect_of(t, v);
+  for (const vertex_index t : at.faces()) sum += defect_of(sides_of(t), v);
   node there = m_.at(v);
   there.metric = wanted_[v].metric;
   at.visit_centres_across([&](const face_centre& c) {
     sum += weight_of_clearance * defect(room_looked_for - clearance(c, there));
+    return sum < most;
   });
   return sum;
+}
+
+double vertex_smoothing::present_defect(edges_around& at, vertex_index v) const {
+  return defect_of_others(at, v, infinity) + defect_of_own(at, v, infinity);
 }
 
 // Returns the energy of the faces around the node: the one to which the mesh was fitted.
@@ -213,12 +224,13 @@ double vertex_smoothing::energy() const {
 void vertex_smoothing::find_better_places(vertex_index v) {
   constexpr double weight_of_energy = 4;
   better_.clear();
-  const double now = defect_of_others(edges_, v, infinity) + defect_of_own(edges_, v);
+  const double now = present_defect(edges_, v);
   if (!(now > 0)) return;
   const double energy_now = energy();
   const node here = m_.at(v);
   const wanted_tensor wanted_here = wanted_[v];
   const unit_displacements unit = unit_circle(here.metric);
+  m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
   m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
   for (const double step : {0.15, 0.05})
     for (const point& d : directions) {
@@ -232,8 +244,9 @@ void vertex_smoothing::find_better_places(vertex_index v) {
       if (!(then < now)) continue;
       vertex_index hint = here.hint;
       wanted_[v] = look_up(to, hint);
-      then += defect_of_own(edges_, v);
+      then += defect_of_own(edges_, v, now - then);
       if (!(then < now)) continue;
+      // The energy is infinite where a face turns over, though its defect is finite.
       then += weight_of_energy * (energy() - energy_now);
       if (then < now) better_.push_back({to, wanted_[v], hint, then});
     }

@@ -53,14 +53,14 @@ class vertex_smoothing {
   void find_defect_free();
   void unmark_around(vertex_index v);
   wanted_tensor look_up(const point& q, vertex_index& hint) const;
-  // Calls answer(greatest, area): their quotient is the greatest cotangent of the face's angles, in
-  // the wanted tensor of node `by`.
-  template <class Answer>
-  double excess_as(vertex_index t, vertex_index by, const Answer& answer) const;
-  double excess_of(vertex_index t, vertex_index by) const;
-  double defect_of(vertex_index t, vertex_index by) const;
+  // Products of coordinates of two sides u and w of a face: all that the angles in a tensor depend
+  // on.
+  struct side_products;
+  side_products sides_of(vertex_index t) const;
+  double defect_of(const side_products& sides, vertex_index by) const;
   double defect_of_others(const edges_around& at, vertex_index v, double most) const;
-  double defect_of_own(edges_around& at, vertex_index v) const;
+  double defect_of_own(edges_around& at, vertex_index v, double most) const;
+  double present_defect(edges_around& at, vertex_index v) const;
   double energy() const;
   void find_better_places(vertex_index v);
   bool stretches_edge(vertex_index v, const point& here, const place& there) const;
