@@ -53,23 +53,21 @@ struct measured_direction {
   sized_value squared;
 };
 
-// Returns the neighbour's contribution to R of lemma 4.3: infinite if the bound of section 4.2 is
-// not certainly positive, or the angle between u and the direction of z not certainly below 90
-// degrees.
-double reach_beside(const site& v, const measured_ray& z, const measured_direction& to) {
+// Returns the lower bound of section 4.2 in the direction of u; 0 if it is not certainly
+// positive, or the angle between u and the direction of z not certainly below 90 degrees.
+double bound_beside(const site& v, const measured_ray& z, const measured_direction& to) {
   const point &u = to.u, &d = z.way;
   const metric_tensor &own = v.metric, &other = z.end->metric;
-  if (!(inner_product(u, z.dual, z.extent, own.m11 + own.m22).below() > 0)) return infinity;
+  if (!(inner_product(u, z.dual, z.extent, own.m11 + own.m22).below() > 0)) return 0;
   const double turned =
       std::abs(cross(u, d)) + cross_error * (std::abs(u.x * d.y) + std::abs(u.y * d.x));
   const double radicand = to.squared.value * narrowed - z.bend * (turned * turned) * widened;
-  if (!(radicand > 0)) return infinity;
+  if (!(radicand > 0)) return 0;
   const double along =
       inner_product(u, apply(other, d), z.extent, other.m11 + other.m22).below() * z.inverse_c;
   const double bound =
       along - 0x1p-20 * std::abs(along) + std::sqrt(radicand) * z.inverse_root_c * narrowed;
-  if (!(bound > 0)) return infinity;
-  return std::max(std::sqrt(to.squared.value) / bound, z.on_edge) * (widened * widened);
+  return bound > 0 ? bound : 0;
 }
 
 // Completes a ray whose end and `way` are set: adds the squares of its length in the metrics of
@@ -83,7 +81,9 @@ void measure(measured_ray& ray, const metric_tensor& metric, double determinant,
   ray.inverse_c = 1 / c;
   ray.inverse_root_c = std::sqrt(ray.inverse_c);
   ray.bend = std::max(other_determinant * ray.inverse_c, determinant / own) * widened;
-  ray.on_edge = std::max(ray.length / (1 + ray.length * ray.inverse_root_c), 0.5 * ray.length);
+  ray.share = 1 / (1 + ray.length * ray.inverse_root_c) * (widened * widened);
+  ray.on_way = ray.length * ray.share * widened;
+  ray.on_edge = std::max(ray.on_way, 0.5 * ray.length) * widened;
 }
 
 point minus(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
@@ -108,13 +108,27 @@ measured_ray quick_reaches::ray_to(const site& neighbour) const {
   return ray;
 }
 
-double quick_reaches::between(const measured_ray& x, const measured_ray& y) const {
-  if (!(x.is_known && y.is_known && cross(x.way, y.way) > 0)) return infinity;
-  const point u = towards_vertex(v_, *x.end, *y.end, x.way, y.way);
+gap_bound quick_reaches::between(const measured_ray& x, const measured_ray& y) const {
+  if (!(x.is_known && y.is_known && cross(x.way, y.way) > 0)) return {infinity, {}};
+  return along(towards_vertex(v_, *x.end, *y.end, x.way, y.way), x, y);
+}
+
+// Takes the direction midway between x and y, each divided by its length as it measures itself:
+// that of the vertex need not be within a right angle of both.
+gap_bound quick_reaches::midway(const measured_ray& x, const measured_ray& y) const {
+  if (!(x.is_known && y.is_known && cross(x.way, y.way) > 0)) return {infinity, {}};
+  return along({x.inverse_root_c * x.way.x + y.inverse_root_c * y.way.x,
+                x.inverse_root_c * x.way.y + y.inverse_root_c * y.way.y},
+               x, y);
+}
+
+gap_bound quick_reaches::along(const point& u, const measured_ray& x, const measured_ray& y) const {
   const measured_direction to{u, sized_square_norm(v_.metric, u)};
-  if (!is_known(to.squared)) return infinity;
-  const double by_x = reach_beside(v_, x, to), by_y = reach_beside(v_, y, to);
-  return by_x > by_y ? by_x : by_y;
+  if (!is_known(to.squared)) return {infinity, {}};
+  const double bound = std::min(bound_beside(v_, x, to), bound_beside(v_, y, to));
+  if (!(bound > 0)) return {infinity, {}};
+  const double length = std::sqrt(to.squared.value) / bound * (widened * widened);
+  return {std::max({length, x.on_edge, y.on_edge}), {{u.x / bound, u.y / bound}, length}};
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/audit/star_outline.hpp"
 
 namespace asterism::internal::audit_detail {
 
@@ -17,8 +18,18 @@ struct measured_ray {
   double inverse_c = 0;  // 1 over the square of the length as the neighbour measures
   double inverse_root_c = 0;
   double bend = 0;     // of the bound of 4.2
-  double on_edge = 0;  // how far the bisector on the way is at most, and half the way
+  double share = 0;    // of the way, up to the bisector on it, at most
+  double on_way = 0;   // how far that is at most
+  double on_edge = 0;  // the greater of that and half the way
   bool is_known = false;
+};
+
+// How far sites matter to a gap: all points that may show a site accepted are within `reach` of v,
+// and in the kite of v, `vertex` and the shares of the ways to both neighbours
+// (docs/math/certificate.md, 4.3). An infinite reach: nothing is known.
+struct gap_bound {
+  double reach;
+  outline_point vertex;
 };
 
 // Bounds the reaches of the gaps of v's star, which must outlive it.
@@ -28,11 +39,16 @@ class quick_reaches {
 
   measured_ray ray_to(const site& neighbour) const;
   // Returns R of lemma 4.3 (docs/math/certificate.md) for the gap from x counter-clockwise to y, in
-  // v's metric, with the lower bounds of 4.2; infinite where plain doubles prove none. Requires
-  // distinct sites with positive definite metrics.
-  double between(const measured_ray& x, const measured_ray& y) const;
+  // v's metric, and the kite, with the lower bounds of 4.2; an infinite reach where plain doubles
+  // prove none. Requires distinct sites with positive definite metrics.
+  gap_bound between(const measured_ray& x, const measured_ray& y) const;
+  // Returns another bound, which may be known where that is not.
+  gap_bound midway(const measured_ray& x, const measured_ray& y) const;
 
  private:
+  // Returns the bound by those of 4.2 in the direction u.
+  gap_bound along(const point& u, const measured_ray& x, const measured_ray& y) const;
+
   const site& v_;
   double determinant_;
   bool is_known_;
@@ -41,7 +57,7 @@ class quick_reaches {
 // Returns the reach of one gap alone.
 inline double quick_reach(const site& v, const site& x, const site& y) {
   const quick_reaches reaches(v);
-  return reaches.between(reaches.ray_to(x), reaches.ray_to(y));
+  return reaches.between(reaches.ray_to(x), reaches.ray_to(y)).reach;
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -242,13 +242,56 @@ site_tree::centre site_tree::centre_of(const site& v, double reach) {
   return one;
 }
 
-site_tree::centre site_tree::centre_with_covectors(const site& v, double reach) {
-  centre one = centre_of(v, reach);
-  one.length = lengths_of(v.metric, inverse_determinant_above(v.metric));
-  const double x = v.position.x, y = v.position.y;
+site_tree::centre site_tree::centre_with_covectors(const reaching& star) {
+  centre one = centre_of(star.v, star.reach);
+  const auto& [x, y] = star.v.position;
   one.value = {x, y, x + y, x - y};
   one.lost = step * (std::abs(x) + std::abs(y));
+  one.length = lengths_of(star.v.metric, inverse_determinant_above(star.v.metric));
+  one.outline = star.outline;
   return one;
+}
+
+// Without an outline, sites matter up to (|g|_v + max(|g|_v, |g|_w)) R.
+site_tree::reaches_along site_tree::reaches_of(const reaching& star, const centre& one) {
+  reaches_along all;
+  for (std::size_t k = 0; k < covectors; ++k) {
+    const double own = one.length[k], twice = 2 * own * star.reach;
+    if (star.outline != nullptr)
+      all[k] = reach_in(*star.outline, k, own);
+    else
+      all[k].fill({twice, 0, own, twice, star.reach});
+  }
+  return all;
+}
+
+// The greatest g . p + l length(p) of all points is a convex function of the length l: below the
+// chord from 0 to `own`, and from there on below a line as steep as the greatest length.
+site_tree::both_ways site_tree::reach_in(const star_outline& outline, std::size_t covector,
+                                         double own) {
+  reach_along forth, back;
+  if (!(own < infinity)) return {forth, back};
+  forth.none = back.none = forth.at_own = back.at_own = 0;
+  forth.own = back.own = own;
+  double lost = 0;
+  outline.visit([&](const outline_point& p) {
+    const auto& [at, length] = p;
+    const by_covector values{at.x, at.y, at.x + at.y, at.x - at.y};
+    const double value = values[covector], more = own * length;
+    lost = std::max(lost, step * (std::abs(at.x) + std::abs(at.y)));
+    forth.none = std::max(forth.none, value);
+    back.none = std::max(back.none, -value);
+    forth.at_own = std::max(forth.at_own, value + more);
+    back.at_own = std::max(back.at_own, more - value);
+    forth.steep = std::max(forth.steep, length);
+  });
+  back.steep = forth.steep;
+  for (reach_along* one : {&forth, &back}) {
+    one->none += lost;
+    one->at_own += lost;
+    one->rise = std::max(0.0, (one->at_own - one->none) / own);
+  }
+  return {forth, back};
 }
 
 // With B the first star's metric and tau^2 the spread, |g|_v <= tau |g|_B. The lemma holds with tau
@@ -259,11 +302,12 @@ std::optional<site_tree::centre> site_tree::centre_of(const std::vector<reaching
   centre all = centre_of(stars.front().v, 0);
   const tensor<bounded> b = tensor_of_doubles(all.metric);
   const bounded inverse = bounded(1) / b.determinant();
-  for (const auto& [v, reach] : stars) {
+  for (const reaching& star : stars) {
+    const site& v = star.v;
     const point& q = v.position;
     all.low = {std::min(all.low.x, q.x), std::min(all.low.y, q.y)};
     all.high = {std::max(all.high.x, q.x), std::max(all.high.y, q.y)};
-    all.reach = std::max(all.reach, reach);
+    all.reach = std::max(all.reach, star.reach);
     const tensor<bounded> m = tensor_of_doubles(v.metric);
     const bounded determinant = m.determinant() * inverse;
     const double greatest =
@@ -291,10 +335,56 @@ bool site_tree::gather(const std::vector<reaching>& stars, nearby_sites& nearby,
   nearby.leaves.clear();
   const std::optional<centre> all = centre_of(stars);
   if (!all) return false;
-  visit_leaves(*all, 0, [&](std::size_t leaf) { nearby.leaves.push_back(leaf); });
-  nearby.are_usable = covector_bounds_.empty() || nearby.leaves.size() <= most_leaves;
-  if (nearby.are_usable) list_sites(*all, nearby);
+  const bool may_be_many = !has_covectors();
+  visit_leaves(*all, 0, [&](std::size_t leaf) {
+    nearby.leaves.push_back(leaf);
+    return may_be_many || nearby.leaves.size() <= most_leaves;
+  });
+  if (!may_be_many && nearby.leaves.size() > most_leaves) return false;
+  list_sites(*all, nearby);
   return true;
+}
+
+bool site_tree::gather(const std::vector<reaching>& stars, nearby_leaves& nearby) const {
+  if (!has_covectors() || stars.empty()) return false;
+  nearby.centres.clear();
+  nearby.along.clear();
+  nearby.leaves.clear();
+  nearby.along.reserve(stars.size() + 1);
+  for (const reaching& star : stars) {
+    centre& one = nearby.centres.emplace_back(centre_with_covectors(star));
+    one.along = &nearby.along.emplace_back(reaches_of(star, one));
+  }
+  centre all = centre_of(stars.front().v, infinity);
+  all.value = nearby.centres.front().value;
+  all.lost = nearby.centres.front().lost;
+  all.along = &nearby.along.emplace_back(joined(nearby));
+  visit_leaves(all, 0, [&](std::size_t leaf) { nearby.leaves.push_back(leaf); });
+  return true;
+}
+
+// Takes values relative to the first star's, so that the greatest is not negative. Each star's
+// bound is a convex function of the dual length.
+site_tree::reaches_along site_tree::joined(const nearby_leaves& stars) {
+  const centre& first = stars.centres.front();
+  reaches_along all;
+  for (std::size_t k = 0; k < covectors; ++k)
+    for (const bool back : {false, true}) {
+      reach_along& joined = all[k][back];
+      const double own = first.length[k];
+      joined = {0, 0, own, 0, 0};
+      for (std::size_t i = 0; i < stars.centres.size(); ++i) {
+        const centre& one = stars.centres[i];
+        const reach_along& some = stars.along[i][k][back];
+        const double shift = back ? first.value[k] - one.value[k] : one.value[k] - first.value[k];
+        const double lost = first.lost + one.lost;
+        joined.none = greatest_bound(joined.none, shift + some.none + lost);
+        joined.at_own = greatest_bound(joined.at_own, shift + some.at(own) + lost);
+        joined.steep = greatest_bound(joined.steep, std::max(some.rise, some.steep));
+      }
+      joined.rise = std::max(0.0, (joined.at_own - joined.none) / own);
+    }
+  return all;
 }
 
 void site_tree::list_sites(const centre& stars, nearby_sites& nearby) const {
@@ -302,10 +392,10 @@ void site_tree::list_sites(const centre& stars, nearby_sites& nearby) const {
   const auto is_in_range = [](const point& low, const point& high) {
     return low.x > -most && low.y > -most && high.x < most && high.y < most;
   };
-  nearby.are_usable = is_in_range(stars.low, stars.high);
+  nearby.is_in_range = is_in_range(stars.low, stars.high);
   for (const std::size_t leaf : nearby.leaves) {
     const node& n = nodes_[leaf];
-    nearby.are_usable = nearby.are_usable && is_in_range(n.low, n.high);
+    nearby.is_in_range = nearby.is_in_range && is_in_range(n.low, n.high);
     for (std::size_t i = n.first; i < n.last; ++i) nearby.nth.push_back(i);
     nearby.share.resize(nearby.nth.size(), share_of(n, stars));
   }
@@ -387,7 +477,7 @@ bool site_tree::separation::is_beyond(double reach) const {
 // box; if that suffices for equal metrics, also the covector chosen by both metrics.
 bool site_tree::too_far(const offset_box& to, const centre& v, const inverse_bound& inverse) {
   const bool may_meet = to.low.x <= 0 && to.low.y <= 0 && to.high.x >= 0 && to.high.y >= 0;
-  if (may_meet || !(inverse.factor < infinity)) return false;
+  if (may_meet || !(inverse.factor < infinity && v.reach < infinity)) return false;
   const point c{0.5 * to.low.x + 0.5 * to.high.x, 0.5 * to.low.y + 0.5 * to.high.y};
   const separation plain = separation_along(c, to, v, inverse);
   return plain.least > 0 && (plain.is_beyond(v.reach) || too_far_from_both(c, to, v, inverse));
@@ -411,7 +501,18 @@ bool site_tree::too_far_from_both(const point& c, const offset_box& to, const ce
 bool site_tree::too_far(const node& n, const centre& v) {
   const offset_box to{{n.low.x - v.high.x, n.low.y - v.high.y},
                       {n.high.x - v.low.x, n.high.y - v.low.y}};
+  if (v.outline != nullptr) return is_outside(n, to, *v.outline);
   return too_far(to, v, {n.inverse, n.spread_squared});
+}
+
+// Uses that M_w >= A / (tau^2 det B) for all sites w of the node, A the adjugate of its tensor B.
+bool site_tree::is_outside(const node& n, const offset_box& to, const star_outline& outline) {
+  const bool may_meet = to.low.x <= 0 && to.low.y <= 0 && to.high.x >= 0 && to.high.y >= 0;
+  if (may_meet) return false;
+  const metric_tensor& b = n.inverse;
+  const double product = b.m11 * b.m22, square = b.m12 * b.m12,
+               determinant = product - square + step * (product + square);
+  return outline.excludes(to, {{b.m22, -b.m12, b.m11}, n.spread_squared * determinant * up});
 }
 
 bool site_tree::too_far(const site& w, const centre& v) {

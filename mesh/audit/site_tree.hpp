@@ -8,7 +8,8 @@
 // is accepted in no gap of the star (docs/math/certificate.md, section 4.3). A box bounds the left
 // side from below and the right one from above for all its sites at once; rounding only ever keeps
 // a site. The covector is a free choice: two are tried, and before them, as that is cheap, four
-// that are the same for all stars: x, y, x + y and x - y.
+// that are the same for all stars: x, y, x + y and x - y. Where the outline of the star's gaps is
+// known (audit/star_outline.hpp) it takes the place of the reach.
 //
 // The mesher has an index with the same descent by a lemma of the same kind (mesh/search/
 // site_index). The two are apart deliberately: the auditor must share no code with what it judges.
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/audit/star_outline.hpp"
 #include "asterism/mesh/data/domain.hpp"
 
 namespace asterism::internal::audit_detail {
@@ -37,17 +39,31 @@ class site_tree {
   // Returns the starts of the groups of neighbouring sites in order(), then the number of sites.
   const std::vector<std::size_t>& groups() const { return groups_; }
 
+  // True if the tree keeps bounds by covectors.
+  bool has_covectors() const { return !covector_bounds_.empty(); }
+
+  // The centre of a star, and its reach: the distance beyond which no site matters to it. The
+  // outline of its gaps says more, if it is known.
+  struct reaching {
+    site v;
+    double reach;
+    const star_outline* outline = nullptr;
+  };
   // Calls visit(w) for each site that is not certainly too far from v, in an order that depends on
   // the sites alone; v itself may be among them. A visit that returns false ends it. `reach` is R
   // of the lemma, in the metric of v and no less than each gap's; infinite: all sites.
   template <class Visit>
-  void visit_near(const site& v, double reach, const Visit& visit) const;
+  void visit_near(const reaching& star, const Visit& visit) const {
+    centre c = centre_with_covectors(star);
+    reaches_along along;
+    if (star.outline != nullptr && has_covectors()) c.along = &(along = reaches_of(star, c));
+    visit_leaves(c, 0, [&](std::size_t leaf) { return visit_leaf(nodes_[leaf], c, 0, visit); });
+  }
+  template <class Visit>
+  void visit_near(const site& v, double reach, const Visit& visit) const {
+    visit_near(reaching{v, reach}, visit);
+  }
 
-  // The centre of a star, and its reach: the distance beyond which no site matters to it.
-  struct reaching {
-    site v;
-    double reach;
-  };
   // Descends once for several stars: sets `leaves` to nodes that contain all sites which visit_near
   // visits for any of them, except leaves that end before `from` in the order. Returns false, with
   // nothing set, where a common descent costs more: unless all reaches are finite and the stars'
@@ -58,10 +74,47 @@ class site_tree {
   // the leaves were gathered: those from position `from` of the order on.
   template <class Visit>
   void visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
-                  const Visit& visit, std::size_t from = 0) const;
+                  const Visit& visit, std::size_t from = 0) const {
+    visit_all(leaves, centre_with_covectors({v, reach}), from, visit);
+  }
 
-  // Leaves gathered for several stars, and their sites unless these are too many to be tested for
-  // each star.
+  static constexpr double beyond_all = std::numeric_limits<double>::infinity();
+  // One number for each of the covectors x, y, x + y and x - y.
+  static constexpr std::size_t covectors = 4;
+  using by_covector = std::array<double, covectors>;
+  // How far sites matter along one covector, in one of its two directions: two linear bounds of
+  // their dual length, the greater of which is at least the value of the covector at w - v.
+  struct reach_along {
+    double none = beyond_all, rise = 0;  // for the length 0
+    double own = 0, at_own = beyond_all, steep = 0;
+
+    double at(double length) const {
+      const double less = none + rise * length, more = at_own + (length - own) * steep;
+      return less > more ? less : more;
+    }
+  };
+  // Along each covector and its opposite.
+  using both_ways = std::array<reach_along, 2>;
+  using reaches_along = std::array<both_ways, covectors>;
+  // The centre of one star, or of several: their positions are in the box, the metric M of each is
+  // at least `metric` / spread_squared and at most spread_squared `metric`. `reach` covers that of
+  // every star, each in its own metric, times the root of spread_squared.
+  struct centre {
+    point low, high;
+    metric_tensor metric;
+    double reach = 0, spread_squared = 1;
+    // Set where the tree is to be searched by covectors: their values at the position of the star,
+    // or the first one, and bounds of the errors of these; a lower bound of the dual length of each
+    // in the metric of a single star. In place of the lengths and the reach counts how far its
+    // outline or those of several stars extend along each, if that is set.
+    by_covector value{};
+    double lost = 0;
+    by_covector length{beyond_all, beyond_all, beyond_all, beyond_all};
+    const reaches_along* along = nullptr;
+    const star_outline* outline = nullptr;  // of a single star, used in place of the reach
+  };
+
+  // Sites gathered for several stars whose metrics are much alike.
   struct nearby_sites {
     std::vector<std::size_t> leaves;
     std::vector<std::size_t> nth;  // in the order
@@ -69,20 +122,36 @@ class site_tree {
     // One factor for each site w: w is too far from v, whichever of the stars v is, if |w - v|_v^2
     // times the factor exceeds the square of v's reach.
     std::vector<double> share;
-    bool are_usable = true;        // not too many, and in the range of what can be measured
+    bool is_in_range = true;       // of what can be measured
     std::vector<double> measured;  // scratch of visit_near
   };
-  // Descends as the other gather() does, and sets `nearby` to the leaves and, unless they are more
-  // than `most_leaves` and have bounds by covectors, their sites. Beyond about 40 leaves, testing
-  // leaves before their sites costs less: with two crossing fronts 2.2 instead of 2.5 thousand
-  // million instructions in a pass of 2,000 sites.
+  // Descends once for several stars, and sets `nearby` to the leaves and their sites. Returns false
+  // where a common descent costs more: unless all reaches are finite and the stars' metrics much
+  // alike, or, in a tree with bounds by covectors, where the leaves are more than `most_leaves`:
+  // then to test leaves by outlines before their sites costs less.
   bool gather(const std::vector<reaching>& stars, nearby_sites& nearby,
               std::size_t most_leaves = 40) const;
   // Calls visit(w, squared) for each site that is not certainly too far from v, one of the stars of
   // `nearby`; is_too_far_by compares `squared` with lesser reaches. Returns false, with nothing
-  // visited, where numbers are out of range, or sites too many.
+  // visited, where numbers are out of range.
   template <class Visit>
   bool visit_near(nearby_sites& nearby, const site& v, double reach, const Visit& visit) const;
+
+  // Leaves gathered for several stars, whatever their metrics.
+  struct nearby_leaves {
+    std::vector<centre> centres;       // of the stars
+    std::vector<reaches_along> along;  // of each, and of all together
+    std::vector<std::size_t> leaves;
+  };
+  // Descends once for several stars by covectors. Returns false, with nothing set, in a tree
+  // without bounds by these.
+  bool gather(const std::vector<reaching>& stars, nearby_leaves& nearby) const;
+  // Visits the sites that visit_near would visit for the star with this number among those gathered
+  // for.
+  template <class Visit>
+  void visit_near(const nearby_leaves& nearby, std::size_t star, const Visit& visit) const {
+    visit_all(nearby.leaves, nearby.centres[star], 0, visit);
+  }
   // True if the site for which visit_near gave this `squared` is certainly too far from the same v
   // for this reach.
   static bool is_too_far_by(double squared, double reach) {
@@ -100,11 +169,6 @@ class site_tree {
   // Largest number of sites for which the tree keeps bounds by covectors: 60 bytes a site, worth
   // while where metrics vary much from site to site, which those of a large mesh do not.
   static constexpr std::size_t most_with_covectors = 100'000;
-  static constexpr double beyond_all = std::numeric_limits<double>::infinity();
-
-  // One number for each of the covectors x, y, x + y and x - y.
-  using by_covector = std::array<double, 4>;
-
   // The sites order_[first .. last), in a box. Every metric M_w among them is at least
   // inverse^-1 / spread_squared, as quadratic forms.
   struct node {
@@ -117,22 +181,6 @@ class site_tree {
   // Bounds of all sites of a node along the four covectors.
   struct covector_bounds {
     by_covector least, greatest, length;  // at most, at least and at least that of each site
-  };
-  // The centre of one star, or of several: their positions are in the box, the metric M of each is
-  // at least `metric` / spread_squared and at most spread_squared `metric`. `reach` covers that of
-  // every star, each in its own metric, times the root of spread_squared.
-  struct centre {
-    point low, high;
-    metric_tensor metric;
-    double reach = 0, spread_squared = 1;
-    // Set for a single star alone: a lower bound of each covector's dual length in its metric, the
-    // covectors' values at its position, and bounds of the errors of these values.
-    by_covector length{beyond_all, beyond_all, beyond_all, beyond_all}, value{};
-    double lost = 0;
-  };
-  // Box of all displacements w - v from the centre to the node's sites.
-  struct offset_box {
-    point low, high;
   };
   // Bound of the inverse metrics of a node's sites: all M_w^-1 are at most `factor` times this
   // tensor.
@@ -158,11 +206,18 @@ class site_tree {
   covector_bounds bounds_of(std::size_t self) const;
   static by_covector lengths_of(const metric_tensor& m, double inverse_determinant);
   static centre centre_of(const site& v, double reach);
-  static centre centre_with_covectors(const site& v, double reach);
+  static centre centre_with_covectors(const reaching& star);
+  // Returns the reach along a covector and its opposite, from the greatest values at the points of
+  // the outline. `own` is the covector's dual length in the metric of v, or any other.
+  static both_ways reach_in(const star_outline& outline, std::size_t covector, double own);
+  // Returns the reaches of a single star.
+  static reaches_along reaches_of(const reaching& star, const centre& one);
   // True if some covector certainly separates all sites of node `self`, or one at d, from v: either
   // one of the four covectors, or the one that separation_along chooses for the node.
   bool are_beyond(std::size_t self, const centre& v) const;
   static bool is_beyond(const point& d, const by_covector& length, const centre& v);
+  static bool is_beyond_along(const point& d, const by_covector& length,
+                              const reaches_along& along);
   // Returns the value of g . (w - v) beyond which a site w is too far, if the dual length of g in
   // w's metric is at most `length`.
   static double bound_along(const centre& v, std::size_t covector, double length) {
@@ -170,13 +225,25 @@ class site_tree {
     const double own = v.length[covector];
     return v.reach * (own + (own > length ? own : length)) * roundings + underflow;
   }
+  // True if a site or all sites of a node, whose values of g . (w - v) are between these, and whose
+  // dual lengths of g are at most `length`, are too far. No reach along a covector is negative.
+  static bool is_beyond_along(const both_ways& along, double least, double greatest,
+                              double length) {
+    constexpr double roundings = 1 + 0x1p-47, underflow = 0x1p-900;
+    const bool is_back = greatest < 0;
+    const double beyond = is_back ? -greatest : least;
+    return beyond > 0 && beyond > along[is_back].at(length) * roundings + underflow;
+  }
   static std::optional<centre> centre_of(const std::vector<reaching>& stars);
+  // Returns the greatest reach along each covector of several stars.
+  static reaches_along joined(const nearby_leaves& stars);
   static separation separation_along(const point& h, const offset_box& to, const centre& v,
                                      const inverse_bound& inverse);
   static bool too_far(const offset_box& to, const centre& v, const inverse_bound& inverse);
   static bool too_far_from_both(const point& c, const offset_box& to, const centre& v,
                                 const inverse_bound& inverse);
   static bool too_far(const node& n, const centre& v);
+  static bool is_outside(const node& n, const offset_box& to, const star_outline& outline);
   static bool too_far(const site& w, const centre& v);
   // Returns the factor of |w - v|_v^2 that holds for all sites w of the node and stars v; 0 where
   // none is known.
@@ -205,6 +272,9 @@ class site_tree {
       return true;
     }
   }
+  template <class Visit>
+  void visit_all(const std::vector<std::size_t>& leaves, const centre& c, std::size_t from,
+                 const Visit& visit) const;
   template <class Visit>
   bool visit_leaf(const node& n, const centre& v, std::size_t from, const Visit& visit) const;
   // Calls visit(leaf) for each leaf that is not too far and does not end before `from` in the
@@ -245,11 +315,15 @@ void site_tree::visit_leaves(const centre& c, std::size_t from, const Visit& vis
 template <class Visit>
 bool site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
                            const Visit& visit) const {
-  const double far = far_squared(n, v);
+  const double far = v.outline == nullptr ? far_squared(n, v) : 0;
   for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i) {
     const point d{places_[i].x - v.low.x, places_[i].y - v.low.y};
     if (!lengths_.empty() && is_beyond(d, lengths_[i], v)) continue;
-    if (is_farther(d, v.metric, far)) continue;
+    if (v.outline == nullptr && is_farther(d, v.metric, far)) continue;
+    if (v.outline != nullptr) {
+      if (!goes_on(visit, order_[i])) return false;
+      continue;
+    }
     if (!too_far(d, sites_[order_[i]].metric, inverse_determinants_[i], v) &&
         !goes_on(visit, order_[i]))
       return false;
@@ -258,15 +332,8 @@ bool site_tree::visit_leaf(const node& n, const centre& v, std::size_t from,
 }
 
 template <class Visit>
-void site_tree::visit_near(const site& v, double reach, const Visit& visit) const {
-  const centre c = centre_with_covectors(v, reach);
-  visit_leaves(c, 0, [&](std::size_t leaf) { return visit_leaf(nodes_[leaf], c, 0, visit); });
-}
-
-template <class Visit>
-void site_tree::visit_near(const std::vector<std::size_t>& leaves, const site& v, double reach,
-                           const Visit& visit, std::size_t from) const {
-  const centre c = centre_with_covectors(v, reach);
+void site_tree::visit_all(const std::vector<std::size_t>& leaves, const centre& c, std::size_t from,
+                          const Visit& visit) const {
   for (const std::size_t leaf : leaves)
     if (nodes_[leaf].last > from && !are_beyond(leaf, c) && !too_far(nodes_[leaf], c) &&
         !visit_leaf(nodes_[leaf], c, from, visit))
@@ -278,7 +345,7 @@ template <class Visit>
 bool site_tree::visit_near(nearby_sites& nearby, const site& v, double reach,
                            const Visit& visit) const {
   constexpr double weak = 0.15;  // of a share, which is at most a quarter
-  if (!(nearby.are_usable && is_measurable(v, reach))) return false;
+  if (!(nearby.is_in_range && is_measurable(v, reach))) return false;
   measure(nearby, v);
   const double* const measured = nearby.measured.data();
   for (std::size_t k = 0, all = nearby.nth.size(); k < all; ++k) {
@@ -294,6 +361,7 @@ bool site_tree::visit_near(nearby_sites& nearby, const site& v, double reach,
 }
 
 inline bool site_tree::is_beyond(const point& d, const by_covector& length, const centre& v) {
+  if (v.along != nullptr) return is_beyond_along(d, length, *v.along);
   constexpr double step = 0x1p-48;
   const double x = std::abs(d.x), y = std::abs(d.y), lost = step * (x + y);
   return x - lost > bound_along(v, 0, length[0]) || y - lost > bound_along(v, 1, length[1]) ||
@@ -301,12 +369,29 @@ inline bool site_tree::is_beyond(const point& d, const by_covector& length, cons
          std::abs(d.x - d.y) - lost > bound_along(v, 3, length[3]);
 }
 
+inline bool site_tree::is_beyond_along(const point& d, const by_covector& length,
+                                       const reaches_along& along) {
+  constexpr double step = 0x1p-48;
+  const double lost = step * (std::abs(d.x) + std::abs(d.y));
+  const auto is_beyond = [&](std::size_t k, double value) {
+    return is_beyond_along(along[k], value - lost, value + lost, length[k]);
+  };
+  return is_beyond(0, d.x) || is_beyond(1, d.y) || is_beyond(2, d.x + d.y) ||
+         is_beyond(3, d.x - d.y);
+}
+
 inline bool site_tree::are_beyond(std::size_t self, const centre& v) const {
-  if (covector_bounds_.empty() || !(v.length.front() < beyond_all)) return false;
+  if (!has_covectors() || !(v.along != nullptr || v.length.front() < beyond_all)) return false;
   const covector_bounds& all = covector_bounds_[self];
-  for (std::size_t k = 0; k < all.length.size(); ++k) {
-    const double bound = bound_along(v, k, all.length[k]) + v.lost;
-    if (all.least[k] - v.value[k] > bound || v.value[k] - all.greatest[k] > bound) return true;
+  for (std::size_t k = 0; k < covectors; ++k) {
+    const double least = all.least[k] - v.value[k] - v.lost,
+                 greatest = all.greatest[k] - v.value[k] + v.lost, length = all.length[k];
+    if (v.along != nullptr) {
+      if (is_beyond_along((*v.along)[k], least, greatest, length)) return true;
+      continue;
+    }
+    const double bound = bound_along(v, k, length);
+    if (least > bound || -greatest > bound) return true;
   }
   return false;
 }

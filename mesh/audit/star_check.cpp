@@ -23,10 +23,12 @@ void star_check::run(const vertex_index* begin, const vertex_index* end, const v
   if (neighbours_alone) return;
   const std::span<const prepared_fan> fans(prepared_.data(), used_);
   hold_all(fans);
+  outlines_.resize(std::max(outlines_.size(), std::size_t{1}));
   for (const prepared_fan& p : fans)
     if (p.has_others)
       around_.changed_sites.visit_near(
-          at(p.v), p.reach, [&](vertex_index nth) { look(p, (*context_.changed)[nth], 0, false); });
+          {at(p.v), p.reach, outline_of(p, false, outlines_.front())},
+          [&](vertex_index nth) { look(p, (*context_.changed)[nth], 0, false); });
 }
 
 void star_check::hold_all(std::span<const prepared_fan> fans) {
@@ -39,23 +41,59 @@ void star_check::hold_all(std::span<const prepared_fan> fans) {
   constexpr std::size_t least_shared = 4;
   const bool are_many = reaching_.size() >= least_shared;
   const bool gathered = are_many && around_.sites->gather(reaching_, nearby_);
-  if (!gathered && are_many) {
+  if (!gathered && are_many && !around_.sites->has_covectors()) {
     hold_all(fans.first(fans.size() / 2));
     hold_all(fans.last(fans.size() - fans.size() / 2));
     return;
   }
-  for (const prepared_fan& p : fans)
-    if (p.has_concerned) hold_all(p, gathered);
+  if (!gathered) return hold_all_outlined(fans);
+  for (const prepared_fan& p : fans) {
+    if (!p.has_concerned) continue;
+    const double reach = p.reach_concerned;
+    const auto look_at = [&](vertex_index w, double squared) { look(p, w, squared, true); };
+    const auto look_at_any = [&](vertex_index w) { look_at(w, 0); };
+    if (!is_finite(reach))
+      around_.sites->visit_near(at(p.v), reach, look_at_any);
+    else if (!around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
+      around_.sites->visit_near(nearby_.leaves, at(p.v), reach, look_at_any);
+  }
 }
 
-void star_check::hold_all(const prepared_fan& p, bool gathered) {
-  const double reach = p.reach_concerned;
-  const auto look_at = [&](vertex_index w, double squared) { look(p, w, squared, true); };
-  const auto look_at_any = [&](vertex_index w) { look_at(w, 0); };
-  if (!gathered || !is_finite(reach))
-    around_.sites->visit_near(at(p.v), reach, look_at_any);
-  else if (!around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
-    around_.sites->visit_near(nearby_.leaves, at(p.v), reach, look_at_any);
+void star_check::hold_all_outlined(std::span<const prepared_fan> fans) {
+  reaching_.clear();
+  if (outlines_.size() < fans.size()) outlines_.resize(fans.size());
+  for (const prepared_fan& p : fans)
+    if (p.has_concerned && is_finite(p.reach_concerned))
+      reaching_.push_back(
+          {at(p.v), p.reach_concerned, outline_of(p, true, outlines_[reaching_.size()])});
+  const bool gathered = around_.sites->gather(reaching_, leaves_);
+  std::size_t nth = 0;
+  for (const prepared_fan& p : fans) {
+    if (!p.has_concerned) continue;
+    const auto look_at = [&](vertex_index w) { look(p, w, 0, true); };
+    if (!is_finite(p.reach_concerned))
+      around_.sites->visit_near({at(p.v), p.reach_concerned}, look_at);
+    else if (gathered)
+      around_.sites->visit_near(leaves_, nth++, look_at);
+    else
+      around_.sites->visit_near(reaching_[nth++], look_at);
+  }
+}
+
+const star_outline* star_check::outline_of(const prepared_fan& p, bool of_concerned,
+                                           star_outline& outline) {
+  outline.clear();
+  const auto is_in = [&](std::size_t i) {
+    return i < p.gaps.size() && !p.gaps[i].is_skipped && p.gaps[i].is_concerned == of_concerned;
+  };
+  for (std::size_t i = 0; i < p.rays.size(); ++i) {
+    const bool is_after = is_in(i);
+    if (is_after && !p.gaps[i].has_kite) return nullptr;
+    if (is_after) outline.add_vertex(p.gaps[i].vertex);
+    if (is_after || is_in(i == 0 ? p.rays.size() - 1 : i - 1))
+      outline.add_neighbour({p.rays[i].x, p.rays[i].y}, p.on_rays[i]);
+  }
+  return &outline;
 }
 
 void star_check::check_neighbours(vertex_index v, const vertex_fan& fan) {
@@ -127,11 +165,13 @@ void star_check::prepare(vertex_index v, const vertex_fan& fan) {
   p.reach_concerned = 0;
   p.has_concerned = p.has_others = false;
   p.rays.clear();
+  p.on_rays.clear();
   const quick_reaches reaches(at(v));
   measured_.clear();
   for (const vertex_index r : fan.link) {
     p.rays.push_back(to(v, r));
-    measured_.push_back(reaches.ray_to(at(r)));
+    const measured_ray& ray = measured_.emplace_back(reaches.ray_to(at(r)));
+    p.on_rays.push_back({{ray.share * ray.way.x, ray.share * ray.way.y}, ray.on_way});
   }
   p.gaps.clear();
   const std::size_t n = fan.link.size();
@@ -140,7 +180,7 @@ void star_check::prepare(vertex_index v, const vertex_fan& fan) {
     gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
     if (gap.is_skipped) continue;
     gap.is_concerned = around_.concerns(v, gap.x, gap.y);
-    gap.reach = reach_of(v, gap, reaches, measured_[i], measured_[(i + 1) % n]);
+    bound(v, gap, reaches, measured_[i], measured_[(i + 1) % n]);
     if (gap.is_concerned && is_left_open(gap)) {
       leave_open(v, v, gap.x, gap.y, open_question::about::gap);
       gap.is_skipped = true;
@@ -157,15 +197,34 @@ bool star_check::is_left_open(const fan_gap& gap) const {
          around_.at.size() >= context_.many_for_a_gap;
 }
 
-double star_check::reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
-                            const measured_ray& to_x, const measured_ray& to_y) const {
+void star_check::bound(vertex_index v, fan_gap& gap, const quick_reaches& reaches,
+                       const measured_ray& to_x, const measured_ray& to_y) const {
   constexpr double edges = 2;
-  const double quick = reaches.between(to_x, to_y);
-  if (quick <= edges * std::max(to_x.length, to_y.length)) return quick;
-  if (const star_gap* prepared = prepared_gap(v, gap); prepared != nullptr)
-    if (const double reach = prepared->reach(); is_finite(reach)) return std::min(quick, reach);
-  if (is_finite(quick)) return quick;
-  return filter_of(v, gap).reach();
+  const gap_bound quick = reaches.between(to_x, to_y);
+  gap.reach = quick.reach;
+  gap.vertex = quick.vertex;
+  gap.has_kite = is_finite(quick.reach);
+  if (quick.reach > edges * std::max(to_x.length, to_y.length)) sharpen(v, gap);
+  if (gap.has_kite) return;
+  const gap_bound midway = reaches.midway(to_x, to_y);
+  gap.reach = std::min(gap.reach, midway.reach);
+  gap.vertex = midway.vertex;
+  gap.has_kite = is_finite(midway.reach);
+}
+
+void star_check::sharpen(vertex_index v, fan_gap& gap) const {
+  const star_gap* prepared = prepared_gap(v, gap);
+  if (prepared != nullptr) gap.reach = std::min(gap.reach, prepared->reach());
+  if (!is_finite(gap.reach)) gap.reach = filter_of(v, gap).reach();
+}
+
+bool star_check::is_outside(const prepared_fan& p, const fan_gap& gap, vertex_index w) const {
+  const std::size_t i = &gap - p.gaps.data(), j = i + 1 < p.rays.size() ? i + 1 : 0;
+  const auto [x, y] = to(p.v, w);
+  const auto &ray = p.rays[i], &next = p.rays[j];
+  const std::array<outline_point, 4> others{outline_point{{ray.x, ray.y}}, p.on_rays[i],
+                                            outline_point{{next.x, next.y}}, p.on_rays[j]};
+  return are_outside({{x, y}, {x, y}}, {at(w).metric}, {&gap.vertex, 1}, others);
 }
 
 const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
@@ -185,6 +244,7 @@ void star_check::check_other(const prepared_fan& p, vertex_index w, double squar
   const fan_gap* gap = gap_of(p, w);
   if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
   if (site_tree::is_too_far_by(squared, gap->reach)) return;
+  if (gap->has_kite && is_outside(p, *gap, w)) return;
   // Skips the distance test by w's own metric if the tree has made it with the same reach: it has
   // if `squared` is 0 and the gap's reach is that of the fan.
   const bool is_known = squared == 0 && !(gap->reach < p.reach);

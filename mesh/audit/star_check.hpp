@@ -2,14 +2,16 @@
 //
 // Tests the fans of a few stars against sites: their neighbours, or all that are in reach.
 //
-// The reach of a gap takes few operations (audit/gap_reach.hpp); most gaps have no site within
-// that. Nearly every test is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
+// The reach and the kite of a gap take few operations (audit/gap_reach.hpp); most gaps have no site
+// within that reach, or one that is outside of the outline of the kite (audit/star_outline.hpp).
+// Nearly every other test is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
 // for a gap; the rest by the auditor's own filter of wider range, and then edge_test. The mesher
 // uses prepared gaps too. Where nothing may be shared with the mesher, as in verify(), prepared
 // gaps are left out (audit_options::own_filter_alone).
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,6 +24,7 @@
 #include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
+#include "asterism/mesh/audit/star_outline.hpp"
 #include "asterism/mesh/audit/star_surroundings.hpp"
 #include "asterism/mesh/audit/visibility_test.hpp"
 
@@ -36,6 +39,8 @@ struct fan_gap {
   bool is_skipped = false;   // x -> y is a subsegment, beyond which nothing is seen, or left open
   bool is_concerned = true;  // or else changed sites alone are to be held against it
   double reach = 0;          // how far from v sites matter to it
+  bool has_kite = false;
+  outline_point vertex;                      // of the kite
   mutable std::optional<star_gap> prepared;  // made for the first question, if it may be shared
   mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
 };
@@ -45,6 +50,7 @@ struct prepared_fan {
   vertex_index v = 0;
   std::span<const vertex_index> link;
   std::vector<vector2<double>> rays;
+  std::vector<outline_point> on_rays;  // up to which these belong to the kites
   std::vector<fan_gap> gaps;
   double reach = 0;            // how far from v sites matter to one of the gaps
   double reach_concerned = 0;  // to one of those that are concerned
@@ -79,10 +85,11 @@ class star_check {
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
 
   // Tests all sites within the reaches of the fans against their gaps. Descends the tree once for
-  // all fans if their vertices' metrics are much alike; else once for each half, and in the end for
-  // each fan.
+  // all fans: by their reaches if their vertices' metrics are much alike and they reach few sites,
+  // else by their outlines. In a large tree, which has no bounds for outlines of several stars,
+  // descends once for each half, and in the end for each fan.
   void hold_all(std::span<const prepared_fan> fans);
-  void hold_all(const prepared_fan& p, bool gathered);
+  void hold_all_outlined(std::span<const prepared_fan> fans);
   // Tests w against one fan; `squared` is the lower bound of its squared distance that the tree
   // measured, or 0 if the tree measured none.
   void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
@@ -113,12 +120,19 @@ class star_check {
   // True if a changed site is within this reach of v, and may matter to its star.
   bool is_reached(vertex_index v, double reach);
   void prepare(vertex_index v, const vertex_fan& fan);
+  // Sets `outline` to that of the fan's gaps that are concerned, or of the others. Returns null
+  // where the kite of one is not known.
+  static const star_outline* outline_of(const prepared_fan& p, bool of_concerned,
+                                        star_outline& outline);
+  // True if w is certainly outside of the gap's kite, in the sense of its outline.
+  bool is_outside(const prepared_fan& p, const fan_gap& gap, vertex_index w) const;
   bool is_left_open(const fan_gap& gap) const;
-  // Returns the reach of the gap without preparing its tests, which most gaps do not need. Sharper
-  // bounds are not computed once the reach is a few times the length of the gap's edges: they would
+  // Sets the gap's reach and kite without preparing its tests, which most gaps do not need. Sharper
+  // reaches are not computed unless that is a few times the length of the gap's edges: they would
   // cost more than they save.
-  double reach_of(vertex_index v, const fan_gap& gap, const quick_reaches& reaches,
-                  const measured_ray& to_x, const measured_ray& to_y) const;
+  void bound(vertex_index v, fan_gap& gap, const quick_reaches& reaches, const measured_ray& to_x,
+             const measured_ray& to_y) const;
+  [[gnu::noinline]] void sharpen(vertex_index v, fan_gap& gap) const;
   // Returns the kernel's gap, made when a test first needs it; null where the kernel is not to be
   // shared.
   const star_gap* prepared_gap(vertex_index v, const fan_gap& gap) const {
@@ -172,6 +186,8 @@ class star_check {
   std::size_t used_ = 0;
   std::vector<site_tree::reaching> reaching_;
   site_tree::nearby_sites nearby_;
+  site_tree::nearby_leaves leaves_;
+  std::vector<star_outline> outlines_;  // the first of `reaching_`
   std::vector<measured_ray> measured_;
 };
 

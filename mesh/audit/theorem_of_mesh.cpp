@@ -238,7 +238,8 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
   std::vector<std::size_t> leaves;
   const bool gathered = tree.gather(starts, leaves);
   for (std::size_t i = first; i < last; ++i) {
-    const auto& [end, length] = starts[i - first];
+    const site& end = starts[i - first].v;
+    const double length = starts[i - first].reach;
     const auto check = [&](vertex_index w) {
       check_beside(m, m.boundary[i], w, farthest[i - first], guard, part);
     };
