@@ -512,6 +512,9 @@ bool site_tree::is_outside(const node& n, const offset_box& to, const star_outli
   const metric_tensor& b = n.inverse;
   const double product = b.m11 * b.m22, square = b.m12 * b.m12,
                determinant = product - square + step * (product + square);
+  // Below this the products may have underflowed, and the determinant be no upper bound.
+  constexpr double least_determinant = 0x1p-900;
+  if (!(determinant > least_determinant)) return false;
   return outline.excludes(to, {{b.m22, -b.m12, b.m11}, n.spread_squared * determinant * up});
 }
 

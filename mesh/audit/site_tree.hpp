@@ -104,9 +104,9 @@ class site_tree {
     metric_tensor metric;
     double reach = 0, spread_squared = 1;
     // Set where the tree is to be searched by covectors: their values at the position of the star,
-    // or the first one, and bounds of the errors of these; a lower bound of the dual length of each
-    // in the metric of a single star. In place of the lengths and the reach counts how far its
-    // outline or those of several stars extend along each, if that is set.
+    // or the first one, and bounds of the errors of these; an upper bound of the dual length of
+    // each in the metric of a single star. `along` takes the place of the lengths and the reach, if
+    // it is set: how far the outline of one star, or those of several, extend along each.
     by_covector value{};
     double lost = 0;
     by_covector length{beyond_all, beyond_all, beyond_all, beyond_all};
