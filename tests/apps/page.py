@@ -158,6 +158,31 @@ class PageTest(CommandTest):
         self.assertGreater(self.ask("scrollY"), 100)
         self.assertEqual(self.ask(camera), moved)
 
+    def test_the_legend_is_in_the_window_and_the_whole_mesh_in_the_picture(self):
+        self.make()
+        self.write_solution()
+        done = self.run_command("adapt", "a.mesh", "--solution", "u.sol", "--field", "1", "--vertices", "400", "-o", "b.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in "a.html", "b.html":
+            for width, height in (1280, 720), (1920, 1080):
+                with self.subTest(f"{name} at {width} x {height}"):
+                    browser.resize(self.driver, width, height)
+                    self.addCleanup(browser.resize, self.driver)
+                    self.open(name)
+                    self.assertLessEqual(self.ask("document.getElementById('keys').getBoundingClientRect().bottom"), height)
+                    wide, high = self.ask("(({ camera: c, mesh: { box: b } }) => [(b.x1 - b.x0) * c.scale / c.width,"
+                                          " (b.y1 - b.y0) * c.scale / c.height])(asterism.stage)")
+                    self.assertLessEqual(max(wide, high), 0.9401)
+
+    def test_a_size_that_nobody_asked_for_is_not_told(self):
+        self.make()
+        for more, told in ((), ""), (("--size", "0.2"), "swirl:12, of which a length of 1 is 0.2"):
+            done = self.run_command("certify", "a.mesh", "--metric", "swirl:12", *more, "-o", "c.html")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.open("c.html")
+            self.assertNotIn("Size", self.text("asked"))
+            self.assertIn(told, self.text("asked"))
+
     def test_ellipses_are_as_large_as_their_distance_allows(self):
         self.make()
         self.open("a.html")

@@ -17,11 +17,15 @@ class Camera {
     this.y = (box.y0 + box.y1) / 2;
     this.scale = 0.94 * Math.min(this.width / (box.x1 - box.x0), this.height / (box.y1 - box.y0));
   }
+  // Takes the size of the picture. A view of the whole mesh stays one.
   measure(holder) {
-    const { width, height } = holder.getBoundingClientRect();
+    const { width, height } = holder.getBoundingClientRect(), fitted = this.copy();
+    fitted.fit();
+    const whole = this.sees(fitted);
     this.ratio = window.devicePixelRatio || 1;
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
+    if (whole) this.fit();
   }
   toPage(x, y) {
     return { x: (x - this.x) * this.scale + this.width / 2, y: this.height / 2 - (y - this.y) * this.scale };

@@ -165,6 +165,7 @@ async function start() {
   const facts = readJson("facts"), claim = readJson("certificate");
   const bound = claim?.asked.angle_bound ?? null;
   showVerdict(facts, claim);
+  followHeader();
   const frames = framesOf(facts, await readArrays(facts), claim), own = frames[frames.length - 1];
   const all = frames.reduce((n, { mesh }) => n + mesh.count, 0);
   for (const frame of frames) if (frame === own || all <= measuredAtOnce) measure(frame.mesh);

@@ -59,12 +59,17 @@ function showVerdict(facts, claim) {
   if (kind === "bad") element("numbers").prepend(element("s-places"));  // what is wrong comes first
 }
 
+// Where a mesh from elsewhere was judged, a size scales the metric, and 1 leaves it as it is.
+const isFromElsewhere = (claim) => claim.asked.options.mesh !== undefined;
+const hasSize = (claim) => ![undefined, "none", ...(isFromElsewhere(claim) ? ["1"] : [])].includes(claim.asked.options.size);
+
 function metricRow(claim) {
-  const { delivered } = claim.outcome;
-  if (delivered && delivered.vertices_changed === 0) return ["Metric", claim.asked.metric, "as asked, at every vertex"];
+  const { delivered } = claim.outcome, { metric, options } = claim.asked;
+  const asked = isFromElsewhere(claim) && hasSize(claim) ? `${metric}, of which a length of 1 is ${options.size}` : metric;
+  if (delivered && delivered.vertices_changed === 0) return ["Metric", asked, "as asked, at every vertex"];
   if (delivered)
-    return ["Metric", claim.asked.metric, `another at ${plural(delivered.vertices_changed, "vertex", "vertices")}; at ${short(100 * delivered.beyond_tenth)} % of all some length differs by more than a tenth, at most ${short(Math.exp(delivered.greatest))} times`];
-  return ["Metric", claim.asked.metric, "the tensors at the vertices"];
+    return ["Metric", asked, `another at ${plural(delivered.vertices_changed, "vertex", "vertices")}; at ${short(100 * delivered.beyond_tenth)} % of all some length differs by more than a tenth, at most ${short(Math.exp(delivered.greatest))} times`];
+  return ["Metric", asked, "the tensors at the vertices"];
 }
 
 // Returns rows of a table: what was asked for, the certificate's values, and the values that this
@@ -79,14 +84,14 @@ function askedRows(facts, claim, mesh) {
   if (audit.angles_checked)
     rows.push(["Least of all, measured by this page", "", { text: `${angleText(mesh.angles.worst.degrees)} degrees, ${same ? "the same" : audit.certified ? "NOT the same" : "with triangles that were not judged"}`, title: full(mesh.angles.worst.degrees), kind: same || !audit.certified ? "" : "bad" }]);
   const delivered = options["size-delivered"];
-  rows.push(["Size", options.size ?? "none", delivered && delivered !== options.size ? delivered : options.size && options.size !== "none" ? "as asked" : "not asked for"]);
+  if (!isFromElsewhere(claim)) rows.push(["Size", options.size ?? "none", delivered && delivered !== options.size ? delivered : hasSize(claim) ? "as asked" : "not asked for"]);
   rows.push(["Vertices", options["max-sites"] ? `at most ${count(options["max-sites"])}` : "", count(claim.mesh.vertices)]);
   rows.push(["Triangles", "", count(claim.mesh.triangles)]);
   if (outcome.delivered)
     rows.push(["Complexity", large(outcome.delivered.complexity_wanted), large(outcome.delivered.complexity_delivered)]);
   else if (measured.metric_area !== undefined) rows.push(["Complexity", "", large(measured.metric_area)]);
   rows.push(metricRow(claim));
-  if (measured.unit_edges !== undefined && options.size && options.size !== "none") rows.push(["Edges of length 0.71 to 1.41", "", `${short(100 * measured.unit_edges)} %`]);
+  if (measured.unit_edges !== undefined && hasSize(claim)) rows.push(["Edges of length 0.71 to 1.41", "", `${short(100 * measured.unit_edges)} %`]);
   rows.push(["Boundary off its segments", "", audit.largest_boundary_deviation === null ? "not known" : audit.largest_boundary_deviation === 0 ? "nowhere" : { text: `at most ${upward(audit.largest_boundary_deviation)}`, title: full(audit.largest_boundary_deviation) }]);
   if (audit.curves) rows.push(["Boundary off the curves", "", audit.curves.largest_distance === null ? "not known" : `at most ${upward(audit.curves.largest_distance)}; ${audit.curves.vertices} vertices on them, ${audit.curves.vertices_off} on chords`]);
   if (audit.voronoi !== "not asked") rows.push(["Dual of the Voronoi diagram", "yes", audit.voronoi]);

@@ -95,6 +95,7 @@ async function start() {
   try {
     const facts = readJson("facts");
     showFacts(facts);
+    followHeader();
     const corners = makeCorners(await readArrays(facts));
     const stage = makeStage(corners);
     showColours(stage, corners);
