@@ -24,14 +24,14 @@ def to_meshio(mesh: Mesh) -> Any:
     All are in its group 0, which is none: meshio writes one group for each block of cells, and the
     references as data. mesh.save("x.msh") has groups.
     """
-    import meshio
+    from ._outside import Outside
 
     references = [np.array(mesh.regions), np.array(mesh.edge_markers)]
     entities = np.full((len(mesh.points), 2), (2, 1), dtype=np.int32)
     entities[np.unique(mesh.edges), 0] = 1
     if (entities[:, 0] == 1).all():  # meshio writes no entity without points
         entities[-1, 0] = 2
-    return meshio.Mesh(
+    return Outside(
         _in_space(mesh.points), [("triangle", np.array(mesh.triangles)), ("line", np.array(mesh.edges))],
         point_data={**_point_data(mesh), "gmsh:dim_tags": entities},
         cell_data={"reference": references,

@@ -241,8 +241,8 @@ class Mesh:
     def to_meshio(self) -> Any:
         """A meshio.Mesh with the boundary, markers, regions, the metric and the values.
 
-        meshio takes the ending .msh for that of ANSYS: its write("x.msh", file_format="gmsh") is gmsh's, and so is
-        save("x.msh") here, which names the groups."""
+        Its write("x.msh") writes gmsh's format. meshio.write("x.msh", ...) takes the ending for that of ANSYS unless
+        it is given file_format="gmsh". save("x.msh") here writes gmsh's, too, and names the groups."""
         from ._exchange import to_meshio
 
         return to_meshio(self)

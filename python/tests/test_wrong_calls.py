@@ -169,9 +169,13 @@ def test_names_of_certificates_are_suggested(made):
         _ = made.certificate.worst_angl
 
 
-def test_meshio_writes_what_gmsh_reads_where_the_format_is_named(made, tmp_path):
+def test_meshio_writes_what_gmsh_reads(made, tmp_path):
     meshio = pytest.importorskip("meshio")
-    made.to_meshio().write(tmp_path / "x.msh", file_format="gmsh")
+    made.to_meshio().write(tmp_path / "x.msh")
+    pickle.loads(pickle.dumps(made.to_meshio())).write(str(tmp_path / "named.msh"), file_format="gmsh")
+    assert (tmp_path / "x.msh").read_bytes() == (tmp_path / "named.msh").read_bytes()
+    made.to_meshio().write(tmp_path / "x.vtu")
+    assert len(meshio.read(tmp_path / "x.vtu").points) == len(made.points)
     again = meshio.read(tmp_path / "x.msh", file_format="gmsh")
     assert len(again.points) == len(made.points)
     assert sum(len(cells.data) for cells in again.cells if cells.type == "triangle") == len(made.triangles)
