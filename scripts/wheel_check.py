@@ -18,7 +18,9 @@ with tempfile.TemporaryDirectory() as folder:
     made.mesh.save(pathlib.Path(folder) / "m.html")
     assert asterism.verify(pathlib.Path(folder) / "m.mesh")["triangles"] == len(made.mesh.triangles)
 libraries = pathlib.Path(asterism.__file__).parents[1] / "asterism.libs"
-for library in libraries.glob("*.so*"):
+bundled = sorted(libraries.glob("*.so*"))
+assert bundled, f"{libraries}: there is no library, and the package is none of scripts/build-wheel"
+for library in bundled:
     licence = libraries / "licences" / (re.sub(r"-[0-9a-f]{8}\.so.*", "", library.name) + ".txt")
     for named in re.findall(r"/usr/share/common-licenses/([\w.+-]*\w)", licence.read_text(encoding="utf-8")):
         assert (libraries / "licences" / named).stat().st_size > 1000, f"{library}: the text of {named} is missing"

@@ -95,8 +95,9 @@ def check_action():
 def check_source_distribution():
     found = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], capture_output=True, text=True, check=False)
     if found.returncode != 0:
-        print("not asked: without git the files of the project are not known")
+        print("skipped: the source distribution; without git the files of the project are not known")
         return
+    check(found.stdout, f"{TOP}: git lists no file")
     left_out = subprocess.run(["/usr/bin/python3", "-W", "ignore", "-c", LEFT_OUT], cwd=TOP, input=found.stdout.strip("\0"),
                               capture_output=True, text=True, check=True).stdout.split()
     check(not left_out, f"MANIFEST.in: leaves out {left_out[:9]}")
@@ -108,7 +109,9 @@ def check_packages():
     prefix = FOLDER / "usr"
     built = pathlib.Path(COMMAND).resolve().parents[1]
     subprocess.run(["cmake", "--install", built, "--prefix", prefix], check=True, stdout=subprocess.DEVNULL)
-    for path in prefix.rglob("*"):
+    installed = sorted(prefix.rglob("*"))
+    check(prefix / "bin/asterism" in installed, f"cmake --install {built}: no command was installed")
+    for path in installed:
         name = path.relative_to(FOLDER)
         if path.is_dir() or name.name in ("asterism-mpi", "asterism-occt", "LICENSE"):
             continue
