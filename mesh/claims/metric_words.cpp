@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -161,29 +162,60 @@ words words_of(const solution_metric_report& r) {
   return all;
 }
 
+namespace {
+
+constexpr double least_said = 0.0005;  // a smaller share is 0.0 %
+
+// Lists what is so at some of the vertices: ", A at 1.0 % of the vertices, B at 2.0 %".
+std::string shares_text(const char* begin,
+                        std::initializer_list<std::pair<const char*, double>> shares) {
+  std::string text;
+  for (const auto& [what, share] : shares)
+    if (share >= least_said)
+      text += fmt::format("{}{} at {:.1f} %{}", text.empty() ? begin : ", ", what, 100 * share,
+                          text.empty() ? " of the vertices" : "");
+  return text;
+}
+
+// Says of how many fields the metric is made, and where their derivatives set no size.
+std::string fields_text(const solution_metric_report& r) {
+  if (r.fields.empty()) return "";
+  std::string text = fmt::format("; {} field{}", r.fields.size(), r.fields.size() == 1 ? "" : "s");
+  if (r.flat_fields > 0) text += fmt::format(", {} without second derivatives", r.flat_fields);
+  return text + shares_text("; second derivatives are ",
+                            {{"nothing but rounding", r.share_noise},
+                             {"so small that a bound sets a size", r.share_floored}});
+}
+
+// Says which part of the complexity is where the solution is flat or straight.
+std::string spent_text(const solution_metric_report& r) {
+  std::string text;
+  const auto part = [&text](double share, const char* where) {
+    if (share >= least_said)
+      text += fmt::format("{} {:.1f} % {}", text.empty() ? "; of the complexity" : ",", 100 * share,
+                          where);
+  };
+  part(r.complexity_at_least_density, "where the solution is flat");
+  part(r.complexity_along_ridges, "on edges as long as the domain");
+  return text;
+}
+
+}  // namespace
+
 std::string text_of(const solution_metric_report& r) {
   std::string text = fmt::format("complexity {:.6g}", r.complexity_delivered);
   if (r.complexity_asked > 0) text += fmt::format(" of {:.6g} asked for", r.complexity_asked);
   if (r.complexity_before_gradation != r.complexity_delivered)
     text += fmt::format(", {:.6g} before gradation", r.complexity_before_gradation);
-  if (r.error_predicted > 0) text += fmt::format("; error predicted {:.3g}", r.error_predicted);
-  const auto part = [&](double share, const char* what) {
-    if (share > 0) text += fmt::format("; {} {:.1f} %", what, 100 * share);
-  };
-  if (!r.fields.empty()) {
-    text += fmt::format("; {} field{}", r.fields.size(), r.fields.size() == 1 ? "" : "s");
-    if (r.flat_fields > 0) text += fmt::format(", {} without second derivatives", r.flat_fields);
-  }
-  part(r.share_noise, "noise");
-  part(r.share_floored, "floored");
-  part(r.complexity_at_least_density, "of the complexity where it is flat");
-  part(r.complexity_along_ridges, "of the complexity with edges as long as the domain");
-  part(r.share_intersected, "intersected");
-  part(r.share_step, "held by the step");
-  part(r.share_least_size, "clipped by hmin");
-  part(r.share_greatest_size, "by hmax");
-  part(r.share_aspect, "by the aspect");
-  part(r.share_graded, "graded");
+  if (r.error_predicted > 0) text += fmt::format("; predicted error {:.3g}", r.error_predicted);
+  text +=
+      fields_text(r) + spent_text(r) +
+      shares_text("; tensors changed by ", {{"intersection", r.share_intersected},
+                                            {"step", r.share_step},
+                                            {"hmin", r.share_least_size},
+                                            {"hmax", r.share_greatest_size},
+                                            {"aspect", r.share_aspect},
+                                            {"gradation (how fast sizes grow)", r.share_graded}});
   if (!r.gradation_ended) text += "; gradation was ended before all edges kept to it";
   return text;
 }
