@@ -82,6 +82,51 @@ std::string short_witness(const std::string& witness) {
   return text;
 }
 
+// One angle as some of its triangle's vertices measure it: the sentence before their numbers, the
+// numbers, and the sentence behind them.
+struct measured_angle {
+  std::string before;
+  std::vector<std::string> vertices;
+  std::string after;
+};
+
+std::optional<measured_angle> angle_of(const std::string& sentence) {
+  const std::string_view mark = " degrees in the metric of vertex ";
+  const std::size_t at = sentence.find(mark);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t number = at + mark.size();
+  const std::size_t end =
+      std::min(sentence.find_first_not_of("0123456789", number), sentence.size());
+  return measured_angle{
+      sentence.substr(0, at), {sentence.substr(number, end - number)}, sentence.substr(end)};
+}
+
+std::string text_of(const measured_angle& angle) {
+  const std::vector<std::string>& v = angle.vertices;
+  std::string text = angle.before + " degrees in the " +
+                     (v.size() == 1 ? "metric of vertex " : "metrics of vertices ") + v.front();
+  for (std::size_t i = 1; i < v.size(); ++i) text += (i + 1 < v.size() ? ", " : " and ") + v[i];
+  return text + angle.after;
+}
+
+// Returns the sentences, with one for successive ones that give an angle the same degrees, as its
+// vertices do where the metric is constant.
+std::vector<std::string> with_angles_once(const std::vector<std::string>& sentences) {
+  std::vector<std::string> all;
+  std::optional<measured_angle> last;
+  for (const std::string& sentence : sentences) {
+    const auto angle = angle_of(sentence);
+    if (angle && last && angle->before == last->before && angle->after == last->after) {
+      last->vertices.push_back(angle->vertices.front());
+      all.back() = text_of(*last);
+    } else {
+      last = angle;
+      all.push_back(sentence);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::size_t findings_kept(bool all) {
@@ -90,11 +135,13 @@ std::size_t findings_kept(bool all) {
 
 void write_findings(std::ostream& out, const audit_report& report) {
   std::array<std::size_t, finding_kind_count> told{};
+  std::vector<std::string> lines;
   for (const audit_finding& f : report.findings) {
     const auto kind = static_cast<std::size_t>(f.kind);
     ++told[kind];
-    out << finding_kind_names[kind] << ": " << short_witness(f.witness) << '\n';
+    lines.push_back(std::string(finding_kind_names[kind]) + ": " + short_witness(f.witness));
   }
+  for (const std::string& line : with_angles_once(lines)) out << line << '\n';
   for (std::size_t kind = 0; kind < finding_kind_count; ++kind)
     if (report.found[kind] > told[kind])
       out << finding_kind_names[kind] << ": " << report.found[kind] - told[kind]
