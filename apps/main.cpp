@@ -66,7 +66,7 @@ bool is_read_by_one(CLI::App& program, const std::vector<std::string>& words, co
                   [](const std::string& word) { return find_command(word) != nullptr; }))
     return false;
   named->add(program, chosen);
-  if (misread_help(program, words) || misused_stream(words)) return false;
+  if (empty_file_name(words) || misread_help(program, words) || misused_stream(words)) return false;
   try {
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError&) {
@@ -100,7 +100,8 @@ int run_with_all(const std::vector<std::string>& words) {
   command chosen;
   for (const known_command& known : known_commands) known.add(program, chosen);
   group_options(program);
-  auto message = misread_help(program, words);
+  auto message = empty_file_name(words);
+  if (!message) message = misread_help(program, words);
   if (!message && !words.empty() && takes_files(find_command(words[0])))
     message = misused_stream(words);
   if (message) {

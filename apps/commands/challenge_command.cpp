@@ -133,14 +133,19 @@ int run_challenge(const challenge_options& options) {
   if (options.list) return list_classes();
   const bool writes = !options.record_file.empty();
   if (!writes && options.command.empty())
-    return complain({"challenge: no COMMAND; asterism challenge --help"}, refused);
+    return complain({"challenge: there is no COMMAND, the program to test, as in asterism "
+                     "challenge ./my_predicates"},
+                    refused);
   if (writes && !options.command.empty())
     return complain({"--records asks nobody: leave " +
                      internal::quoted_token(options.command.front()) + " out"},
                     refused);
   if (!options.command.empty() && options.command.front().starts_with('-'))
     return complain(
-        {"challenge: unknown option " + internal::quoted_token(options.command.front())}, refused);
+        {"challenge: unknown option " + internal::quoted_token(options.command.front()) +
+         "; 'asterism challenge --help' lists those there are, and options of COMMAND stand behind "
+         "it"},
+        refused);
   auto asked = chosen_questions(options);
   if (!asked) return complain(asked.failure(), refused);
   auto sources = chosen_sources(options);

@@ -10,12 +10,14 @@
 namespace asterism::apps {
 
 struct foreign_option {
-  std::string_view name;  // without dashes
-  std::string_view ours, what;
+  std::string_view name;        // without dashes
+  std::string_view ours, what;  // an option here, and what it means
+  // False if no option here means the same: `what` is then said of commands that have `ours`.
+  bool is_one = true;
 };
 
 // Names of options in other meshers, and the options here that mean the same.
-inline constexpr std::array<foreign_option, 84> foreign_options = {{
+inline constexpr std::array<foreign_option, 89> foreign_options = {{
     {"hmax", "--size", "the length of an edge of metric length 1"},
     {"hsiz", "--size", "the length of an edge of metric length 1"},
     {"clmax", "--size", "the length of an edge of metric length 1"},
@@ -25,8 +27,9 @@ inline constexpr std::array<foreign_option, 84> foreign_options = {{
     {"min-angle", "--angle-bound", "the least angle in degrees, in the metric"},
     {"minangle", "--angle-bound", "the least angle in degrees, in the metric"},
     {"ar", "--corner-angle", "beyond which the boundary has a corner"},
-    {"ar", "-o", "the file to write; every corner of the domain is kept"},
-    {"nr", "-o", "the file to write; every corner of the domain is kept"},
+    {"nr", "--corner-angle", "of 180 degrees keeps no corner by its angle"},
+    {"ar", "--repair-domain", "none is needed: every corner of the domain is kept", false},
+    {"nr", "--repair-domain", "every corner of the domain is kept", false},
     {"nbvx", "--max-sites", "the greatest number of vertices"},
     {"err", "--error", "the interpolation error wanted"},
     {"out", "-o", "the file to write"},
@@ -34,15 +37,18 @@ inline constexpr std::array<foreign_option, 84> foreign_options = {{
     {"j", "--threads", "how many threads work"},
     {"q", "--angle-bound", "the least angle in degrees, in the metric; --quiet says nothing"},
     {"a", "--size", "the length of an edge; a triangle of it has 0.433 of its square as area"},
-    {"p", "-o", "the file to write; a .poly is read without an option"},
+    {"p", "--repair-domain", "none is needed: a .poly is named without an option", false},
     {"f", "-o", "the file to write; its ending names the format"},
     {"format", "-o", "the file to write; its ending names the format"},
-    {"force", "-o", "the file to write; one that is there is replaced"},
-    {"overwrite", "-o", "the file to write; one that is there is replaced"},
-    {"y", "-o", "the file to write; one that is there is replaced"},
-    {"nosurf", "-o",
-     "the file to write; edges of the domain are kept, and divided where they must be"},
-    {"Y", "-o", "the file to write; edges of the domain are kept, and divided where they must be"},
+    {"force", "-o", "none is needed: a file that is there is replaced", false},
+    {"overwrite", "-o", "none is needed: a file that is there is replaced", false},
+    {"y", "-o", "none is needed: a file that is there is replaced", false},
+    {"nosurf", "--frozen", "a region whose triangles and edges stay as they are"},
+    {"Y", "--frozen", "a region whose triangles and edges stay as they are"},
+    {"nosurf", "--repair-domain", "edges of the domain are kept, and divided where they must be",
+     false},
+    {"Y", "--repair-domain", "edges of the domain are kept, and divided where they must be", false},
+    {"conservative", "--transfer", "`--transfer project` keeps integrals"},
     {"v", "--json", "all that is known of the run"},
     {"verbose", "--json", "all that is known of the run"},
     {"V", "--help", "`asterism --version` says which this is"},
@@ -76,10 +82,15 @@ inline constexpr std::array<foreign_option, 84> foreign_options = {{
     {"colour", "--colour-by", "what the colours tell"},
     {"scalars", "--colour-by", "what the colours tell"},
     {"field", "--colour-by", "what the colours tell: the name of a field, too"},
-    {"i", "-o", "the file to write; what is read is named without an option"},
-    {"in", "-o", "the file to write; what is read is named without an option"},
-    {"input", "-o", "the file to write; what is read is named without an option"},
-    {"domain", "-o", "the file to write; what is meshed is named without an option"},
+    {"i", "-o", "none is needed: what is read is named without an option", false},
+    {"in", "-o", "none is needed: what is read is named without an option", false},
+    {"input", "-o", "none is needed: what is read is named without an option", false},
+    {"domain", "--repair-domain", "none is needed: what is meshed is named without an option",
+     false},
+    {"domain", "--repair",
+     "the domain is what the mesh's edges enclose; `asterism verify MESH --domain DOMAIN "
+     "--angle-bound DEG` compares it with another",
+     false},
     {"memory", "--max-memory", "the memory that a run may take"},
     {"timeout", "--max-seconds", "the time that a run may take"},
     {"time-limit", "--max-seconds", "the time that a run may take"},

@@ -44,11 +44,13 @@ constexpr std::array<heading, 5> headings = {{
 // Column at which CLI11 begins descriptions.
 constexpr std::size_t description = 30;
 
-// Returns the number of columns by which continuation lines are indented.
+// Returns the number of columns by which continuation lines are indented. Those of a list behind
+// the names of an option do not begin as other options do.
 std::size_t indent_of(std::string_view line) {
   const std::size_t words = line.find_first_not_of(' ');
   const bool is_entry = words == 2 && line.size() > description && line[description - 1] == ' ';
-  return is_entry ? description : words;
+  const bool is_option = words == 2 && line[words] == '-';
+  return is_entry ? description : words + (is_option ? 4 : 0);
 }
 
 bool is_example(std::string_view line) {

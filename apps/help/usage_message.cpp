@@ -52,16 +52,22 @@ std::string completed(const std::string& word, const std::vector<std::string>& n
   return word.size() >= least && is_one ? shortest : "";
 }
 
+std::string in_small_letters(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
 // Returns a clause such as "; did you mean --size?" if a name was begun, or differs in at most two
 // letters and less than half of them.
 std::string meant(const std::string& word, const std::vector<std::string>& names) {
   const std::string whole = completed(word, names);
   if (!whole.empty()) return "; did you mean " + whole + "?";
+  const std::string small = in_small_letters(word);
   const auto nearest = std::min_element(
       names.begin(), names.end(),
-      [&](const auto& a, const auto& b) { return distance(word, a) < distance(word, b); });
+      [&](const auto& a, const auto& b) { return distance(small, a) < distance(small, b); });
   if (nearest == names.end()) return "";
-  const std::size_t off = distance(word, *nearest);
+  const std::size_t off = distance(small, *nearest);
   return off <= 2 && 2 * off < word.size() ? "; did you mean " + *nearest + "?" : "";
 }
 
@@ -139,7 +145,9 @@ std::string hint_for(const std::string& word, const std::vector<std::string>& kn
   for (const foreign_option& other : foreign_options) {  // the first that is an option here
     const bool is_ours = std::find(known.begin(), known.end(), other.ours) != known.end();
     if (other.name == name && is_ours)
-      return "; here it is " + std::string(other.ours) + " (" + std::string(other.what) + ")";
+      return "; " + (other.is_one ? "here it is " + std::string(other.ours) + " (" +
+                                        std::string(other.what) + ")"
+                                  : std::string(other.what));
   }
   return "";
 }
@@ -240,8 +248,18 @@ std::string no_such_option(const CLI::App& app, const std::string& word) {
   if (hint.empty()) hint = is_positional(app, word);
   const std::string instead = hint.empty() ? meant(word, known) : hint;
   return app.get_name() + " has no option " + one_line(word) + instead +
-         (instead.empty() ? "\n" + shortest_use(app) : "") + "\n'asterism " + app.get_name() +
-         " --help' lists the options.";
+         (instead.empty() ? "\n" + shortest_use(app) + "; '" : "\n'") + "asterism " +
+         app.get_name() + " --help' lists the options.";
+}
+
+// Returns a message about an option that is named before any command.
+std::string before_command(const CLI::App& program, const std::vector<std::string>& words) {
+  const std::string text =
+      one_line(words[0]) + ": the command comes first, and its options behind it";
+  for (const CLI::App* one : program.get_subcommands([](const CLI::App*) { return true; }))
+    if (std::find(words.begin(), words.end(), one->get_name()) != words.end())
+      return text + ": asterism " + one->get_name() + " ... " + one_line(words[0]);
+  return text;
 }
 
 }  // namespace
@@ -253,7 +271,8 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
     if (!words.empty() && words[0] == one->get_name()) app = one;
   if (app == nullptr) {
     const std::string help = "\n'asterism --help' lists the commands.";
-    if (words.empty() || words[0][0] == '-') return one_line(failure.what()) + help;
+    if (words.empty()) return one_line(failure.what()) + help;
+    if (words[0][0] == '-') return before_command(program, words) + help;
     return no_such_command(program, words[0]);
   }
   const std::string help = "\n'asterism " + app->get_name() + " --help' lists the options.";
@@ -268,7 +287,7 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   if (unknown.empty())
     return one_line(failure.what() + flag_with_value(*app, words, failure) +
                     once_for_each(*app, words, failure)) +
-           "\n" + shortest_use(*app) + help;
+           "\n" + shortest_use(*app) + "; " + help.substr(1);
   return no_such_option(*app, unknown);
 }
 
@@ -301,6 +320,19 @@ std::optional<std::string> misread_help(const CLI::App& program,
     for (const std::string& word : words)
       if (word.size() > 2 && word.compare(0, 2, "-h") == 0 && word != "-help")
         return no_such_option(*app, word);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> empty_file_name(const std::vector<std::string>& words) {
+  if (words.empty() || words[0] == "challenge") return std::nullopt;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string before = i == 0 ? "" : words[i - 1];
+    const bool is_value = before.starts_with('-') && before != "-o" && before != "--output";
+    if (words[i].empty() && !is_value)
+      return "argument " + std::to_string(i + 1) + " is empty" +
+             (i == 0 ? "" : ", behind " + one_line(before)) +
+             "; is a variable of the shell not set?";
   }
   return std::nullopt;
 }

@@ -28,6 +28,10 @@ std::string no_such_command(const CLI::App& program, const std::string& word);
 std::optional<std::string> misread_help(const CLI::App& program,
                                         const std::vector<std::string>& words);
 
+// Returns the message for an empty word in the place of a file's name or a command; none where
+// there is no such word, or behind `challenge`. Options have messages for their own values.
+std::optional<std::string> empty_file_name(const std::vector<std::string>& words);
+
 // Returns the message for a dash or a device that stands for standard input or output in place of a
 // file; none where there is no such word, or where the command accepts it.
 std::optional<std::string> misused_stream(const std::vector<std::string>& words);
