@@ -64,7 +64,9 @@ double unit_mesher::energy(vertex_index t) {
   return shape_of(t) + size_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
 }
 
-vertex_index unit_mesher::locate(const point& q, vertex_index from) const {
+// Walks from a face to the one that has the place, or to the edge of the boundary, or of a frame,
+// beyond which it is. Returns no face where the walk does not end.
+unit_mesher::located unit_mesher::locate(const point& q, vertex_index from) const {
   vertex_index t = from;
   const std::size_t most = 100 + m_.faces().size();
   for (std::size_t step = 0; step < most; ++step) {
@@ -74,14 +76,14 @@ vertex_index unit_mesher::locate(const point& q, vertex_index from) const {
       const std::size_t i = (k + step) % 3;
       const point &a = m_.at(f.v[after(i)]).position, &b = m_.at(f.v[before(i)]).position;
       if ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x) >= 0) continue;
-      if (f.next[i] == none) return none;
+      if (f.next[i] == none) return {t, i};
       next = f.next[i];
       break;
     }
-    if (next == t) return t;
+    if (next == t) return {t, std::nullopt};
     t = next;
   }
-  return none;
+  return {};
 }
 
 // True if a corner of t is nearer to the place than nodes may be, in the metric of either. A corner

@@ -82,7 +82,11 @@ class unit_mesher {
 
   void fit(double tolerable);
   bool is_crowded(vertex_index t, const node& there) const;
-  vertex_index locate(const point& q, vertex_index from) const;
+  struct located {
+    vertex_index face = none;
+    std::optional<std::size_t> beyond;  // edge of the boundary beyond which the place is
+  };
+  located locate(const point& q, vertex_index from) const;
   std::pair<double, std::size_t> measured_area() const;
   void measure_unit();
   void meet_count();
@@ -115,6 +119,8 @@ class unit_mesher {
 
   // Functions defined in unit_mesh_seeds.cpp.
   void seed(const std::vector<point>& seeds);
+  std::optional<vertex_index> insert_seed(const located& at, node& there);
+  std::optional<vertex_index> insert_on_side(vertex_index t, std::size_t edge, node& there);
   std::vector<point> insert_seeds(std::span<const point> seeds);
   std::vector<point> insert_in_blocks(const std::vector<point>& seeds);
 

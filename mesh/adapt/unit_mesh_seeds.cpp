@@ -47,6 +47,41 @@ seed_list level_of(const seed_list& seeds, std::size_t step, std::size_t coarser
 
 }  // namespace
 
+// Splits a subsegment at a seed that is on it, up to rounding, or beside a curve that it is a chord
+// of. Returns no node where the seed is elsewhere, or has no room.
+std::optional<vertex_index> unit_mesher::insert_on_side(vertex_index t, std::size_t edge,
+                                                        node& there) {
+  const face& f = m_.faces()[t];
+  if (f.segment[edge] == none || is_of_frame(f.segment[edge])) return std::nullopt;
+  const point &a = m_.at(f.v[after(edge)]).position, &b = m_.at(f.v[before(edge)]).position;
+  const double x = b.x - a.x, y = b.y - a.y;
+  const double along =
+      ((there.position.x - a.x) * x + (there.position.y - a.y) * y) / (x * x + y * y);
+  const auto place = m_.place_on_edge(t, edge, {a.x + along * x, a.y + along * y});
+  if (!place) return std::nullopt;
+  // Greatest distance of a seed from its place on the subsegment, in units: the metric at the seed
+  // is about that at the place.
+  constexpr double most = 0.1;
+  const double to_x = place->x - there.position.x, to_y = place->y - there.position.y;
+  if (!(squared(there.metric, to_x, to_y) < most * most * unit_ * unit_)) return std::nullopt;
+  there.position = *place;
+  there.metric = field_(*place, there.hint);
+  return is_crowded(t, there) ? std::nullopt : m_.split(t, edge, *place);
+}
+
+// Inserts a node at a seed. Seeds on the sides split these: a split of a long edge is decided by
+// the metric at its ends, and would miss a front that ends between them.
+std::optional<vertex_index> unit_mesher::insert_seed(const located& at, node& there) {
+  if (at.beyond) return insert_on_side(at.face, *at.beyond, there);
+  if (is_crowded(at.face, there)) return std::nullopt;
+  if (const auto made = m_.insert(at.face, there.position)) return made;
+  const face f = m_.faces()[at.face];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!turns_left(m_.at(f.v[after(i)]).position, m_.at(f.v[before(i)]).position, there.position))
+      return insert_on_side(at.face, i, there);
+  return std::nullopt;
+}
+
 // Inserts nodes at the seeds that have room. Returns the seeds that no walk from the nodes before
 // reached.
 std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
@@ -54,19 +89,22 @@ std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
   vertex_index from = 0, hint = 0;
   for (const point& q : seeds) {
     if (m_.nodes().size() >= options_.most_nodes) return left;
-    const vertex_index t = locate(q, from);
-    if (t == none) {
+    const located at = locate(q, from);
+    if (at.face == none) {
       left.push_back(q);
       continue;
     }
-    from = t;
     node there;
     there.position = q;
     there.metric = field_(q, hint);
-    if (is_crowded(t, there)) continue;
-    const auto made = m_.insert(t, q);
+    there.hint = hint;
+    const auto made = insert_seed(at, there);
+    if (!at.beyond)
+      from = at.face;
+    else if (!made)
+      left.push_back(q);
     if (!made) continue;
-    m_.at(*made).hint = hint;
+    m_.at(*made).hint = there.hint;
     m_.set_metric(*made, there.metric);
     settle_around(*made);
     from = m_.at(*made).face;

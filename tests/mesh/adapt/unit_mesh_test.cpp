@@ -80,6 +80,30 @@ TEST_CASE("places in a fine metric were all crowded by corners in one 1e4 times 
   CHECK(is_whole(m));
 }
 
+TEST_CASE(
+    "a front that ends on a side between distant vertices divides the side at the seeds there") {
+  // A layer along y = 0.3, in a metric in which a whole side is shorter than an edge.
+  const auto front = [](const point& q, vertex_index&) {
+    const double away = (q.y - 0.3) / 0.03;
+    return metric_tensor{0.04, 0, 0.04 + 1e4 * std::exp(-away * away)};
+  };
+  const domain d = square();
+  working_mesh m = coarse_mesh(d);
+  std::vector<point> seeds;
+  for (int i = 0; i <= 20; ++i) {
+    seeds.push_back({1, 0.2 + 0.01 * i});
+    seeds.push_back({std::nextafter(-1.0, i % 2 == 0 ? -2.0 : 0.0), 0.2 + 0.01 * i});
+  }
+  unit_mesher(m, {}).run(front, seeds);
+  std::size_t left = 0, right = 0;
+  for (const node& n : m.nodes()) {
+    if (n.kind != node_kind::sliding || std::abs(n.position.y - 0.3) > 0.03) continue;
+    (n.position.x < 0 ? left : right) += 1;
+  }
+  CHECK(left >= 4);
+  CHECK(right >= 4);
+}
+
 TEST_CASE("without a count edges have length one") {
   const domain d = square();
   working_mesh m = coarse_mesh(d);

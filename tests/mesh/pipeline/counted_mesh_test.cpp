@@ -71,7 +71,7 @@ counted_mesh made_near(std::size_t wanted, const mesh_source& source) {
   auto made = make_counted_mesh(source, options_for(wanted), made_of);
   REQUIRE(made.ok());
   CHECK(made.value().made.certified());
-  CHECK(off(wanted, made.value().made) <= 0.05);
+  CHECK(is_count_near(wanted, made.value().made.outcome.sites));
   return std::move(made).value();
 }
 
