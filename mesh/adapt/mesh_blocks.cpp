@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t faces_in_block = 2048;
 constexpr std::size_t faces_at_once = 4096;  // for a thread
 
-// Returns the box through which the curve of a cut runs: the domain's box, enlarged on the lower
-// left by an amount of the cut. So the lines across which the curve jumps differ from cut to cut.
+// Returns the box through which the curve of a cut runs: the domain's box, enlarged to the left and
+// below by parts of its extent that differ from cut to cut. So the lines across which the curve
+// jumps are at other places in each cut.
 bounding_box box_of_cut(const bounding_box& box, unsigned cut) {
   // Steps of Roberts' sequence: their multiples, modulo one, are evenly spread in the square.
   constexpr double across = 0.7548776662466927, up = 0.5698402909980532;

@@ -61,7 +61,7 @@ class unit_mesher {
   // Splits the longest edges, or merges the shortest, until the number of nodes is as wanted.
   void meet_count(metric_at field);
   // Splits edges that are much too long in this metric and not short in the mesh's own, longest
-  // first, until the mesh has `most` nodes. Returns the number of splits.
+  // first, until the mesh has `most_nodes` nodes. Returns the number of splits.
   std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);
   // Splits a few edges of length 1.5 and more in the metric, longest first. Where the metric turns
   // fast more nodes than wanted would be needed to bring all edges near length one. Returns the

@@ -64,8 +64,8 @@ double unit_mesher::mean_energy() {
   return sum / static_cast<double>(faces);
 }
 
-// Merges nodes for which that gains energy, in order of the gain, the greatest first. Returns the
-// number of merges.
+// Merges nodes whose merge gains energy, those with the greatest gain first. Returns the number of
+// merges.
 std::size_t unit_mesher::merge_where_better() {
   const double mean = mean_energy();
   std::vector<worthwhile_merge> found;

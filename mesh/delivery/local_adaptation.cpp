@@ -338,7 +338,8 @@ class local_adaptation {
     if (!give_back(m)) made_ = certified;
   }
 
-  // Moves the nodes of a mesh that agrees to places where more of them can have the tensors wanted.
+  // Moves the nodes of a mesh whose edges agree to places where more nodes can have their wanted
+  // tensors.
   void settle(working_mesh& m, consistency_repair& agreeing) {
     if (agreeing.report().disagreeing + agreeing.report().low > 0 || options_.angle_bound <= 0)
       return;

@@ -60,8 +60,8 @@ class density_integral {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)) > longest_;
   }
 
-  // Returns the integral over the triangle; `before` is its value by one rule for the whole. Long
-  // triangles are halved in any case, so that narrow features are found.
+  // Returns the integral over the triangle; `before` is the value of coarse() for the undivided
+  // triangle. Long triangles are halved in any case, so that narrow features are found.
   double refined(const point& a, const point& b, const point& c, double before, int depth) {
     constexpr double slack = 2e-3;  // of a triangle's own part
     constexpr int deepest = 24;

@@ -18,8 +18,8 @@ namespace asterism::internal {
 std::optional<intolerable_distance> excess_of(const mesh_outcome& made,
                                               const mesh_options& options);
 
-// Returns the distance if it exceeds the tolerance, for distances that were measured before; with a
-// tolerance or without.
+// Returns the distance if it exceeds the tolerance, for distances that were measured before.
+// Without a tolerance the bounds of excess_of() apply.
 std::optional<intolerable_distance> excess_in(const delivered_report& report,
                                               std::optional<double> tolerance);
 

@@ -23,7 +23,7 @@ using namespace internal;
 namespace {
 
 constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
-// Greatest distance of vertices from a line on which they count, as a part of the largest
+// Greatest distance from a line at which vertices count as on the line, as a part of the largest
 // coordinate.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 

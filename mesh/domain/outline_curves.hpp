@@ -23,8 +23,9 @@ namespace asterism::internal {
 // of two edges or more is not bent by the side that it meets at a flat angle.
 class outline_curves {
  public:
-  // `at` has the edges of the boundary at each vertex; `smooth` is set where two meet that are no
-  // corner. The mesh, `at` and `smooth` must outlive this object.
+  // `at` has the edges of the boundary at each vertex; `smooth` is set for vertices at which
+  // exactly two edges meet, and which are no corners. The mesh, `at` and `smooth` must outlive this
+  // object.
   outline_curves(const mesh& m, const std::vector<std::vector<vertex_index>>& at,
                  const std::vector<char>& smooth)
       : mesh_(m), at_(at), smooth_(smooth) {}

@@ -34,7 +34,7 @@ double distance_to_segment(const point& v, const point& a, const point& b) {
   return from({a.x + s * x, a.y + s * y});
 }
 
-// Returns the polygons by the pieces of their segments, which are in the order of these
+// Returns the polygons with each segment replaced by its pieces. `pieces` are in the order of the
 // segments.
 std::vector<domain_polygon> polygons_of_pieces(const domain& d,
                                                const std::vector<snapped_piece>& pieces) {

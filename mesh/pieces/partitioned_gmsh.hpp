@@ -4,8 +4,8 @@
 //
 // Partition p is piece p. A vertex on a seam is written once, in the entity of the least piece that
 // has it, and so is an edge of a seam, whose curve is in both partitions. Tags are 1, 2, ... in the
-// order of pieces. Physical groups are those of mesh/io/gmsh.hpp; the marker of cuts is one. The
-// metric is left out: the files of the pieces have it.
+// order of pieces. Physical groups are those of mesh/io/gmsh.hpp; the marker of cuts is one of
+// these. The metric is left out: the files of the pieces have it.
 #pragma once
 
 #include <functional>

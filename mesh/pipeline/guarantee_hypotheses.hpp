@@ -26,8 +26,8 @@ inline constexpr double least_plain_corner = 55;
 // of the covering radius to the spacing; 20 up to a variation of 0.04.
 inline constexpr double greatest_guaranteed_bound = 20;
 
-// Rates at which a field varies: the greatest sampled, and an upper bound where one is known. And
-// the domain's sharpest corner in it.
+// Rates at which a field varies: the greatest one sampled, and an upper bound where one is known;
+// and the narrowest corner of the domain in the field's metric.
 struct field_steepness {
   double sampled = 0;
   std::optional<double> bound = {};

@@ -42,10 +42,9 @@ double greatest_variation(double angle_bound) {
   return greatest;
 }
 
-// Returns the last step of the ladder that is no finer than the samples of the field demand. This
-// step may suffice though the samples demand more, as no site need be at the field's steepest
-// place. An upper bound of the field in place of samples would skip it and, where the bound is not
-// tight, further steps that suffice.
+// Returns the last step of the ladder with edges that are no shorter than the samples of the field
+// demand. They may be longer than demanded, and suffice: no site need be at the field's steepest
+// place. A step from an upper bound of the field could be finer than needed.
 int first_step(const field_steepness& field, double angle_bound) {
   return ladder_step_below(field.sampled * largest_circumradius / greatest_variation(angle_bound));
 }

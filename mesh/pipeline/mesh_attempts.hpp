@@ -13,9 +13,9 @@
 
 namespace asterism::internal {
 
-// Makes the mesh of make_mesh(). By_auditor, the last test of every star is left to the
-// audit, which may, rarely, refuse a complete outcome for a star; the call is then to be
-// repeated by_mesher. Without `may_deliver` no metric is delivered, as where none led to a
+// Makes the mesh of make_mesh(). With by_auditor the last test of every star is left to the audit.
+// In rare cases that refuses a complete outcome for a star; the call must then be repeated with
+// by_mesher. Without `may_deliver` no attempt delivers another metric: so it is if none led to a
 // mesh before.
 result<mesh_outcome> make_by_attempts(const domain& d, const metric_field& field,
                                       const mesh_options& options,

@@ -213,8 +213,8 @@ result<certified_mesh> make_periodic_mesh(const domain& d, const metric_field& f
     if (!made || !no_split_across) return made;
     return split_across(std::move(made).value(), d, field, options);
   }
-  // Refuses darts: they start from the distance of the nearest vertices, and stations are near: of
-  // a square with 224 sites there were 6,700 after a minute, and no end.
+  // Refuses darts. Their first distance is that of the nearest vertices, and stations are near to
+  // each other: a square that needs 224 sites had 6,700 after a minute, and was not finished.
   if (options.strategy == refinement_strategy::poisson_darts)
     return error{"periodic sides are made by the strategies fill and voronoi, not by darts",
                  error_code::bad_option};

@@ -58,7 +58,8 @@ std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
 double steepness(const mesh& m, const std::vector<double>& values);
 
 // Returns the bound on aspects that a field asks for; none for values of a function. Between the
-// two ratios its logarithm grows without bound, so that nothing jumps.
+// two ratios the logarithm of the bound grows to infinity, so that the bound is continuous in the
+// ratio.
 std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
                                    const std::vector<double>& values);
 

@@ -60,9 +60,9 @@ std::optional<principal> principal_of(const plain_second_jet& j) {
   return p;
 }
 
-// Returns the density that a curvature requires, the square of an inverse length. The greatest
-// distance of a chord from a curve is k h^2 / 8; in a triangle of three sides of that metric it is
-// k h^2 / 6.
+// Returns the density that a curvature requires, the square of an inverse length. With the
+// curvature k the greatest distance of a chord of length h from its curve is k h^2 / 8, and that of
+// a triangle with three sides of length h from the surface is k h^2 / 6.
 double density(double curvature, double chord, const surface_sizes& sizes) {
   constexpr double chord_share = 6;
   double d = curvature / (chord_share * chord);

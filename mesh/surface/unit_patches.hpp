@@ -8,9 +8,9 @@
 
 namespace asterism::internal {
 
-// Returns the surface with knots from 0 to 1 in each direction without inner ones, and a note for
-// each that was changed. Trimmed patches stay, as their loops are in those units. An invalid
-// surface stays as it is, to be refused by name.
+// Returns the surface with knots from 0 to 1 in each direction that has no inner knots, and a note
+// for each direction that was changed. Trimmed patches stay unchanged, as their loops are in the
+// former units. An invalid surface stays unchanged, to be refused by name.
 surface with_unit_patches(surface s);
 
 }  // namespace asterism::internal

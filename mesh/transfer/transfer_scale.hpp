@@ -20,8 +20,8 @@ struct transfer_scale {
   bool is_one() const;
 };
 
-// Returns zeros where all is of ordinary size: the largest place and
-// the largest value of each field. Places are brought to about 1, values as far as is needed.
+// Returns the exponents: 0 where the largest place, or a field's largest value, is of ordinary
+// size. Otherwise places are brought to about 1, and a field's values just to ordinary size.
 transfer_scale scale_of(const mesh& from, const solution& values, const mesh& to);
 
 // Return the mesh or solution with places, or values, divided. Numbers that become too small for a

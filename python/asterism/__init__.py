@@ -38,7 +38,7 @@ from ._predicates import (
 from ._reported import ReportedArray
 from ._surface import Surface, SurfaceMesh, mesh_surface
 
-InputError.__doc__ = """What is wrong with an argument or a file, and where."""
+InputError.__doc__ = """An invalid argument or file; the message names the fault and its place."""
 
 __all__ = [
     "Adapted", "Certificate", "Domain", "Finding", "InputError", "Mesh", "NotReachedWarning", "Page", "Repair",
