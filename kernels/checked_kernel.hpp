@@ -19,7 +19,7 @@
 #include "asterism/core/sign.hpp"
 #include "asterism/core/site.hpp"
 #include "asterism/kernels/batch_question.hpp"
-#include "asterism/kernels/replay_test.hpp"
+#include "asterism/kernels/replay.hpp"
 
 namespace asterism {
 

@@ -37,7 +37,7 @@ std::array<point, direction_count> find_directions() {
 
 }  // namespace
 
-consistency_repair::consistency_repair(working_mesh& m, const repair_options& options)
+consistency_repair::consistency_repair(editable_mesh& m, const repair_options& options)
     : m_(m),
       options_(options),
       tests_(m, options.angle_bound),
@@ -183,8 +183,8 @@ void consistency_repair::check_angles(vertex_index t) {
     clip_distortion_at({at[0], at[1], at[2]}, part);
   else
     for (const vertex_index v : at) move_away(v);
-  constexpr std::size_t patience = 6;
-  if (report_.rounds < patience || m_.faces()[t].v != at) return;
+  constexpr std::size_t rounds_without_merging = 6;
+  if (report_.rounds < rounds_without_merging || m_.faces()[t].v != at) return;
   if (report_.rounds % 3 == 0 && merge_away(t)) return;
   follow_shape(t);
 }

@@ -16,8 +16,8 @@
 #include <optional>
 #include <vector>
 
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -41,7 +41,7 @@ class consistency_repair {
  public:
   // Starts from the tensors of the nodes as the ones wanted; they are changed to the ones
   // delivered. Both references must outlive the object.
-  consistency_repair(working_mesh& m, const repair_options& options);
+  consistency_repair(editable_mesh& m, const repair_options& options);
 
   // Mends in rounds until no changed node has a defect, or the limit on rounds is reached.
   void run();
@@ -71,7 +71,7 @@ class consistency_repair {
   void move_away(vertex_index v);
   void clip_distortion_at(const std::vector<vertex_index>& nodes, double part);
 
-  working_mesh& m_;
+  editable_mesh& m_;
   const repair_options& options_;
   local_tests tests_;
   double aim_;  // cotangent of the angle aimed at

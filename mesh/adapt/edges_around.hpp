@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
 #include "asterism/mesh/adapt/present_centres.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -18,7 +18,7 @@ namespace asterism::internal::adapting {
 class edges_around {
  public:
   // Refers to the mesh, the tests and the centres, which must outlive this object.
-  edges_around(const working_mesh& m, const local_tests& tests, present_centres& present)
+  edges_around(const editable_mesh& m, const local_tests& tests, present_centres& present)
       : m_(m), tests_(tests), present_(present) {}
 
   // Selects the node to be tried. Until the next call no other node may change.
@@ -83,7 +83,7 @@ class edges_around {
     return c.centre;
   }
 
-  const working_mesh& m_;
+  const editable_mesh& m_;
   const local_tests& tests_;
   present_centres& present_;
   vertex_index v_ = none;

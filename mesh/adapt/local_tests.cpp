@@ -48,7 +48,7 @@ double cotangent_of(double degrees) {
   return 1 / elementary::tan(std::max(least, degrees) * std::numbers::pi / 180);
 }
 
-local_tests::local_tests(const working_mesh& m, double angle_bound)
+local_tests::local_tests(const editable_mesh& m, double angle_bound)
     : m_(m), angle_bound_(angle_bound), cotangent_(cotangent_of(angle_bound + degrees_to_spare)) {}
 
 edge_quad local_tests::quad_at(vertex_index t, std::size_t i) const {

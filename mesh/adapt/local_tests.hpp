@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -56,7 +56,7 @@ double cotangent_of(double degrees);
 // Refers to the mesh, which must outlive it, and tests its present state.
 class local_tests {
  public:
-  local_tests(const working_mesh& m, double angle_bound);
+  local_tests(const editable_mesh& m, double angle_bound);
 
   // Returns edge i of face t with its four nodes. Requires a face beyond the edge.
   edge_quad quad_at(vertex_index t, std::size_t i) const;
@@ -74,7 +74,7 @@ class local_tests {
  private:
   bool has_low_angle_beside(vertex_index t, vertex_index v) const;
 
-  const working_mesh& m_;
+  const editable_mesh& m_;
   double angle_bound_, cotangent_;  // the latter of the least angle allowed
 };
 

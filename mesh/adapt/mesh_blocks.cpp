@@ -56,12 +56,12 @@ class local_numbers {
 
 }  // namespace
 
-bool mesh_blocks::are_worth_it(const working_mesh& m) {
+bool mesh_blocks::are_worth_it(const editable_mesh& m) {
   constexpr std::size_t least = 4;  // blocks
   return m.faces().size() >= least * faces_in_block;
 }
 
-mesh_blocks::mesh_blocks(working_mesh& whole, unsigned cut)
+mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut)
     : whole_(whole), given_(whole.release()), box_(box_of_cut(whole.shape().box(), cut)) {
   assign_blocks();
   list_blocks();
@@ -170,7 +170,7 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
   block made{whole_.like({}), {}, {}, {}, {}};
   made.faces.assign(listed_.begin() + static_cast<std::ptrdiff_t>(first_[b]),
                     listed_.begin() + static_cast<std::ptrdiff_t>(first_[b + 1]));
-  working_mesh::parts parts;
+  editable_mesh::parts parts;
   parts.faces.reserve(made.faces.size());
   parts.nodes.reserve(made.faces.size());
   local_numbers numbers(shared_corners(made.faces));
@@ -258,7 +258,7 @@ void mesh_blocks::number_block(std::size_t b, range from) {
     if (now.part.faces()[t].exists()) face_now_[b][t] = from.faces++;
 }
 
-void mesh_blocks::write_block(std::size_t b, working_mesh::parts& made) {
+void mesh_blocks::write_block(std::size_t b, editable_mesh::parts& made) {
   const block& now = *blocks_[b];
   for (vertex_index v = 0; v < now.part.nodes().size(); ++v) {
     if (node_now_[b][v] == none) continue;
@@ -289,7 +289,7 @@ void mesh_blocks::join() {
   face_now_.resize(count());
   const std::vector<range> from = number_frame();
   parallel_for(count(), [&](std::size_t b) { number_block(b, from[b]); });
-  working_mesh::parts made;
+  editable_mesh::parts made;
   made.nodes.resize(from.back().nodes);
   made.faces.resize(from.back().faces);
   parallel_for(count(), [&](std::size_t b) { write_block(b, made); });

@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -25,17 +25,17 @@ class mesh_blocks {
   // One block, with the numbers that its nodes and faces had in the whole. Nodes and faces made
   // later follow these.
   struct block {
-    working_mesh part;
+    editable_mesh part;
     std::vector<vertex_index> nodes, faces;
     std::vector<char> is_frame;       // of these nodes
     std::vector<vertex_index> frame;  // the nodes that are
   };
 
   // True if the mesh has enough faces for blocks to pay.
-  static bool are_worth_it(const working_mesh& m);
+  static bool are_worth_it(const editable_mesh& m);
 
   // Cuts the mesh into blocks. The mesh is empty until join(), and must outlive the object.
-  mesh_blocks(working_mesh& whole, unsigned cut);
+  mesh_blocks(editable_mesh& whole, unsigned cut);
 
   std::size_t count() const { return first_.size() - 1; }
   // Returns the block that contains the point's place on the curve. Near the frame the face at the
@@ -84,10 +84,10 @@ class mesh_blocks {
   range count_block(std::size_t b);
   std::vector<range> number_frame();
   void number_block(std::size_t b, range from);
-  void write_block(std::size_t b, working_mesh::parts& made);
+  void write_block(std::size_t b, editable_mesh::parts& made);
 
-  working_mesh& whole_;
-  working_mesh::parts given_;
+  editable_mesh& whole_;
+  editable_mesh::parts given_;
   bounding_box box_;                     // that the curve goes through
   std::vector<std::uint64_t> bounds_;    // places on it between blocks
   std::vector<std::uint32_t> block_of_;  // of each face

@@ -8,7 +8,7 @@
 
 namespace asterism::internal::adapting {
 
-void grade_mesh(working_mesh& m, double distortion, double unit, const cancellation& stop) {
+void grade_mesh(editable_mesh& m, double distortion, double unit, const cancellation& stop) {
   std::vector<point> places;
   std::vector<metric_tensor> tensors;
   for (const node& n : m.nodes()) {
@@ -33,7 +33,7 @@ void grade_mesh(working_mesh& m, double distortion, double unit, const cancellat
       m.set_metric(v, tensors[v]);
 }
 
-background_metric field_of(working_mesh& m) {
+background_metric field_of(editable_mesh& m) {
   std::vector<vertex_index> renumbered;
   background_metric made(m.triangulation(renumbered));
   // Numbers the triangles of the field: every face turns left, so they are the existing faces in
@@ -51,7 +51,7 @@ namespace {
 
 // Locates the nodes of a range, from each node to its neighbours, so that each search begins an
 // edge away.
-void look_up_stretch(working_mesh& m, const background_metric& field, vertex_index begin,
+void look_up_stretch(editable_mesh& m, const background_metric& field, vertex_index begin,
                      vertex_index end) {
   std::vector<char> is_reached(end - begin, 0);
   std::vector<vertex_index> waiting;
@@ -78,14 +78,14 @@ void look_up_stretch(working_mesh& m, const background_metric& field, vertex_ind
 
 }  // namespace
 
-void look_up_anew(working_mesh& m, const background_metric& field) {
+void look_up_anew(editable_mesh& m, const background_metric& field) {
   constexpr std::size_t stretch = 8192;  // nodes: a block's follow each other (mesh_blocks.hpp)
   parallel_chunks(m.nodes().size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
     look_up_stretch(m, field, static_cast<vertex_index>(begin), static_cast<vertex_index>(end));
   });
 }
 
-void clip_distortion_at(working_mesh& m, const std::vector<vertex_index>& nodes, double part,
+void clip_distortion_at(editable_mesh& m, const std::vector<vertex_index>& nodes, double part,
                         const std::function<void(vertex_index, vertex_index)>& changed) {
   double most = 0;
   for (const vertex_index v : nodes)

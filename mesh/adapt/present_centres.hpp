@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
@@ -18,7 +18,7 @@ namespace asterism::internal::adapting {
 class present_centres {
  public:
   // Refers to the mesh and the tests, which must outlive this object.
-  present_centres(const working_mesh& m, const local_tests& tests) : m_(m), tests_(tests) {
+  present_centres(const editable_mesh& m, const local_tests& tests) : m_(m), tests_(tests) {
     forget_all();
   }
 
@@ -51,7 +51,7 @@ class present_centres {
   }
 
  private:
-  const working_mesh& m_;
+  const editable_mesh& m_;
   const local_tests& tests_;
   std::vector<face_centre> centres_;
   std::vector<char> is_known_;

@@ -30,7 +30,7 @@ constexpr std::size_t announced_together = 32;
 
 class sampling {
  public:
-  sampling(working_mesh m, const metric_field& field, const sampling_limits& limits)
+  sampling(editable_mesh m, const metric_field& field, const sampling_limits& limits)
       : m_(std::move(m)), field_(field), limits_(limits) {
     const bounding_box box = m_.shape().box();
     const double extent = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
@@ -182,7 +182,7 @@ class sampling {
     return true;
   }
 
-  working_mesh m_;
+  editable_mesh m_;
   const metric_field& field_;
   const sampling_limits& limits_;
   double longest_, shortest_;                 // in the plane
@@ -194,7 +194,7 @@ class sampling {
 
 }  // namespace
 
-std::optional<sampled_background> sample_background(working_mesh m, const metric_field& field,
+std::optional<sampled_background> sample_background(editable_mesh m, const metric_field& field,
                                                     const sampling_limits& limits) {
   return sampling(std::move(m), field, limits).run();
 }

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -38,7 +38,7 @@ struct sampled_background {
 };
 
 // Samples the metric. Returns nothing where the metric fails.
-std::optional<sampled_background> sample_background(working_mesh m, const metric_field& field,
+std::optional<sampled_background> sample_background(editable_mesh m, const metric_field& field,
                                                     const sampling_limits& limits);
 
 }  // namespace asterism::internal::adapting

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 

@@ -41,7 +41,7 @@ bool is_usable(const metric_tensor& m) {
 
 }  // namespace
 
-tensor_restoration::tensor_restoration(working_mesh& m, double angle_bound,
+tensor_restoration::tensor_restoration(editable_mesh& m, double angle_bound,
                                        std::vector<metric_tensor> wanted)
     : m_(m),
       tests_(m, angle_bound),

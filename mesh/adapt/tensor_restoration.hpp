@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/edges_around.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
@@ -22,7 +22,7 @@ class tensor_restoration {
  public:
   // Takes one wanted tensor for each node. The present tensors are those to which an undone node
   // returns. The mesh must outlive the object.
-  tensor_restoration(working_mesh& m, double angle_bound, std::vector<metric_tensor> wanted);
+  tensor_restoration(editable_mesh& m, double angle_bound, std::vector<metric_tensor> wanted);
 
   // Restores tensors until no node can change, or the limit on sweeps is reached: whole steps
   // first, then parts, unless hardly any node can make the whole step.
@@ -44,7 +44,7 @@ class tensor_restoration {
   void list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
   void wake_around(vertex_index v);
 
-  working_mesh& m_;
+  editable_mesh& m_;
   local_tests tests_;
   present_centres present_;
   edges_around edges_;

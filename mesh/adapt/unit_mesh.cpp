@@ -49,7 +49,7 @@ double size_energy(const node& a, const node& b, const node& c, double unit) {
   return weight_of_size * (size + 1 / size - 2);
 }
 
-double unit_mesher::shape_of(vertex_index t) {
+double unit_mesh_remesher::shape_of(vertex_index t) {
   if (shapes_.size() <= t) shapes_.resize(m_.faces().size(), shape_not_known);
   if (shapes_[t] < 0) {
     const face& f = m_.faces()[t];
@@ -58,7 +58,7 @@ double unit_mesher::shape_of(vertex_index t) {
   return shapes_[t];
 }
 
-double unit_mesher::energy(vertex_index t) {
+double unit_mesh_remesher::energy(vertex_index t) {
   const face& f = m_.faces()[t];
   if (unit_ <= 0) return shape_of(t);
   return shape_of(t) + size_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
@@ -66,7 +66,7 @@ double unit_mesher::energy(vertex_index t) {
 
 // Walks from a face to the one that has the place, or to the edge of the boundary, or of a frame,
 // beyond which it is. Returns no face where the walk does not end.
-unit_mesher::located unit_mesher::locate(const point& q, vertex_index from) const {
+unit_mesh_remesher::located unit_mesh_remesher::locate(const point& q, vertex_index from) const {
   vertex_index t = from;
   const std::size_t most = 100 + m_.faces().size();
   for (std::size_t step = 0; step < most; ++step) {
@@ -89,7 +89,7 @@ unit_mesher::located unit_mesher::locate(const point& q, vertex_index from) cons
 // True if a corner of t is nearer to the place than nodes may be, in the metric of either. A corner
 // does not count if the edge to it would be split twice in any case: across a jump of the metric
 // every node is near in the coarser side's metric.
-bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
+bool unit_mesh_remesher::is_crowded(vertex_index t, const node& there) const {
   constexpr double room = 0.8, far = 4;  // units
   const double least = room * room * unit_ * unit_;
   const face& f = m_.faces()[t];
@@ -103,7 +103,7 @@ bool unit_mesher::is_crowded(vertex_index t, const node& there) const {
 
 // Returns the area in the metric of the nodes, and the number of faces. Adds up chunks of a fixed
 // size, so that the number of threads does not change the sum.
-std::pair<double, std::size_t> unit_mesher::measured_area() const {
+std::pair<double, std::size_t> unit_mesh_remesher::measured_area() const {
   std::vector<double> logarithms(m_.nodes().size(), 0);  // of the nodes' densities
   m_.each_node([&](vertex_index v) { logarithms[v] = quick_log(m_.at(v).root); });
   m_.note_looked_at(work_weights::faces_for_count * m_.faces().size());
@@ -135,7 +135,7 @@ std::pair<double, std::size_t> unit_mesher::measured_area() const {
 
 // Sets the unit to the length for which equilateral faces would give the wanted number of nodes,
 // from the area in the metric of the nodes.
-void unit_mesher::measure_unit() {
+void unit_mesh_remesher::measure_unit() {
   if (options_.count == 0) return;
   const auto [area, faces] = measured_area();
   // Uses that twice the number of nodes less the number of faces depends on the boundary alone
@@ -148,7 +148,7 @@ void unit_mesher::measure_unit() {
 }
 
 // Splits the longest or merges the shortest edges until the number of nodes is as wanted.
-void unit_mesher::meet_count() {
+void unit_mesh_remesher::meet_count() {
   constexpr int most = 4;
   constexpr std::size_t parts = 200;  // of the count: half a percent more or less is as wanted
   for (int round = 0; round < most && !is_stopped(); ++round) {
@@ -165,7 +165,7 @@ void unit_mesher::meet_count() {
 
 // Splits, merges, flips and moves in turn, with the unit that gives the wanted number of nodes.
 // Adds rounds while the count is off by more than the share `tolerable`.
-void unit_mesher::fit(double tolerable) {
+void unit_mesh_remesher::fit(double tolerable) {
   constexpr int rounds = 2, sweeps = 2, most_rounds = 10;
   double ratio = 1;
   for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
@@ -183,7 +183,7 @@ void unit_mesher::fit(double tolerable) {
   }
 }
 
-void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
+void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
   field_ = std::move(field);
   forget_shapes();
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) measure(v);
@@ -194,7 +194,7 @@ void unit_mesher::run(metric_at field, const std::vector<point>& seeds) {
   fit(tolerable);
 }
 
-void unit_mesher::refit(metric_at field) {
+void unit_mesh_remesher::refit(metric_at field) {
   field_ = std::move(field);
   forget_shapes();
   m_.each_node([this](vertex_index v) { measure(v); });
@@ -207,7 +207,7 @@ void unit_mesher::refit(metric_at field) {
   if (options_.count > 0) meet_count();
 }
 
-void unit_mesher::meet_count(metric_at field) {
+void unit_mesh_remesher::meet_count(metric_at field) {
   field_ = std::move(field);
   forget_shapes();
   if (options_.count > 0) meet_count();

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
@@ -44,9 +44,10 @@ using face_energies = boost::container::small_vector<double, 16>;
 // Function that returns whether a mesh may have a face with these corners.
 using face_test = std::function<bool(const node& a, const node& b, const node& c)>;
 
-class unit_mesher {
+class unit_mesh_remesher {
  public:
-  unit_mesher(working_mesh& m, unit_mesh_options options) : m_(m), options_(std::move(options)) {}
+  unit_mesh_remesher(editable_mesh& m, unit_mesh_options options)
+      : m_(m), options_(std::move(options)) {}
 
   // Makes a new mesh in this metric, to be refitted later. `seeds` are the places of the first
   // nodes, ordered so that near ones follow each other.
@@ -105,10 +106,11 @@ class unit_mesher {
 
   // Functions defined in unit_mesh_blocks.cpp.
   struct block_state;
-  void begin_block(const unit_mesher& whole, const mesh_blocks::block& part);
-  block_state end_block(const unit_mesher& whole, const mesh_blocks::block& part, std::size_t done);
+  void begin_block(const unit_mesh_remesher& whole, const mesh_blocks::block& part);
+  block_state end_block(const unit_mesh_remesher& whole, const mesh_blocks::block& part,
+                        std::size_t done);
   std::size_t take_up(const mesh_blocks& blocks, const std::vector<block_state>& states);
-  using block_work = std::function<std::size_t(unit_mesher& part, std::size_t block)>;
+  using block_work = std::function<std::size_t(unit_mesh_remesher& part, std::size_t block)>;
   std::size_t in_blocks(const block_work& work,
                         const std::function<void(const mesh_blocks&)>& prepare = {});
   void split_all_long(double longest);
@@ -147,7 +149,7 @@ class unit_mesher {
     return !allowed_ || allowed_(a, b, c);
   }
 
-  working_mesh& m_;
+  editable_mesh& m_;
   metric_at field_;
   unit_mesh_options options_;
   face_test allowed_;  // empty: all faces are

@@ -11,14 +11,15 @@
 
 namespace asterism::internal::adapting {
 
-struct unit_mesher::block_state {
+struct unit_mesh_remesher::block_state {
   std::size_t done = 0;
   std::vector<char> is_restless, is_inside, is_due;
   std::vector<double> shapes;
 };
 
 // Makes this the mesher of one block of a larger mesh.
-void unit_mesher::begin_block(const unit_mesher& whole, const mesh_blocks::block& part) {
+void unit_mesh_remesher::begin_block(const unit_mesh_remesher& whole,
+                                     const mesh_blocks::block& part) {
   field_ = whole.field_;
   unit_ = whole.unit_;
   crowding_ = whole.crowding_;
@@ -37,8 +38,9 @@ void unit_mesher::begin_block(const unit_mesher& whole, const mesh_blocks::block
   }
 }
 
-unit_mesher::block_state unit_mesher::end_block(const unit_mesher& whole,
-                                                const mesh_blocks::block& part, std::size_t done) {
+unit_mesh_remesher::block_state unit_mesh_remesher::end_block(const unit_mesh_remesher& whole,
+                                                              const mesh_blocks::block& part,
+                                                              std::size_t done) {
   block_state left;
   left.done = done;
   const std::size_t nodes = m_.nodes().size(), faces = m_.faces().size();
@@ -58,8 +60,8 @@ unit_mesher::block_state unit_mesher::end_block(const unit_mesher& whole,
 
 // Queues again the changes that the blocks have left undone, and flips of the edges of the frame.
 // Returns the sum of the blocks' counts.
-std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
-                                 const std::vector<block_state>& states) {
+std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
+                                        const std::vector<block_state>& states) {
   std::size_t done = 0;
   is_restless_.assign(m_.nodes().size(), 0);
   is_inside_.assign(m_.nodes().size(), 0);
@@ -96,8 +98,8 @@ std::size_t unit_mesher::take_up(const mesh_blocks& blocks,
 
 // Applies `work` to each block of the next cut, after calling `prepare` with the cut. Returns the
 // sum of the results of `work`.
-std::size_t unit_mesher::in_blocks(const block_work& work,
-                                   const std::function<void(const mesh_blocks&)>& prepare) {
+std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
+                                          const std::function<void(const mesh_blocks&)>& prepare) {
   const std::size_t count = m_.count();
   mesh_blocks blocks(m_, cuts_++);
   if (prepare) prepare(blocks);
@@ -107,7 +109,7 @@ std::size_t unit_mesher::in_blocks(const block_work& work,
     mesh_blocks::block taken = blocks.take_out(b);
     unit_mesh_options options = options_;
     options.most_nodes = taken.part.count() + room / blocks.count();
-    unit_mesher mesher(taken.part, options);
+    unit_mesh_remesher mesher(taken.part, options);
     mesher.begin_block(*this, taken);
     const std::size_t done = work(mesher, b);
     states[b] = mesher.end_block(*this, taken, done);
@@ -121,11 +123,13 @@ std::size_t unit_mesher::in_blocks(const block_work& work,
 // edge once and leave further splits to the next cut: beside a frame that is not yet split,
 // repeated splits would make twice the number of nodes that are wanted. Where one cut has split few
 // edges, the rest is split without blocks, in less time than another cut takes.
-void unit_mesher::split_all_long(double longest) {
+void unit_mesh_remesher::split_all_long(double longest) {
   constexpr int most_splits = 40;
   constexpr std::size_t few = 16;  // one node in this number
   bool is_little = false;
-  const auto split = [longest](unit_mesher& part, std::size_t) { return part.split_long(longest); };
+  const auto split = [longest](unit_mesh_remesher& part, std::size_t) {
+    return part.split_long(longest);
+  };
   for (int i = 0; i < most_splits && !is_stopped(); ++i) {
     if (!is_little && mesh_blocks::are_worth_it(m_)) {
       is_little = few * in_blocks(split) < m_.count();
@@ -139,7 +143,7 @@ void unit_mesher::split_all_long(double longest) {
 // Merges edges shorter than this, flips and moves: in the blocks of two cuts where the mesh is
 // large, then at the nodes that are on the frames of both. Where nothing is to be merged and few
 // faces have changed there are no blocks: cutting the mesh and joining it would take longer.
-void unit_mesher::merge_and_move(double shortest, int sweeps) {
+void unit_mesh_remesher::merge_and_move(double shortest, int sweeps) {
   constexpr std::size_t few = 8;  // one face in this number
   const bool is_little = shortest <= 0 && few * due_.size() < m_.faces().size();
   if (is_little || !mesh_blocks::are_worth_it(m_)) {
@@ -148,7 +152,7 @@ void unit_mesher::merge_and_move(double shortest, int sweeps) {
   }
   is_inside_.clear();
   for (int cut = 0; cut < 2 && !is_stopped(); ++cut)
-    in_blocks([shortest](unit_mesher& part, std::size_t) {
+    in_blocks([shortest](unit_mesh_remesher& part, std::size_t) {
       const std::size_t done = part.merge_short(shortest);
       part.move_all(1);
       return done;
@@ -159,7 +163,7 @@ void unit_mesher::merge_and_move(double shortest, int sweeps) {
 }
 
 // Flips and moves until neither lowers the energy, or the limit on sweeps is reached.
-void unit_mesher::move_all(int sweeps) {
+void unit_mesh_remesher::move_all(int sweeps) {
   flip_all();
   for (int i = 0; i < sweeps; ++i) {
     smooth();

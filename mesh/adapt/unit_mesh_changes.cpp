@@ -32,7 +32,7 @@ enum class than { longer, shorter };
 
 // Returns the edges that are longer, or shorter, than this, longest first.
 template <than Sought>
-std::vector<long_edge> edges_where(const working_mesh& m, double limit) {
+std::vector<long_edge> edges_where(const editable_mesh& m, double limit) {
   m.note_looked_at(m.faces().size());
   // The length of an edge is between the lengths in the metrics of its ends. So the squares of
   // these alone exclude most edges. Roundings of the squares and of the length are some 1e-16.
@@ -66,7 +66,7 @@ std::vector<long_edge> edges_where(const working_mesh& m, double limit) {
 }
 
 // Returns the face with the edge from a to b, and the number of the edge in it.
-std::pair<vertex_index, std::size_t> find_edge(const working_mesh& m, vertex_index a,
+std::pair<vertex_index, std::size_t> find_edge(const editable_mesh& m, vertex_index a,
                                                vertex_index b) {
   face_list at;
   m.around(a, at);
@@ -105,7 +105,7 @@ double length_in_field(const metric_at& field, const node& a, const node& b, ver
 
 // Returns those of the edges that are longer than `length` in the field, in order. Tests them with
 // several threads: few edges that are long in the mesh's metric are long in the field.
-std::vector<long_edge> longer_in_field(const working_mesh& m, const metric_at& field,
+std::vector<long_edge> longer_in_field(const editable_mesh& m, const metric_at& field,
                                        const std::vector<long_edge>& edges, double length) {
   constexpr std::size_t edges_at_once = 1024;
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<long_edge>& longer) {
@@ -122,8 +122,9 @@ std::vector<long_edge> longer_in_field(const working_mesh& m, const metric_at& f
 
 // Splits edges that are too long in the wanted metric, unless they are short in the mesh's own
 // metric, in which stars can agree: where the own metric is coarser, long edges remain.
-std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const length_limits& limits,
-                                                    std::size_t most_nodes) {
+std::vector<vertex_index> unit_mesh_remesher::split_longer(metric_at wanted,
+                                                           const length_limits& limits,
+                                                           std::size_t most_nodes) {
   std::vector<vertex_index> made_nodes;
   field_ = std::move(wanted);
   forget_shapes();
@@ -146,12 +147,12 @@ std::vector<vertex_index> unit_mesher::split_longer(metric_at wanted, const leng
   return made_nodes;
 }
 
-std::size_t unit_mesher::split_left_long(metric_at wanted, std::size_t most_nodes) {
+std::size_t unit_mesh_remesher::split_left_long(metric_at wanted, std::size_t most_nodes) {
   constexpr double most = 1.35, own = 1.2;  // units
   return split_longer(std::move(wanted), {most * unit_, own * unit_}, most_nodes).size();
 }
 
-std::vector<vertex_index> unit_mesher::split_outliers(metric_at wanted) {
+std::vector<vertex_index> unit_mesh_remesher::split_outliers(metric_at wanted) {
   constexpr double most = 1.5, own = 1.3;  // of the length that the metric itself calls one
   constexpr std::size_t parts = 200;       // of the nodes: the count stays as it is but for these
   const double one = unit_ / crowding_;
@@ -159,7 +160,7 @@ std::vector<vertex_index> unit_mesher::split_outliers(metric_at wanted) {
 }
 
 // Queues the edges of t for flips and its nodes for moves, and forgets its energy.
-void unit_mesher::note_change(vertex_index t) {
+void unit_mesh_remesher::note_change(vertex_index t) {
   if (is_due_.size() < m_.faces().size()) is_due_.resize(m_.faces().size(), 0);
   if (is_restless_.size() < m_.nodes().size()) is_restless_.resize(m_.nodes().size(), 0);
   for (const vertex_index v : m_.faces()[t].v) is_restless_[v] = 1;
@@ -169,13 +170,13 @@ void unit_mesher::note_change(vertex_index t) {
   due_.push_back(t);
 }
 
-void unit_mesher::note_changes_around(vertex_index v) {
+void unit_mesh_remesher::note_changes_around(vertex_index v) {
   face_list at;
   m_.around(v, at);
   for (const vertex_index t : at) note_change(t);
 }
 
-bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
+bool unit_mesh_remesher::flip_if_better(vertex_index t, std::size_t edge) {
   const face& f = m_.faces()[t];
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
@@ -204,7 +205,7 @@ bool unit_mesher::flip_if_better(vertex_index t, std::size_t edge) {
 }
 
 // Flips edges from v outwards until no flip lowers the energy.
-void unit_mesher::settle_around(vertex_index v) {
+void unit_mesh_remesher::settle_around(vertex_index v) {
   note_changes_around(v);
   face_list at;
   constexpr int most = 8;
@@ -220,7 +221,7 @@ void unit_mesher::settle_around(vertex_index v) {
   }
 }
 
-std::size_t unit_mesher::split_long(double longest, std::size_t most) {
+std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most) {
   std::size_t done = 0;
   const double shortest = 0.55 * unit_;
   for (const long_edge& e : edges_where<than::longer>(m_, longest)) {
@@ -261,7 +262,7 @@ std::size_t unit_mesher::split_long(double longest, std::size_t most) {
   return done;
 }
 
-bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) {
+bool unit_mesh_remesher::merge_if_good(vertex_index v, vertex_index w, double longest) {
   if (m_.at(v).kind == node_kind::given) return false;
   face_list at;
   m_.around(v, at);
@@ -289,7 +290,7 @@ bool unit_mesher::merge_if_good(vertex_index v, vertex_index w, double longest) 
   return true;
 }
 
-std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
+std::size_t unit_mesh_remesher::merge_short(double shortest, std::size_t most) {
   std::size_t done = 0;
   if (shortest <= 0) return done;  // no edge is: looks at none
   std::vector<long_edge> found = edges_where<than::shorter>(m_, shortest);
@@ -306,7 +307,7 @@ std::size_t unit_mesher::merge_short(double shortest, std::size_t most) {
 }
 
 // Flips queued edges until no flip lowers the energy.
-void unit_mesher::flip_all() {
+void unit_mesh_remesher::flip_all() {
   const std::size_t most = 20 * m_.faces().size();
   for (std::size_t next = 0; next < due_.size() && next < most; ++next) {
     const vertex_index t = due_[next];
@@ -318,7 +319,7 @@ void unit_mesher::flip_all() {
   due_.clear();
 }
 
-double unit_mesher::energies_of(const face_list& at, face_energies& each) {
+double unit_mesh_remesher::energies_of(const face_list& at, face_energies& each) {
   double sum = 0;
   each.clear();
   for (const vertex_index t : at) {
@@ -330,7 +331,8 @@ double unit_mesher::energies_of(const face_list& at, face_energies& each) {
 
 // Returns the weighted mean of the places that are best for the triangles around v: for each, the
 // apex of an equilateral triangle on the edge across from v. Poor triangles have more weight.
-point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energies& each) const {
+point unit_mesh_remesher::pulled(vertex_index v, const face_list& at,
+                                 const face_energies& each) const {
   double x = 0, y = 0, weights = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
     const face& f = m_.faces()[at[k]];
@@ -354,7 +356,8 @@ point unit_mesher::pulled(vertex_index v, const face_list& at, const face_energi
   return {x / weights, y / weights};
 }
 
-bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at, double before) {
+bool unit_mesh_remesher::try_move(vertex_index v, const point& to, const face_list& at,
+                                  double before) {
   const node old = m_.at(v);
   m_.move(v, to);
   measure(v);
@@ -378,7 +381,7 @@ bool unit_mesher::try_move(vertex_index v, const point& to, const face_list& at,
 }
 
 // Moves each queued node to the place that is best for its triangles, if that lowers their energy.
-void unit_mesher::smooth() {
+void unit_mesh_remesher::smooth() {
   face_list at;
   face_energies each;
   is_restless_.resize(m_.nodes().size(), 0);

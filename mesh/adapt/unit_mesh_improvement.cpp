@@ -23,13 +23,14 @@ constexpr double least_gain = 1e-4;
 
 // A node that may be merged into another, and the gain: the energies of its faces plus the allowed
 // cost, minus the energies of the remaining faces and twice the mean energy.
-struct unit_mesher::worthwhile_merge {
+struct unit_mesh_remesher::worthwhile_merge {
   double gain = 0;
   vertex_index v = none, into = none;
 };
 
 // Returns the best merge of a free node, if one is allowed and gains energy.
-std::optional<unit_mesher::worthwhile_merge> unit_mesher::best_merge(vertex_index v, double mean) {
+std::optional<unit_mesh_remesher::worthwhile_merge> unit_mesh_remesher::best_merge(vertex_index v,
+                                                                                   double mean) {
   if (m_.at(v).kind != node_kind::free) return std::nullopt;
   face_list at, neighbours;
   m_.around(v, at);
@@ -53,7 +54,7 @@ std::optional<unit_mesher::worthwhile_merge> unit_mesher::best_merge(vertex_inde
   return best.v == none ? std::nullopt : std::optional(best);
 }
 
-double unit_mesher::mean_energy() {
+double unit_mesh_remesher::mean_energy() {
   double sum = 0;
   std::size_t faces = 0;
   for (vertex_index t = 0; t < m_.faces().size(); ++t) {
@@ -66,7 +67,7 @@ double unit_mesher::mean_energy() {
 
 // Merges nodes whose merge gains energy, those with the greatest gain first. Returns the number of
 // merges.
-std::size_t unit_mesher::merge_where_better() {
+std::size_t unit_mesh_remesher::merge_where_better() {
   const double mean = mean_energy();
   std::vector<worthwhile_merge> found;
   for (vertex_index v = 0; v < m_.nodes().size(); ++v)
@@ -86,7 +87,7 @@ std::size_t unit_mesher::merge_where_better() {
   return done;
 }
 
-void unit_mesher::improve(metric_at field, face_test allowed) {
+void unit_mesh_remesher::improve(metric_at field, face_test allowed) {
   constexpr int rounds = 4, sweeps = 10;
   field_ = std::move(field);
   allowed_ = std::move(allowed);

@@ -49,8 +49,8 @@ seed_list level_of(const seed_list& seeds, std::size_t step, std::size_t coarser
 
 // Splits a subsegment at a seed that is on it, up to rounding, or beside a curve that it is a chord
 // of. Returns no node where the seed is elsewhere, or has no room.
-std::optional<vertex_index> unit_mesher::insert_on_side(vertex_index t, std::size_t edge,
-                                                        node& there) {
+std::optional<vertex_index> unit_mesh_remesher::insert_on_side(vertex_index t, std::size_t edge,
+                                                               node& there) {
   const face& f = m_.faces()[t];
   if (f.segment[edge] == none || is_of_frame(f.segment[edge])) return std::nullopt;
   const point &a = m_.at(f.v[after(edge)]).position, &b = m_.at(f.v[before(edge)]).position;
@@ -71,7 +71,7 @@ std::optional<vertex_index> unit_mesher::insert_on_side(vertex_index t, std::siz
 
 // Inserts a node at a seed. Seeds on the sides split these: a split of a long edge is decided by
 // the metric at its ends, and would miss a front that ends between them.
-std::optional<vertex_index> unit_mesher::insert_seed(const located& at, node& there) {
+std::optional<vertex_index> unit_mesh_remesher::insert_seed(const located& at, node& there) {
   if (at.beyond) return insert_on_side(at.face, *at.beyond, there);
   if (is_crowded(at.face, there)) return std::nullopt;
   if (const auto made = m_.insert(at.face, there.position)) return made;
@@ -84,7 +84,7 @@ std::optional<vertex_index> unit_mesher::insert_seed(const located& at, node& th
 
 // Inserts nodes at the seeds that have room. Returns the seeds that no walk from the nodes before
 // reached.
-std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
+std::vector<point> unit_mesh_remesher::insert_seeds(std::span<const point> seeds) {
   std::vector<point> left;
   vertex_index from = 0, hint = 0;
   for (const point& q : seeds) {
@@ -114,9 +114,9 @@ std::vector<point> unit_mesher::insert_seeds(std::span<const point> seeds) {
 
 // Inserts the seeds, in the blocks of one cut. Returns those left over near the frame: their faces
 // are in other blocks than their places on the curve.
-std::vector<point> unit_mesher::insert_in_blocks(const std::vector<point>& seeds) {
+std::vector<point> unit_mesh_remesher::insert_in_blocks(const std::vector<point>& seeds) {
   std::vector<seed_list> lists, left;
-  const auto insert = [&](unit_mesher& part, std::size_t b) {
+  const auto insert = [&](unit_mesh_remesher& part, std::size_t b) {
     left[b] = part.insert_seeds(lists[b]);
     part.flip_all();  // also what was the frame of the cut before
     return lists[b].size() - left[b].size();
@@ -132,7 +132,7 @@ std::vector<point> unit_mesher::insert_in_blocks(const std::vector<point>& seeds
 // the beginning make the mesh that is cut into blocks for the next ones. All parts are ordered so
 // that near seeds follow each other. Where few nodes are wanted most seeds find no room, and all
 // are inserted at once.
-void unit_mesher::seed(const std::vector<point>& seeds) {
+void unit_mesh_remesher::seed(const std::vector<point>& seeds) {
   constexpr std::size_t few = 16384, finer = 16;
   const std::size_t expected =
       options_.count == 0 ? seeds.size() : std::min(seeds.size(), options_.count);

@@ -55,7 +55,7 @@ struct vertex_smoothing::side_products {
   }
 };
 
-vertex_smoothing::vertex_smoothing(working_mesh& m, double angle_bound, double unit,
+vertex_smoothing::vertex_smoothing(editable_mesh& m, double angle_bound, double unit,
                                    wanted_at wanted)
     : m_(m),
       tests_(m, angle_bound),
@@ -93,12 +93,12 @@ bool vertex_smoothing::is_in_vain() const {
     }
   };
   constexpr std::size_t chunk = 4096;
-  std::vector<char> is_hopeless(m_.nodes().size(), 0);
+  std::vector<char> is_far_below(m_.nodes().size(), 0);
   for (const vertex_index u : collect_chunks<vertex_index>(m_.faces().size(), chunk, append))
-    is_hopeless[u] = 1;
-  const auto hopeless =
-      static_cast<std::size_t>(std::count(is_hopeless.begin(), is_hopeless.end(), char{1}));
-  return part * hopeless > m_.count();
+    is_far_below[u] = 1;
+  const auto far_below =
+      static_cast<std::size_t>(std::count(is_far_below.begin(), is_far_below.end(), char{1}));
+  return part * far_below > m_.count();
 }
 
 void vertex_smoothing::run(const cancellation& stop) {

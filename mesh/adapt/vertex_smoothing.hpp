@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/edges_around.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
@@ -29,7 +29,7 @@ class vertex_smoothing {
   using wanted_at = std::function<metric_tensor(const point& q, vertex_index& hint)>;
 
   // Takes the wanted length `unit` of an edge. The mesh must outlive the object.
-  vertex_smoothing(working_mesh& m, double angle_bound, double unit, wanted_at wanted);
+  vertex_smoothing(editable_mesh& m, double angle_bound, double unit, wanted_at wanted);
 
   // True if the wanted metric varies so much over the edges that moves would help few nodes.
   bool is_in_vain() const;
@@ -67,7 +67,7 @@ class vertex_smoothing {
   bool may_be_at(vertex_index v, const place& there);
   bool settle(vertex_index v);
 
-  working_mesh& m_;
+  editable_mesh& m_;
   local_tests tests_;
   present_centres present_;
   edges_around edges_;

@@ -79,7 +79,7 @@ struct audited_requirement {
   narrow_wedges wedges;
 };
 
-enum class angle_standing { ordinary, collateral, exempt };
+enum class angle_class { ordinary, collateral, exempt };
 
 class angle_check {
  public:
@@ -103,10 +103,10 @@ class angle_check {
         const angle a{t,
                       {c[i], c[(i + 1) % 3], c[(i + 2) % 3]},
                       perspective,
-                      standing_of(i, perspective),
+                      class_of(i, perspective),
                       above[i]};
         note(a);
-        if (!is_wide(a)) failed[static_cast<std::size_t>(a.standing)] = true;
+        if (!is_wide(a)) failed[static_cast<std::size_t>(a.demand)] = true;
       }
     }
     if (failed[0]) tally_.part.low_triangles.push_back(t);
@@ -119,7 +119,7 @@ class angle_check {
     vertex_index triangle;
     corner at;
     vertex_index perspective;
-    angle_standing standing;
+    angle_class demand;
     double above;  // its cotangent is at most this
   };
 
@@ -139,7 +139,7 @@ class angle_check {
         if (wanted_.degrees > 0 && !(a < wanted_.bound.root_below)) return false;
     }
     if (wanted_.degrees > 0) tally_.part.decisions += perspectives * 3;
-    constexpr auto ordinary = angle_standing::ordinary;
+    constexpr auto ordinary = angle_class::ordinary;
     for (std::size_t j = 0; j < asked_of; ++j)
       for (std::size_t i = 0; i < 3; ++i)
         if (!(above[j][i] < greatest_cotangent_[static_cast<std::size_t>(ordinary)]))
@@ -160,20 +160,20 @@ class angle_check {
 
   // Classifies an angle. The sector is narrow in the corner's own metric; seen from another vertex
   // the angle is exempt only if it is proved narrow in that vertex's metric, too.
-  angle_standing standing_of(std::size_t i, vertex_index perspective) {
-    if (!beside_) return angle_standing::ordinary;
+  angle_class class_of(std::size_t i, vertex_index perspective) {
+    if (!beside_) return angle_class::ordinary;
     const narrow_sector* const s = sector_[i];
-    if (s == nullptr) return angle_standing::collateral;
+    if (s == nullptr) return angle_class::collateral;
     const bool forced =
         perspective == s->at ||
         is_proven_narrow(context_, tally_, {s->at, s->first, s->last}, perspective, wanted_.bound);
-    return forced ? angle_standing::exempt : angle_standing::collateral;
+    return forced ? angle_class::exempt : angle_class::collateral;
   }
 
   // Enters an angle into the least angles found so far. Skips computing its degrees if its quick
   // bound proves that a smaller angle of its kind is known.
   void note(const angle& a) {
-    const auto kind = static_cast<std::size_t>(a.standing);
+    const auto kind = static_cast<std::size_t>(a.demand);
     if (a.above < greatest_cotangent_[kind]) return;
     const std::array<audited_angle*, 3> worst = {
         &tally_.part.worst_ordinary, &tally_.part.worst_collateral, &tally_.part.worst_exempt};
@@ -196,12 +196,12 @@ class angle_check {
       return true;
     }
     if (is_proven_wide(context_, tally_, a.at, a.perspective, wanted_.bound)) return true;
-    if (a.standing != angle_standing::exempt) report(a);
+    if (a.demand != angle_class::exempt) report(a);
     return false;
   }
 
   void report(const angle& a) {
-    const finding_kind kind = a.standing == angle_standing::collateral
+    const finding_kind kind = a.demand == angle_class::collateral
                                   ? finding_kind::collateral_angle_below_bound
                                   : finding_kind::angle_below_bound;
     tally_.found(kind, tally_.is_kept(kind) ? witness(a) : std::string());
@@ -213,9 +213,8 @@ class angle_check {
            number_text(angle_in_degrees(context_, a.at, a.perspective)) +
            " degrees in the metric of " + vertex_text(context_, a.perspective) + ", below " +
            number_text(wanted_.degrees) +
-           (a.standing == angle_standing::collateral
-                ? "; a sharp corner excuses its own angle alone"
-                : "");
+           (a.demand == angle_class::collateral ? "; a sharp corner excuses its own angle alone"
+                                                : "");
   }
 
   const audit_context& context_;

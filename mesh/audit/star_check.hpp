@@ -23,10 +23,10 @@
 #include "asterism/mesh/audit/context.hpp"
 #include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
+#include "asterism/mesh/audit/site_visibility.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
 #include "asterism/mesh/audit/star_outline.hpp"
 #include "asterism/mesh/audit/star_surroundings.hpp"
-#include "asterism/mesh/audit/visibility_test.hpp"
 
 namespace asterism::internal::audit_detail {
 
@@ -180,7 +180,7 @@ class star_check {
   audit_tally& tally_;
   audit_work_guard guard_;
   const star_surroundings& around_;
-  visibility_test sight_;
+  site_visibility sight_;
   // Scratch vectors for the present vertices; members, so that they are not allocated each time.
   std::vector<prepared_fan> prepared_;  // the first used_
   std::size_t used_ = 0;

@@ -131,7 +131,7 @@ struct close_vertices {
 
 // The fallback: one metric for all sites
 // (delivery/constant_metric_fallback.hpp).
-struct last_resort_report {
+struct constant_metric_report {
   refinement_ending as_given;  // how refinement ended in the metric as given
   // Two given vertices that are a rounding apart, which leaves no room for triangles beside them.
   std::optional<close_vertices> too_close;
@@ -159,7 +159,7 @@ struct mesh_outcome {
   std::optional<improvement_report> improved;  // where passes were asked for and it is complete
   // Set if the mesh is in one metric for all sites; `delivered` has its distance from the one
   // wanted, unless both are equal.
-  std::optional<last_resort_report> one_metric;
+  std::optional<constant_metric_report> one_metric;
   // Set if the mesh was first refined in one metric for all sites and that was stopped: how it
   // ended. The mesh is then in the metric given, and `ended` states how refinement ended there.
   std::optional<refinement_ending> stopped_in_one_metric;

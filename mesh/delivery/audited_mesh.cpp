@@ -15,7 +15,7 @@ constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
-void audited_mesh::take(const adapting::working_mesh& m) {
+void audited_mesh::take(const adapting::editable_mesh& m) {
   memory_ = {};
   std::vector<vertex_index> renumbered;
   subject_ = m.triangulation(renumbered);
@@ -25,7 +25,7 @@ void audited_mesh::take(const adapting::working_mesh& m) {
     if (renumbered[v] != adapting::none) node_of_[renumbered[v]] = v;
 }
 
-void audited_mesh::take_changed(const adapting::working_mesh& m) {
+void audited_mesh::take_changed(const adapting::editable_mesh& m) {
   const star_memory before = std::move(memory_);
   std::vector<double> reaches(m.nodes().size(), std::numeric_limits<double>::infinity());
   for (vertex_index s = 0; s < before.reaches.size(); ++s) reaches[node_of_[s]] = before.reaches[s];
@@ -79,7 +79,7 @@ node_list audited_mesh::nodes_of(const Vertices& vertices) const {
   return nodes;
 }
 
-void audited_mesh::ask_filters(const adapting::working_mesh& m,
+void audited_mesh::ask_filters(const adapting::editable_mesh& m,
                                const std::function<void(const node_list&)>& refuse) {
   const auto is_as_it_was = [&](vertex_index s) {
     return identical(m.at(node_of_[s]).metric, subject_.sites[s].metric);

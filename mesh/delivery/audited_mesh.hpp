@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/audit/auditor.hpp"
 #include "asterism/mesh/data/domain.hpp"
 #include "asterism/mesh/data/mesh.hpp"
@@ -38,10 +38,10 @@ class audited_mesh {
   void leave_unbounded() { many_for_a_gap_ = 0; }
 
   // Takes the present mesh of the triangulation to be audited.
-  void take(const adapting::working_mesh& m);
+  void take(const adapting::editable_mesh& m);
   // Takes the present mesh, which has the nodes of the last one that was taken and audited: the
   // known reaches of their stars are kept.
-  void take_changed(const adapting::working_mesh& m);
+  void take_changed(const adapting::editable_mesh& m);
 
   // Audits the mesh; an audit that keeps all findings is never cut short.
   void judge(std::size_t findings_kept);
@@ -53,7 +53,7 @@ class audited_mesh {
   void judge_again(node_list changed, hard_questions hard);
   // Decides open questions by filters, except those about a tensor that was changed in m since the
   // mesh was taken. Calls refuse(nodes) for each question decided against the mesh.
-  void ask_filters(const adapting::working_mesh& m,
+  void ask_filters(const adapting::editable_mesh& m,
                    const std::function<void(const node_list&)>& refuse);
 
   // Returns the nodes of each finding, a list for each: of findings about stars, and of triangles

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/sampled_background.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/metric/constant_field.hpp"
@@ -59,7 +59,7 @@ std::optional<mesh> coarse_mesh(const domain& d, const metric_field& field,
 std::optional<adapting::sampled_background> sample_field(const domain& d, const mesh& start,
                                                          const metric_field& field, double longest,
                                                          const cancellation& stop) {
-  auto built = adapting::working_mesh::build(d, start);
+  auto built = adapting::editable_mesh::build(d, start);
   if (!built) return std::nullopt;
   adapting::sampling_limits limits;
   limits.longest = longest;

@@ -141,7 +141,8 @@ class constant_metric_fallback {
   // such mesh.
   std::optional<mesh_outcome> attempt(bool has_demands) {
     has_demands_ = has_demands;
-    if (is_stopped() || !(units_left() > least_left * units_for_last_resort)) return std::nullopt;
+    if (is_stopped() || !(units_left() > least_left * units_for_constant_metric))
+      return std::nullopt;
     mesh_options options = options_;
     if (!has_demands) {
       options.angle_bound = 0;
@@ -154,7 +155,9 @@ class constant_metric_fallback {
   }
 
   // Returns the work limit of one attempt, in units.
-  double units_left() const { return std::min(options_.stop.units_left(), units_for_last_resort); }
+  double units_left() const {
+    return std::min(options_.stop.units_left(), units_for_constant_metric);
+  }
 
   bool is_stopped() {
     if (!stopped_) stopped_ = options_.stop.told();

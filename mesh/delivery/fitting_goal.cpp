@@ -5,8 +5,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/shape_filter.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/delivery/short_chords.hpp"
 #include "asterism/mesh/gradation/nodal_gradation.hpp"
 

@@ -13,10 +13,10 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/consistency_repair.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/adapt/vertex_smoothing.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/delivery/audited_mesh.hpp"
 #include "asterism/mesh/delivery/constant_metric_fallback.hpp"
 #include "asterism/mesh/delivery/fitting_goal.hpp"
@@ -90,7 +90,7 @@ class local_adaptation {
       if (is_certified() || stop_reason() || is_overworked()) break;
       // Skips to the strictest step where mending made no progress: a slightly stricter one does
       // not help.
-      if (std::exchange(is_hopeless_, false)) step = std::max(step, ladder.size() - 2);
+      if (std::exchange(repair_gave_up_, false)) step = std::max(step, ladder.size() - 2);
     }
     options_.stop = whole;
     if (!is_certified() && !stop_reason()) adapt_in_one_metric();
@@ -150,7 +150,7 @@ class local_adaptation {
   }
 
   // Returns the field as a function that charges its searches to the mesh.
-  static metric_at field_by(const background_metric& field, const working_mesh& m) {
+  static metric_at field_by(const background_metric& field, const editable_mesh& m) {
     return [&field, &m](const point& q, vertex_index& hint) {
       const metric_tensor there = field.at(q, hint);
       m.note_looked_at(field.take_looked_at());
@@ -165,7 +165,7 @@ class local_adaptation {
 
   // Returns the metric wanted at a node, remembered from the last time unless the node has moved.
   // Several threads may call it for different nodes.
-  std::optional<metric_tensor> wanted_of(const working_mesh& m, vertex_index v) {
+  std::optional<metric_tensor> wanted_of(const editable_mesh& m, vertex_index v) {
     const point& q = m.at(v).position;
     std::optional<site>& last = looked_up_[v];
     if (last && last->position == q) return last->metric;
@@ -176,7 +176,7 @@ class local_adaptation {
 
   // Sets the nodes' tensors to those interpolated on the background: the wanted metric except for
   // rounding, and computed faster.
-  void take_interpolated(working_mesh& m) const {
+  void take_interpolated(editable_mesh& m) const {
     m.each_node([&](vertex_index v) {
       m.set_metric(v, goal_.metric().at(m.at(v).position, m.at(v).hint));
     });
@@ -184,14 +184,14 @@ class local_adaptation {
 
   // Sets the node's tensor to that of the fitted metric where it differs from the wanted metric;
   // both are interpolated by the same operations.
-  void take_other(working_mesh& m, vertex_index v) const {
+  void take_other(editable_mesh& m, vertex_index v) const {
     const auto without = goal_.metric().where_other(wanted_, m.at(v).position, m.at(v).hint);
     if (without) m.set_metric(v, *without);
   }
 
   // Sets the nodes' tensors to the wanted metric there, or to that of the fitted metric. Returns
   // false where the field fails.
-  bool take_wanted(working_mesh& m) {
+  bool take_wanted(editable_mesh& m) {
     std::atomic<bool> is_known = true;
     looked_up_.resize(m.nodes().size());
     m.each_node([&](vertex_index v) {
@@ -206,9 +206,9 @@ class local_adaptation {
   // Makes the mesh and its audit in made_. Returns false where the mesh cannot be made within the
   // work that is left.
   bool attempt(const mesh& start, const strictness& how) {
-    auto built = working_mesh::build(domain_, start);
+    auto built = editable_mesh::build(domain_, start);
     if (!built) return false;
-    working_mesh m = std::move(built).value();
+    editable_mesh m = std::move(built).value();
     const background_metric background = goal_.graded(how.background, options_.stop);
     unit_mesh_options making;
     making.count = goal_.count();
@@ -218,7 +218,7 @@ class local_adaptation {
     making.most_nodes = std::min(options_.max_sites,
                                  times_as_many * goal_.count() + at_least + start_.sites.size());
     making.stop = options_.stop;
-    unit_mesher maker(m, making);
+    unit_mesh_remesher maker(m, making);
     maker.run(field_by(background, m), seeds_);
     // Merges the shortest edges, measured in the metric of the nodes, where splits have added too
     // many nodes: a metric that turns fast needs more splits. Skipped where many nodes are given,
@@ -241,7 +241,7 @@ class local_adaptation {
   }
 
   // True if at least a quarter of the nodes are vertices of the domain, which stay where they are.
-  static bool are_many_given(const working_mesh& m) {
+  static bool are_many_given(const editable_mesh& m) {
     constexpr std::ptrdiff_t part = 4;
     const auto given = std::count_if(m.nodes().begin(), m.nodes().end(),
                                      [](const node& n) { return n.kind == node_kind::given; });
@@ -249,7 +249,7 @@ class local_adaptation {
   }
 
   // Grades the nodes' tensors on the mesh's graph. Returns the distortion that was used.
-  double grade_as_needed(working_mesh& m, const strictness& how, double unit) const {
+  double grade_as_needed(editable_mesh& m, const strictness& how, double unit) const {
     constexpr double changed = 0.1;        // log distortion: lengths by a tenth
     constexpr std::size_t nearly_all = 4;  // one node in this number may be unlike
     const std::vector<node> before = m.nodes();
@@ -266,7 +266,7 @@ class local_adaptation {
 
   // Fits the mesh to the wanted metric as graded on its own graph, and splits the edges that are
   // still long. Returns false where the wanted metric fails, or the work limit is reached.
-  bool fit_to_own(working_mesh& m, unit_mesher& maker, const strictness& how,
+  bool fit_to_own(editable_mesh& m, unit_mesh_remesher& maker, const strictness& how,
                   std::size_t most_nodes) {
     if (is_field_itself_)
       take_interpolated(m);
@@ -293,7 +293,7 @@ class local_adaptation {
   }
 
   // Splits edges that are still too long for stars to agree, which the unit mesh left.
-  void split_left_long(working_mesh& m, unit_mesher& maker, std::size_t most_nodes) const {
+  void split_left_long(editable_mesh& m, unit_mesh_remesher& maker, std::size_t most_nodes) const {
     repair_options agree = asked_of_agreement(maker.unit());
     // Bounds the rounds: these are enough to find the edges that stars need. Stars that still
     // disagree are repaired when the mesh is delivered.
@@ -312,7 +312,7 @@ class local_adaptation {
   // Clips tensors until the mesh is certified, then restores the wanted ones where that is
   // possible. A mesh whose edges agree is nearly always certified. So the first audit follows the
   // restoration; one precedes it only if the restored mesh is not certified.
-  void deliver(working_mesh& m, unit_mesher& maker) {
+  void deliver(editable_mesh& m, unit_mesh_remesher& maker) {
     const repair_options agree = asked_of_agreement(length_factor_);
     consistency_repair agreeing(m, agree);
     agreeing.run();
@@ -328,7 +328,7 @@ class local_adaptation {
     constexpr std::size_t few = 20;  // one node in this number
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
-      const working_mesh alike = m;
+      const editable_mesh alike = m;
       if (give_back(m)) return;
       m = alike;
     }
@@ -340,7 +340,7 @@ class local_adaptation {
 
   // Moves the nodes of a mesh whose edges agree to places where more nodes can have their wanted
   // tensors.
-  void settle(working_mesh& m, consistency_repair& agreeing) {
+  void settle(editable_mesh& m, consistency_repair& agreeing) {
     if (agreeing.report().disagreeing + agreeing.report().low > 0 || options_.angle_bound <= 0)
       return;
     vertex_smoothing settled(m, options_.angle_bound, length_factor_, field_by(wanted_, m));
@@ -350,8 +350,8 @@ class local_adaptation {
   }
 
   // Clips tensors until the audit of the mesh has no finding.
-  void mend(working_mesh& m, consistency_repair& agreeing) {
-    constexpr int patience = 3, patience_with_few = 4;
+  void mend(editable_mesh& m, consistency_repair& agreeing) {
+    constexpr int most_in_vain = 3, most_since_least = 4;
     std::size_t least = every_finding;
     int in_vain = 0, since_least = 0;
     for (int audits = 0; audits < most_repairs && !is_overworked(); ++audits) {
@@ -362,10 +362,10 @@ class local_adaptation {
       const bool are_many = 20 * left > made_.subject().sites.size();
       in_vain = are_many && 10 * left > 9 * least ? in_vain + 1 : 0;
       since_least = left < least ? 0 : since_least + 1;
-      if (since_least == patience_with_few) return;
+      if (since_least == most_since_least) return;
       least = std::min(least, left);
-      is_hopeless_ = in_vain == patience;
-      if (is_hopeless_) return;
+      repair_gave_up_ = in_vain == most_in_vain;
+      if (repair_gave_up_) return;
       const std::vector<node_list> found = made_.nodes_found();
       if (found.empty()) return;
       for (const node_list& at : found) agreeing.disagreed_at(at);
@@ -375,7 +375,7 @@ class local_adaptation {
 
   // Restores the wanted tensors at the nodes where the auditor accepts them. Returns whether the
   // resulting mesh is certified.
-  bool give_back(working_mesh& m) {
+  bool give_back(editable_mesh& m) {
     std::vector<metric_tensor> tensors(m.nodes().size());
     std::atomic<bool> is_known = true;
     looked_up_.resize(m.nodes().size());
@@ -397,12 +397,12 @@ class local_adaptation {
     if (!metric) return;
     const auto made = mesh_in_one_metric(domain_, *metric, options_, goal_.count());
     if (!made) return;
-    auto built = working_mesh::build(domain_, made->made);
+    auto built = editable_mesh::build(domain_, made->made);
     if (!built) return;
     const audited_mesh before = made_;
     const double length_factor = std::exchange(length_factor_, made->length_factor);
-    working_mesh m = std::move(built).value();
-    const working_mesh alike = m;
+    editable_mesh m = std::move(built).value();
+    const editable_mesh alike = m;
     if (give_back(m)) return;
     made_.take(alike);
     made_.judge(every_finding);
@@ -454,9 +454,9 @@ class local_adaptation {
   std::vector<point> seeds_;
   std::vector<std::optional<site>> looked_up_;  // metric wanted of each node, where it was
   double length_factor_ = 1;
-  bool wants_room_ = false;   // angles beside short segments were low
-  bool is_hopeless_ = false;  // mending of the last mesh was given up
-  audited_mesh made_;         // the last mesh
+  bool wants_room_ = false;      // angles beside short segments were low
+  bool repair_gave_up_ = false;  // mending of the last mesh was given up
+  audited_mesh made_;            // the last mesh
 };
 
 }  // namespace

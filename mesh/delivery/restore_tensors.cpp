@@ -25,7 +25,7 @@ constexpr int most_mended = 8;
 // True if the reach of the gap at corner i of the face is unknown: an audit would test the star
 // against all sites. As in an audit, a bound that takes few operations is tried first; it suffices
 // for most gaps.
-bool has_unknown_reach(const adapting::working_mesh& m, const adapting::face& f, std::size_t i) {
+bool has_unknown_reach(const adapting::editable_mesh& m, const adapting::face& f, std::size_t i) {
   if (f.segment[i] != adapting::none) return false;
   const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
   const site v = at(f.v[i]), x = at(f.v[adapting::after(i)]), y = at(f.v[adapting::before(i)]);
@@ -35,7 +35,7 @@ bool has_unknown_reach(const adapting::working_mesh& m, const adapting::face& f,
 
 // Undoes the changes of the nodes of a gap of unknown reach, one after the other, the star's centre
 // first, until the reach is known or no change is left.
-void take_back_at(adapting::working_mesh& m, adapting::tensor_restoration& giving, vertex_index t,
+void take_back_at(adapting::editable_mesh& m, adapting::tensor_restoration& giving, vertex_index t,
                   node_list& taken) {
   const adapting::face f = m.faces()[t];
   if (std::none_of(f.v.begin(), f.v.end(), [&](vertex_index v) { return giving.has_given(v); }))
@@ -49,7 +49,7 @@ void take_back_at(adapting::working_mesh& m, adapting::tensor_restoration& givin
 
 // Undoes the changes that leave gaps of unknown reach: the first audit would leave them open, and
 // need another one. Each node is undone once, so this ends.
-void take_back_unbounded(adapting::working_mesh& m, adapting::tensor_restoration& giving,
+void take_back_unbounded(adapting::editable_mesh& m, adapting::tensor_restoration& giving,
                          const cancellation& stop) {
   node_list faces, taken;
   for (vertex_index t = 0; t < m.faces().size(); ++t)
@@ -76,7 +76,7 @@ struct mesh_changes {
   bool are_inside = true;
 };
 
-mesh_changes changes_of(const adapting::working_mesh& before, const adapting::working_mesh& m) {
+mesh_changes changes_of(const adapting::editable_mesh& before, const adapting::editable_mesh& m) {
   using adapting::node_kind;
   mesh_changes found;
   for (vertex_index v = 0; v < m.nodes().size(); ++v) {
@@ -97,7 +97,7 @@ mesh_changes changes_of(const adapting::working_mesh& before, const adapting::wo
 // Restores the tensors of one mesh as far as an auditor accepts them.
 class giver {
  public:
-  giver(adapting::working_mesh& m, std::vector<metric_tensor> wanted, const mesh_options& options,
+  giver(adapting::editable_mesh& m, std::vector<metric_tensor> wanted, const mesh_options& options,
         const adapting::repair_options& mending, audited_mesh& audited)
       : m_(m),
         options_(options),
@@ -164,7 +164,7 @@ class giver {
   bool mend(const std::vector<node_list>& found) {
     if (found.size() > least_found_ || times_mended_++ >= most_mended) return false;
     least_found_ = found.size();
-    const adapting::working_mesh before = m_;
+    const adapting::editable_mesh before = m_;
     adapting::consistency_repair agreeing(m_, mending_);
     for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
     agreeing.run();
@@ -186,7 +186,7 @@ class giver {
     audited_.judge_again(std::move(looked_at), hard_questions::left_open);
   }
 
-  adapting::working_mesh& m_;
+  adapting::editable_mesh& m_;
   const mesh_options& options_;
   const adapting::repair_options& mending_;
   audited_mesh& audited_;
@@ -196,7 +196,7 @@ class giver {
 };
 
 // Lists the faces with one of these nodes, in order.
-node_list faces_with(const adapting::working_mesh& m, const node_list& nodes) {
+node_list faces_with(const adapting::editable_mesh& m, const node_list& nodes) {
   std::vector<char> is_one(m.nodes().size(), 0);
   for (const vertex_index v : nodes) is_one[v] = 1;
   node_list faces;
@@ -208,7 +208,8 @@ node_list faces_with(const adapting::working_mesh& m, const node_list& nodes) {
 }
 
 // Lists the nodes of those of the faces that are at gaps of unknown reach, a list for each gap.
-std::vector<node_list> nodes_at_unknown_reach(const adapting::working_mesh& m, const node_list& faces) {
+std::vector<node_list> nodes_at_unknown_reach(const adapting::editable_mesh& m,
+                                              const node_list& faces) {
   constexpr std::size_t chunk = 2048;
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<node_list>& found) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -222,7 +223,7 @@ std::vector<node_list> nodes_at_unknown_reach(const adapting::working_mesh& m, c
 
 }  // namespace
 
-void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreeing,
+void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreeing,
                 const cancellation& stop) {
   constexpr int rounds = 2;
   constexpr std::size_t few = 20;  // one node in this number
@@ -234,14 +235,14 @@ void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreein
     m.note_looked_at(work_weights::faces_for_three_gaps * faces.size());
     m.charge_work(stop);
     if (found.empty() || few * found.size() > m.count()) return;
-    const adapting::working_mesh before = m;
+    const adapting::editable_mesh before = m;
     for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
     agreeing.run();
     faces = faces_with(m, changes_of(before, m).nodes);  // the reach at others is known
   }
 }
 
-bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
+bool give_back(adapting::editable_mesh& m, std::vector<metric_tensor> wanted,
                const mesh_options& options, const adapting::repair_options& mending,
                audited_mesh& audited) {
   return giver(m, std::move(wanted), options, mending, audited).run();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/consistency_repair.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/data/options.hpp"
 #include "asterism/mesh/delivery/audited_mesh.hpp"
 
@@ -16,7 +16,7 @@ namespace asterism::internal {
 // Reduces metric differences at gaps of unknown reach, in a mesh whose stars agree: an auditor
 // would test every site against these gaps, and undoing restored tensors does not help. Changes
 // nothing where there are more than a few. `agreeing` is of this mesh.
-void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreeing,
+void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreeing,
                 const cancellation& stop);
 
 // Restores tensors; `wanted` has one for each node. Findings of the audit are undone
@@ -24,7 +24,7 @@ void bound_gaps(adapting::working_mesh& m, adapting::consistency_repair& agreein
 // questions are decided last: not at all if their tensors are undone for another reason, by filters
 // first, and by exact numbers once nothing can be undone. Returns whether the resulting mesh, in
 // `audited`, is certified.
-bool give_back(adapting::working_mesh& m, std::vector<metric_tensor> wanted,
+bool give_back(adapting::editable_mesh& m, std::vector<metric_tensor> wanted,
                const mesh_options& options, const adapting::repair_options& mending,
                audited_mesh& audited);
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
@@ -152,14 +152,14 @@ class improver {
   // Proposes sites by local changes that keep the metric field, and keep barred sites in place.
   // Returns nothing where the mesh is no triangulation in doubles.
   std::optional<proposed_sites> propose(const std::vector<char>& barred) const {
-    auto built = adapting::working_mesh::build(job_.shape, now_);
+    auto built = adapting::editable_mesh::build(job_.shape, now_);
     if (!built) return std::nullopt;
-    adapting::working_mesh m = std::move(built).value();
+    adapting::editable_mesh m = std::move(built).value();
     for (vertex_index v = 0; v < now_.sites.size(); ++v)
       if (m.at(v).kind == node_kind::sliding || barred[v] != 0) m.at(v).kind = node_kind::given;
     adapting::unit_mesh_options making;
     making.stop = options_.stop;
-    adapting::unit_mesher maker(m, making);
+    adapting::unit_mesh_remesher maker(m, making);
     maker.improve([this](const point& q, vertex_index&) { return tensor_at(q); },
                   [this](const node& a, const node& b, const node& c) { return may_be(a, b, c); });
     return sites_of(m);
@@ -183,7 +183,7 @@ class improver {
            (!options_.limit_size || metric_circumradius(t) <= larger * largest_circumradius);
   }
 
-  proposed_sites sites_of(const adapting::working_mesh& m) const {
+  proposed_sites sites_of(const adapting::editable_mesh& m) const {
     proposed_sites p;
     p.filling.complete = true;
     p.filling.divisions.resize(job_.shape.segments.size());

@@ -132,7 +132,7 @@ std::string rounding_text(const std::optional<close_vertices>& close) {
 }
 
 // Returns the text of how the run ended in the metric as given.
-std::string text_as_given(const last_resort_report& report) {
+std::string text_as_given(const constant_metric_report& report) {
   return ending_text(report.as_given) + rounding_text(report.too_close);
 }
 
@@ -149,7 +149,7 @@ std::string text_without_demands(const mesh_outcome& outcome) {
 }
 
 std::string one_metric_text(const mesh_outcome& outcome) {
-  const last_resort_report& report = *outcome.one_metric;
+  const constant_metric_report& report = *outcome.one_metric;
   if (report.is_as_given || !outcome.delivered) return text_without_demands(outcome);
   return fmt::format(
       "stars cannot agree in the metric given ({}); they agree in one metric for "

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/consistency_repair.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/audit/split_edges.hpp"
 #include "asterism/mesh/delivery/audited_mesh.hpp"
 #include "asterism/mesh/delivery/delivered_metric.hpp"
@@ -41,9 +41,9 @@ class across_splitter {
     constexpr int most_attempts = 8;
     mesh now = start;
     for (int attempt = 0; attempt < most_attempts && !is_stopped(); ++attempt) {
-      auto built = working_mesh::build(domain_, now);
+      auto built = editable_mesh::build(domain_, now);
       if (!built) return std::nullopt;
-      working_mesh m = std::move(built).value();
+      editable_mesh m = std::move(built).value();
       if (!split_and_agree(m) || !certify(m)) return std::nullopt;
       now = made_.subject();
       if (edges_across(now).empty()) return now;
@@ -62,7 +62,7 @@ class across_splitter {
   }
 
   // Returns a flag for each node: whether it is an end of an edge with a face on one side alone.
-  static std::vector<char> outer_nodes(const working_mesh& m) {
+  static std::vector<char> outer_nodes(const editable_mesh& m) {
     std::vector<char> is_outer(m.nodes().size(), 0);
     for (const face& f : m.faces())
       for (std::size_t i = 0; f.exists() && i < 3; ++i)
@@ -71,7 +71,7 @@ class across_splitter {
   }
 
   // Returns the place at which an edge is split: its middle, or the nearest point of its curve.
-  static std::optional<point> middle_of(const working_mesh& m, vertex_index t, std::size_t i) {
+  static std::optional<point> middle_of(const editable_mesh& m, vertex_index t, std::size_t i) {
     const face& f = m.faces()[t];
     const point &a = m.at(f.v[after(i)]).position, &b = m.at(f.v[before(i)]).position;
     const point middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
@@ -80,7 +80,7 @@ class across_splitter {
 
   // Splits all inner edges that join two boundary nodes. Returns the new nodes, or none where an
   // edge cannot be split, or the metric fails.
-  std::optional<node_list> split_all(working_mesh& m) const {
+  std::optional<node_list> split_all(editable_mesh& m) const {
     const std::vector<char> is_outer = outer_nodes(m);
     const auto is_across = [&](const face& f, std::size_t i) {
       const vertex_index a = f.v[after(i)], b = f.v[before(i)];
@@ -104,7 +104,7 @@ class across_splitter {
 
   // Alternates splits and repairs of stars, whose flips may make new edges of this kind, until
   // there are none.
-  bool split_and_agree(working_mesh& m) const {
+  bool split_and_agree(editable_mesh& m) const {
     constexpr int most_rounds = 40;
     consistency_repair agreeing(m, agree_);
     for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
@@ -120,7 +120,7 @@ class across_splitter {
 
   // Restores the wanted tensors as far as the auditor accepts, or else repairs the mesh with its
   // present ones. Returns whether it is certified.
-  bool certify(working_mesh& m) {
+  bool certify(editable_mesh& m) {
     constexpr int most_repairs = 12;
     std::vector<metric_tensor> wanted;
     for (const node& n : m.nodes()) {
@@ -129,7 +129,7 @@ class across_splitter {
       if (!there) return false;
       wanted.push_back(*there);
     }
-    working_mesh given = m;
+    editable_mesh given = m;
     if (give_back(given, std::move(wanted), options_, agree_, made_)) return true;
     consistency_repair agreeing(m, agree_);
     for (int repair = 0; repair < most_repairs && !is_stopped(); ++repair) {

@@ -126,7 +126,7 @@ std::vector<triangle> bad_triangle_queue::exempt() const {
 
 void bad_triangle_queue::demand_collateral(const std::set<vertex_index>& but_beside) {
   demands_collateral_ = true;
-  spared_ = but_beside;
+  not_demanded_beside_ = but_beside;
   first_ = true;  // all is judged anew
 }
 
@@ -174,11 +174,11 @@ bool bad_triangle_queue::judge_low(const refine_state& state, const site_oracle&
   if (angle_.is_low(sites, exempt)) {
     const domain_wedge* const wedge = at_corner ? nullptr : crossed_wedge(state, t);
     const auto spares = [&](const domain_corner* c) {
-      return c != nullptr && spared_.contains(c->vertex);
+      return c != nullptr && not_demanded_beside_.contains(c->vertex);
     };
-    const bool spared = std::any_of(in.begin(), in.end(), spares) ||
-                        (wedge != nullptr && spared_.contains(wedge->corner.vertex));
-    if (demands_collateral_ ? !spared : !(at_corner || wedge != nullptr)) {
+    const bool is_left = std::any_of(in.begin(), in.end(), spares) ||
+                         (wedge != nullptr && not_demanded_beside_.contains(wedge->corner.vertex));
+    if (demands_collateral_ ? !is_left : !(at_corner || wedge != nullptr)) {
       into.bad.push_back(low);
       return true;
     }

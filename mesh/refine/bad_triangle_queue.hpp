@@ -108,7 +108,7 @@ class bad_triangle_queue {
   std::size_t counts_[3] = {0, 0, 0};
   std::size_t collateral_ = 0;
   bool demands_collateral_ = false;
-  std::set<vertex_index> spared_;  // corners beside which it does not
+  std::set<vertex_index> not_demanded_beside_;  // corners beside which it does not
   bool first_ = true;
 };
 

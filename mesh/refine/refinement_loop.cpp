@@ -53,11 +53,11 @@ std::set<vertex_index> sites_of(const std::set<bad_triangle>& bad) {
 
 class refinement_loop {
  public:
-  // Leaves low angles beside the corners in `spared` as they are.
+  // Leaves low angles beside the corners in `left_low` as they are.
   refinement_loop(refine_state state, const meshing_context& job,
-                  const std::set<vertex_index>& spared)
+                  const std::set<vertex_index>& left_low)
       : options_(job.options),
-        spared_(spared),
+        left_low_(left_low),
         confirmed_(job.confirmed),
         progress_(job.progress),
         given_(static_cast<vertex_index>(job.shape.vertices.size())),
@@ -122,7 +122,7 @@ class refinement_loop {
                                        : neighbour_lists();
     if (likely.size() > 0)
       state_.construct_stars(likely, confirmed_ == star_confirmation::by_auditor
-                                         ? star_confirmation::by_auditor_if_calm
+                                         ? star_confirmation::by_auditor_if_lengths_agree
                                          : confirmed_);
     else
       state_.construct_stars(confirmed_);
@@ -167,7 +167,7 @@ class refinement_loop {
     // Ends as overworked if stars are missing: they have no triangles that could be bad.
     if (state_.stars().stars_missing() > 0) return ending::overworked;
     if (queue_.collateral() == 0) return ending::complete;
-    if (before_collateral_) return ending::collateral;  // beside corners that are spared
+    if (before_collateral_) return ending::collateral;  // beside corners that are left_low
     mend_collateral();
     return go_on;
   }
@@ -183,7 +183,7 @@ class refinement_loop {
     constexpr std::size_t more = 500, more_for_each = 20;
     before_collateral_ = outcome(ending::collateral);
     state_.limit_sites(state_.sites().size() + more + more_for_each * queue_.collateral());
-    queue_.demand_collateral(spared_);
+    queue_.demand_collateral(left_low_);
     arcs_.mend_collateral();
   }
 
@@ -304,7 +304,7 @@ class refinement_loop {
   }
 
   const mesh_options& options_;
-  const std::set<vertex_index>& spared_;
+  const std::set<vertex_index>& left_low_;
   star_confirmation confirmed_;
   std::set<vertex_index> unmended_;
   progress_listener progress_;
@@ -330,14 +330,14 @@ class refinement_loop {
 // which mending failed; each round finds at least one more.
 result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed) {
   constexpr int rounds = 3;
-  std::set<vertex_index> spared;
+  std::set<vertex_index> left_low;
   std::optional<mesh_outcome> best;
   for (int round = 0; round < rounds; ++round) {
     auto state = refine_state::start(job.shape, job.field, job.kernel, job.options.max_sites,
                                      proposed, job.options.stop, job.work_share);
     if (!state) return state.failure();
     proposed.stars = {};  // guesses, many for a large mesh: rounds that follow do without
-    refinement_loop loop(std::move(state).value(), job, spared);
+    refinement_loop loop(std::move(state).value(), job, left_low);
     auto made = loop.run();
     if (!made) return made;
     const bool stopped = made.value().stopped;
@@ -345,9 +345,9 @@ result<mesh_outcome> refine(const meshing_context& job, filled_domain proposed) 
         (!stopped && made.value().ended.how == ending::collateral &&
          made.value().ended.bad_triangles < best->ended.bad_triangles))
       best = std::move(made).value();
-    const std::size_t before = spared.size();
-    spared.insert(loop.unmended().begin(), loop.unmended().end());
-    if (stopped || spared.size() == before) break;
+    const std::size_t before = left_low.size();
+    left_low.insert(loop.unmended().begin(), loop.unmended().end());
+    if (stopped || left_low.size() == before) break;
   }
   return *std::move(best);
 }

@@ -137,7 +137,7 @@ std::optional<star> seen_star(const site_oracle& oracle, vertex_index v,
 
 // Returns the star with these neighbours if exact tests confirm it: v sees each of them, and each
 // is accepted.
-std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
+std::optional<star> accepted_star(const site_oracle& oracle, vertex_index v,
                                   std::span<const vertex_index> ring) {
   auto s = seen_star(oracle, v, ring);
   if (!s || prune(oracle, v, *s)) return std::nullopt;
@@ -149,7 +149,7 @@ std::optional<star> standing_star(const site_oracle& oracle, vertex_index v,
 // refused 7 because a star missed a site, and 15 without this limit. The limit costs other meshes 2
 // percent of their instructions. A limit of 1.25 avoided one more refusal, limits from 3 on avoided
 // few.
-bool is_calm(const site_oracle& oracle, vertex_index v, const star& s) {
+bool lengths_agree(const site_oracle& oracle, vertex_index v, const star& s) {
   constexpr double most = 1.5;
   for (const sector& part : s.sectors)
     for (const vertex_index w : part.neighbours) {
@@ -167,9 +167,9 @@ std::optional<constructed_star> guessed_star(const site_oracle& oracle, vertex_i
   if (proposed.guess.empty()) return std::nullopt;
   auto s = seen_star(oracle, v, proposed.guess);
   if (!s) return std::nullopt;
-  const bool is_audited =
-      proposed.confirmed == star_confirmation::by_auditor ||
-      (proposed.confirmed == star_confirmation::by_auditor_if_calm && is_calm(oracle, v, *s));
+  const bool is_audited = proposed.confirmed == star_confirmation::by_auditor ||
+                          (proposed.confirmed == star_confirmation::by_auditor_if_lengths_agree &&
+                           lengths_agree(oracle, v, *s));
   if (!(is_audited && proposed.is_plain) && prune(oracle, v, *s)) return std::nullopt;
   if (is_audited) return constructed_star{*std::move(s), true, false, {}};
   const auto reach = final_reach(oracle, v, *s);
@@ -204,7 +204,7 @@ star begun_star(const site_oracle& oracle, vertex_index v, const approximate_sta
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
                                                 star_search search, const approximate_star& guess,
                                                 const std::vector<vertex_index>& order) {
-  auto s = standing_star(oracle, v, ring_of(guess));
+  auto s = accepted_star(oracle, v, ring_of(guess));
   if (!s) return std::nullopt;
   const auto unbounded =
       search == star_search::near ? unbounded_gaps::give_up : unbounded_gaps::ask_all;

@@ -92,14 +92,14 @@ bool would_accept(const site_oracle& oracle, vertex_index v, const star& s, vert
 bool prune(const site_oracle& oracle, vertex_index v, star& s) {
   bool removed = false;
   for (sector& part : s.sectors) {
-    for (std::size_t i = 0, standing = 0; standing < part.size();) {
+    for (std::size_t i = 0, in_order = 0; in_order < part.size();) {
       if (oracle.is_over() || stands(oracle, v, part, i)) {
-        ++standing;
+        ++in_order;
         i = part.after(i);
       } else {
         erase_at(part, i);
         removed = true;
-        standing = 0;
+        in_order = 0;
         if (i >= part.size()) i = 0;
       }
     }

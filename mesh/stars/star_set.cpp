@@ -113,8 +113,8 @@ void star_set::construct_all(const site_oracle& oracle, const neighbour_lists& g
       guesses.size() == 0 && oracle.size() >= worth_guessing && oracle.near() != nullptr;
   const neighbour_lists own = guess ? guess_neighbours(oracle, cancelled_) : neighbour_lists();
   guesses_ = guess ? &own : &guesses;
-  const bool is_doubtful = guess && confirmed == star_confirmation::by_auditor;
-  confirmed_ = is_doubtful ? star_confirmation::by_auditor_if_calm : confirmed;
+  const bool is_own_guess = guess && confirmed == star_confirmation::by_auditor;
+  confirmed_ = is_own_guess ? star_confirmation::by_auditor_if_lengths_agree : confirmed;
   construct(oracle, all, star_search::near);
   guesses_ = nullptr;
 }

@@ -51,6 +51,6 @@ inline cancellation with_run_work(const cancellation& stop, double times = 1) {
 
 // Work limit, in units, of a mesh in one metric for all sites, made after one in the metric given
 // was abandoned.
-constexpr double units_for_last_resort = 3e5;
+constexpr double units_for_constant_metric = 3e5;
 
 }  // namespace asterism::internal

@@ -20,7 +20,7 @@
 #include "asterism/challenge/input_classes.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
-#include "asterism/kernels/replay_test.hpp"
+#include "asterism/kernels/replay.hpp"
 #include "asterism/tests/fuzz/parts_as_kernels.hpp"
 #include "caller_environment.hpp"
 

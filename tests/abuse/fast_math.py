@@ -14,7 +14,7 @@ REFUSING = ["core/floating_point_environment.hpp", "core/interval.hpp", "core/pl
 DECLARING = ["kernels/filtered_kernel.hpp", "kernels/exact_kernel.hpp",
              "kernels/interval_kernel.hpp", "kernels/double_kernel.hpp",
              "kernels/batch_protocol.hpp", "kernels/batch_question.hpp", "kernels/batch.hpp",
-             "kernels/fixed_width.hpp", "kernels/replay_test.hpp",
+             "kernels/fixed_width.hpp", "kernels/replay.hpp",
              "kernels/checked_kernel.hpp", "kernels/c_api.h"]
 FLAGS = {"-ffast-math": "cannot be compiled with -ffast-math",
          "-Ofast": "cannot be compiled with -ffast-math",

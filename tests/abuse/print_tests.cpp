@@ -10,7 +10,7 @@
 
 #include "asterism/challenge/input_classes.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
-#include "asterism/kernels/replay_test.hpp"
+#include "asterism/kernels/replay.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """No circle between modules, and no header that declares what another module defines. A module is a header
 and the sources that define what it declares: those of its name, or of its name and an ending
-(working_mesh_build.cpp). The lists below name what is otherwise, with the reason: an entry that is not needed
+(editable_mesh_build.cpp). The lists below name what is otherwise, with the reason: an entry that is not needed
 any more must be taken out.
 
 A C header is a module of its own. It includes nothing of C++, and several sources define what it

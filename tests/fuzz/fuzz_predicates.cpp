@@ -12,7 +12,7 @@
 #include "asterism/kernels/exact_kernel.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
-#include "asterism/kernels/replay_test.hpp"
+#include "asterism/kernels/replay.hpp"
 #include "decode_record.hpp"
 #include "parts_as_kernels.hpp"
 

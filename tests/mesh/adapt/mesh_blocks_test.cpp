@@ -37,17 +37,17 @@ domain halved_square() {
   return d;
 }
 
-working_mesh fitted(const domain& d, std::size_t count) {
-  working_mesh m = coarse_mesh(d);
+editable_mesh fitted(const domain& d, std::size_t count) {
+  editable_mesh m = coarse_mesh(d);
   unit_mesh_options making;
   making.count = count;
-  unit_mesher(m, making).run(front, {});
+  unit_mesh_remesher(m, making).run(front, {});
   return m;
 }
 
 // Lists the faces by the places of their corners, beginning with the least.
 using placed_face = std::array<std::pair<double, double>, 3>;
-std::multiset<placed_face> placed_faces(const working_mesh& m) {
+std::multiset<placed_face> placed_faces(const editable_mesh& m) {
   std::multiset<placed_face> all;
   for (const face& f : m.faces()) {
     if (!f.exists()) continue;
@@ -61,7 +61,7 @@ std::multiset<placed_face> placed_faces(const working_mesh& m) {
 
 // True if faces refer to each other across their edges and agree about segments, and every node
 // refers to a face that contains it.
-bool is_linked(const working_mesh& m) {
+bool is_linked(const editable_mesh& m) {
   for (vertex_index t = 0; t < m.faces().size(); ++t) {
     const face& f = m.faces()[t];
     for (std::size_t i = 0; i < 3 && f.exists(); ++i) {
@@ -77,7 +77,7 @@ bool is_linked(const working_mesh& m) {
   return true;
 }
 
-mesh triangulation_of(const working_mesh& m) {
+mesh triangulation_of(const editable_mesh& m) {
   std::vector<vertex_index> renumbered;
   return m.triangulation(renumbered);
 }
@@ -86,7 +86,7 @@ mesh triangulation_of(const working_mesh& m) {
 
 TEST_CASE("a mesh cut into blocks and put together is the same one") {
   const domain d = halved_square();
-  working_mesh m = fitted(d, 6000);
+  editable_mesh m = fitted(d, 6000);
   REQUIRE(mesh_blocks::are_worth_it(m));
   const auto before = placed_faces(m);
   const std::size_t pieces = triangulation_of(m).boundary.size();
@@ -104,8 +104,8 @@ TEST_CASE("a mesh cut into blocks and put together is the same one") {
 
 TEST_CASE("in a block the frame has all its faces' other ends, and stays as it is") {
   const domain d = halved_square();
-  working_mesh m = fitted(d, 6000);
-  const working_mesh whole = m;
+  editable_mesh m = fitted(d, 6000);
+  const editable_mesh whole = m;
   mesh_blocks blocks(m, 3);
   std::size_t inside = 0;
   for (std::size_t b = 0; b < blocks.count(); ++b) {
@@ -134,7 +134,7 @@ TEST_CASE("a mesh fitted in blocks is the same on any number of threads", "[thre
   std::vector<mesh> made;
   for (const int threads : {1, 2, 3, 7}) {
     with_threads(threads, [&] {
-      const working_mesh m = fitted(d, 6000);
+      const editable_mesh m = fitted(d, 6000);
       CHECK(is_linked(m));
       CHECK(std::abs(static_cast<double>(m.count()) / 6000 - 1) < 0.03);
       made.push_back(triangulation_of(m));

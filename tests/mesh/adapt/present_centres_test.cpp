@@ -20,14 +20,14 @@ bool are_same(const face_centre& p, const face_centre& q) {
   return p.at == q.at && p.squared_radius == q.squared_radius;
 }
 
-working_mesh even_mesh(const domain& d) {
+editable_mesh even_mesh(const domain& d) {
   const auto field = make_metric_field("identity", d.box(), 0.25);
   mesh_options options;
   options.limit_size = true;
   return mesh_to_change(d, *field.value(), options);
 }
 
-vertex_index free_node(const working_mesh& m) {
+vertex_index free_node(const editable_mesh& m) {
   for (vertex_index v = 0; v < m.nodes().size(); ++v)
     if (m.at(v).kind == node_kind::free) return v;
   return none;
@@ -37,7 +37,7 @@ vertex_index free_node(const working_mesh& m) {
 
 TEST_CASE("a centre is that of the face as it was until its node is accepted") {
   const domain d = square();
-  working_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d);
   const local_tests tests(m, 20);
   present_centres present(m, tests);
   present.find_all();
@@ -58,7 +58,7 @@ TEST_CASE("a centre is that of the face as it was until its node is accepted") {
 
 TEST_CASE("clearances do not change where a node is tried as it is") {
   const domain d = square();
-  working_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d);
   const local_tests tests(m, 20);
   present_centres present(m, tests);
   edges_around edges(m, tests, present);

@@ -25,10 +25,10 @@ namespace {
 
 const formula_field flat([](const point&) { return metric_tensor{1, 0, 1}; });
 
-working_mesh coarse_square(const domain& d) {
+editable_mesh coarse_square(const domain& d) {
   const auto start = coarse_mesh(d, flat, {});
   REQUIRE(start);
-  auto built = working_mesh::build(d, *start);
+  auto built = editable_mesh::build(d, *start);
   REQUIRE(built.ok());
   return std::move(built).value();
 }

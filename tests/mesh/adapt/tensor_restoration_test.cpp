@@ -21,20 +21,20 @@ namespace {
 constexpr double bound = 20;
 
 // A mesh that is certified in the metric of the formula.
-working_mesh certified_mesh_in(const domain& d, const std::string& metric, double size) {
+editable_mesh certified_mesh_in(const domain& d, const std::string& metric, double size) {
   const auto field = make_metric_field(metric, d.box(), size);
   mesh_options options;
   options.limit_size = true;
   return mesh_to_change(d, *field.value(), options);
 }
 
-std::vector<metric_tensor> tensors_of(const working_mesh& m) {
+std::vector<metric_tensor> tensors_of(const editable_mesh& m) {
   std::vector<metric_tensor> all;
   for (const node& n : m.nodes()) all.push_back(n.metric);
   return all;
 }
 
-std::size_t differing(const working_mesh& m, const std::vector<metric_tensor>& from) {
+std::size_t differing(const editable_mesh& m, const std::vector<metric_tensor>& from) {
   std::size_t count = 0;
   for (vertex_index v = 0; v < from.size(); ++v)
     if (!identical(m.at(v).metric, from[v])) ++count;
@@ -45,7 +45,7 @@ std::size_t differing(const working_mesh& m, const std::vector<metric_tensor>& f
 
 TEST_CASE("tensors that a mesh agrees in are given back to the last bit") {
   const domain d = square();
-  working_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
+  editable_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
   const std::vector<metric_tensor> wanted = tensors_of(m);
   // A metric with slightly longer lengths along x everywhere: stars agree in it nearly everywhere,
   // too.
@@ -58,7 +58,7 @@ TEST_CASE("tensors that a mesh agrees in are given back to the last bit") {
 
 TEST_CASE("what was given is taken back once, and kept from then on") {
   const domain d = square();
-  working_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
+  editable_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
   const std::vector<metric_tensor> wanted = tensors_of(m);
   for (vertex_index v = 0; v < wanted.size(); ++v)
     m.set_metric(v, {1.05 * wanted[v].m11, wanted[v].m12, wanted[v].m22});
@@ -80,7 +80,7 @@ TEST_CASE("what was given is taken back once, and kept from then on") {
 
 TEST_CASE("tensors that are kept are neither taken back nor given") {
   const domain d = square();
-  working_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
+  editable_mesh m = certified_mesh_in(d, "swirl:3", 0.3);
   const std::vector<metric_tensor> wanted = tensors_of(m);
   tensor_restoration giving(m, bound, wanted);
   const std::vector<vertex_index> one = {static_cast<vertex_index>(m.nodes().size() - 1)};
@@ -97,7 +97,7 @@ TEST_CASE("tensors that are kept are neither taken back nor given") {
 
 TEST_CASE("nothing is given that neighbours do not agree about") {
   const domain d = square();
-  working_mesh m = certified_mesh_in(d, "identity", 0.3);
+  editable_mesh m = certified_mesh_in(d, "identity", 0.3);
   const std::vector<metric_tensor> agreed = tensors_of(m);
   // A metric thin along x and along y in turns: no two adjacent nodes have similar tensors.
   std::vector<metric_tensor> wanted;

@@ -26,7 +26,7 @@ metric_tensor layer(const point& q, vertex_index&) {
 }
 
 // True if every face is counter-clockwise, and their number is that of a triangulation.
-bool is_whole(const working_mesh& m) {
+bool is_whole(const editable_mesh& m) {
   std::size_t faces = 0;
   for (const face& f : m.faces()) {
     if (!f.exists()) continue;
@@ -37,10 +37,10 @@ bool is_whole(const working_mesh& m) {
   return faces > m.count();
 }
 
-void fit_to_layer(working_mesh& m, std::size_t count) {
+void fit_to_layer(editable_mesh& m, std::size_t count) {
   unit_mesh_options options;
   options.count = count;
-  unit_mesher(m, options).run(layer, {});
+  unit_mesh_remesher(m, options).run(layer, {});
 }
 
 }  // namespace
@@ -48,10 +48,10 @@ void fit_to_layer(working_mesh& m, std::size_t count) {
 TEST_CASE("as many nodes are made as are wanted, within three percent") {
   const domain d = square();
   for (const std::size_t wanted : {300u, 1000u, 3000u}) {
-    working_mesh m = coarse_mesh(d);
+    editable_mesh m = coarse_mesh(d);
     unit_mesh_options options;
     options.count = wanted;
-    unit_mesher maker(m, options);
+    unit_mesh_remesher maker(m, options);
     maker.run(layer, {});
     maker.meet_count(layer);
     INFO(wanted << " nodes wanted, " << m.count() << " made");
@@ -62,11 +62,11 @@ TEST_CASE("as many nodes are made as are wanted, within three percent") {
 
 TEST_CASE("places in a fine metric were all crowded by corners in one 1e4 times as coarse") {
   const domain d = square();
-  working_mesh m = coarse_mesh(d);
+  editable_mesh m = coarse_mesh(d);
   unit_mesh_options options;
   options.count = 6000;
   options.most_nodes = 4 * options.count;
-  unit_mesher maker(m, options);
+  unit_mesh_remesher maker(m, options);
   const auto jump = [](const point& q, vertex_index&) {
     return q.x < 0.1 ? metric_tensor{2500, 0, 2500} : metric_tensor{2.5e-5, 0, 2.5e-5};
   };
@@ -88,13 +88,13 @@ TEST_CASE(
     return metric_tensor{0.04, 0, 0.04 + 1e4 * std::exp(-away * away)};
   };
   const domain d = square();
-  working_mesh m = coarse_mesh(d);
+  editable_mesh m = coarse_mesh(d);
   std::vector<point> seeds;
   for (int i = 0; i <= 20; ++i) {
     seeds.push_back({1, 0.2 + 0.01 * i});
     seeds.push_back({std::nextafter(-1.0, i % 2 == 0 ? -2.0 : 0.0), 0.2 + 0.01 * i});
   }
-  unit_mesher(m, {}).run(front, seeds);
+  unit_mesh_remesher(m, {}).run(front, seeds);
   std::size_t left = 0, right = 0;
   for (const node& n : m.nodes()) {
     if (n.kind != node_kind::sliding || std::abs(n.position.y - 0.3) > 0.03) continue;
@@ -106,8 +106,8 @@ TEST_CASE(
 
 TEST_CASE("without a count edges have length one") {
   const domain d = square();
-  working_mesh m = coarse_mesh(d);
-  unit_mesher maker(m, {});
+  editable_mesh m = coarse_mesh(d);
+  unit_mesh_remesher maker(m, {});
   maker.run([](const point&, vertex_index&) { return metric_tensor{400, 0, 100}; }, {});
   CHECK(maker.unit() == 1);
   // The square has area 4, and 800 in the metric. A lattice of unit equilateral triangles has a
@@ -118,10 +118,10 @@ TEST_CASE("without a count edges have length one") {
 
 TEST_CASE("a mesh fitted again to its own graded metric keeps its count") {
   const domain d = square();
-  working_mesh m = coarse_mesh(d);
+  editable_mesh m = coarse_mesh(d);
   unit_mesh_options options;
   options.count = 1000;
-  unit_mesher maker(m, options);
+  unit_mesh_remesher maker(m, options);
   maker.run(layer, {});
   grade_mesh(m, 2, maker.unit());
   const background_metric own = field_of(m);
@@ -133,10 +133,10 @@ TEST_CASE("a mesh fitted again to its own graded metric keeps its count") {
 TEST_CASE("long edges are split up to the number of nodes that there is room for") {
   const domain d = square();
   for (const std::size_t room : {0u, 7u}) {
-    working_mesh m = coarse_mesh(d);
+    editable_mesh m = coarse_mesh(d);
     unit_mesh_options options;
     options.count = 300;
-    unit_mesher maker(m, options);
+    unit_mesh_remesher maker(m, options);
     const auto even = [](const point&, vertex_index&) { return metric_tensor{1, 0, 1}; };
     maker.run(even, {});
     // All edges have length 2 in the metric.
@@ -152,7 +152,7 @@ TEST_CASE("long edges are split up to the number of nodes that there is room for
 
 TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
   const domain d = square();
-  working_mesh m = coarse_mesh(d);
+  editable_mesh m = coarse_mesh(d);
   fit_to_layer(m, 200);
   const background_metric own = field_of(m);
   for (const node& n : m.nodes()) {
@@ -165,12 +165,12 @@ TEST_CASE("a field of a mesh's own tensors has each of them at its node") {
 
 TEST_CASE("after another field each node is looked up anew from its neighbour") {
   const domain d = square();
-  working_mesh m = coarse_mesh(d);
+  editable_mesh m = coarse_mesh(d);
   fit_to_layer(m, 200);
   const background_metric wanted = field_of(m);
   unit_mesh_options options;
   options.count = 600;
-  unit_mesher finer(m, options);
+  unit_mesh_remesher finer(m, options);
   finer.run([&wanted](const point& q, vertex_index& hint) { return wanted.at(q, hint); }, {});
   const background_metric own = field_of(m);
   std::size_t left = 0, there = 0;

@@ -21,7 +21,7 @@ namespace {
 constexpr double bound = 20, unit = 0.25;
 
 // A mesh of the square that is certified in the identity.
-working_mesh even_mesh(const domain& d) {
+editable_mesh even_mesh(const domain& d) {
   const auto field = make_metric_field("identity", d.box(), unit);
   mesh_options options;
   options.limit_size = true;
@@ -36,7 +36,7 @@ vertex_smoothing::wanted_at stretched_by(double times) {
 }
 
 // Counts the nodes with an angle below the bound in the metric.
-std::size_t count_low(const working_mesh& m, const vertex_smoothing::wanted_at& wanted) {
+std::size_t count_low(const editable_mesh& m, const vertex_smoothing::wanted_at& wanted) {
   std::vector<char> is_low(m.nodes().size(), 0);
   vertex_index hint = 0;
   for (const face& f : m.faces()) {
@@ -55,7 +55,7 @@ std::size_t count_low(const working_mesh& m, const vertex_smoothing::wanted_at& 
 
 TEST_CASE("nodes that are moved have fewer low angles in the metric wanted, and agree as before") {
   const domain d = square();
-  working_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d);
   const auto wanted = stretched_by(3);
   const std::size_t before = count_low(m, wanted);
   REQUIRE(before > 0);
@@ -72,7 +72,7 @@ TEST_CASE("nodes that are moved have fewer low angles in the metric wanted, and 
 
 TEST_CASE("nodes stay where the metric wanted is the one they have") {
   const domain d = square();
-  working_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d);
   std::vector<point> places;
   for (const node& n : m.nodes()) places.push_back(n.position);
   vertex_smoothing settled(m, bound, 1, stretched_by(1));
@@ -86,6 +86,6 @@ TEST_CASE("nodes stay where the metric wanted is the one they have") {
 
 TEST_CASE("settling is in vain where the metric wanted finds nearly all angles far too low") {
   const domain d = square();
-  working_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d);
   CHECK(vertex_smoothing(m, bound, 1, stretched_by(30)).is_in_vain());
 }

@@ -22,7 +22,7 @@ using namespace asterism::internal::adapting;
 
 namespace {
 
-working_mesh even_mesh(const domain& d) {
+editable_mesh even_mesh(const domain& d) {
   const auto field = make_metric_field("identity", d.box(), 0.15);
   mesh_options options;
   options.limit_size = true;
@@ -41,7 +41,7 @@ struct unknown_gaps {
   std::size_t to_kernel = 0, to_both = 0;
 };
 
-unknown_gaps count_unknown(const working_mesh& m) {
+unknown_gaps count_unknown(const editable_mesh& m) {
   unknown_gaps found;
   const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
   for (const face& f : m.faces())
@@ -57,7 +57,7 @@ unknown_gaps count_unknown(const working_mesh& m) {
 
 // Changes the tensors of one inner face until it has a gap whose reach the auditor's bound knows
 // and the kernel does not. Returns whether one was found.
-bool spoil_for_kernel(working_mesh& m, splitmix64& random) {
+bool spoil_for_kernel(editable_mesh& m, splitmix64& random) {
   constexpr int most_tries = 4000;
   const std::vector<node> before = m.nodes();
   for (int i = 0; i < most_tries; ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("a gap whose reach the auditor knows by few operations keeps its tenso
   CAPTURE(seed);
   splitmix64 random(seed);
   const domain d = square();
-  working_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d);
   REQUIRE(count_unknown(m).to_kernel == 0);
   REQUIRE(spoil_for_kernel(m, random));
   const std::vector<node> before = m.nodes();

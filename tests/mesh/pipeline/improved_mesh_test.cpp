@@ -9,8 +9,8 @@
 #include <cmath>
 #include <set>
 
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
-#include "asterism/mesh/adapt/working_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
@@ -79,11 +79,11 @@ test::patch crowded_patch(std::size_t triangle_number) {
 
 // Improves the patch by local changes in its own metric. Only faces for which `allowed` is true may
 // change.
-adapting::working_mesh improved(const test::patch& p, const adapting::face_test& allowed) {
-  auto built = adapting::working_mesh::build(p.d, p.m);
+adapting::editable_mesh improved(const test::patch& p, const adapting::face_test& allowed) {
+  auto built = adapting::editable_mesh::build(p.d, p.m);
   REQUIRE(built.ok());
-  adapting::working_mesh m = std::move(built).value();
-  adapting::unit_mesher(m, {}).improve(
+  adapting::editable_mesh m = std::move(built).value();
+  adapting::unit_mesh_remesher(m, {}).improve(
       [](const point&, vertex_index&) { return test::round_metric; }, allowed);
   return m;
 }
@@ -93,7 +93,7 @@ adapting::working_mesh improved(const test::patch& p, const adapting::face_test&
 TEST_CASE("improvement: a site in the middle of a good triangle goes, and nothing else") {
   const test::patch p = crowded_patch(30);
   const auto added = static_cast<vertex_index>(p.m.sites.size() - 1);
-  const adapting::working_mesh m = improved(p, {});
+  const adapting::editable_mesh m = improved(p, {});
   CHECK(m.at(added).kind == adapting::node_kind::gone);
   CHECK(m.count() + 1 == p.m.sites.size());
   for (vertex_index v = 0; v < added; ++v) CHECK(m.at(v).position == p.m.sites[v].position);
@@ -106,7 +106,7 @@ TEST_CASE("improvement: a site that is given stays, and so does all where no oth
   p.m.given = static_cast<vertex_index>(p.m.sites.size());
   p.d.vertices.clear();
   for (const site& s : p.m.sites) p.d.vertices.push_back(s.position);
-  const adapting::working_mesh kept = improved(p, {});
+  const adapting::editable_mesh kept = improved(p, {});
   CHECK(kept.count() == p.m.sites.size());
   for (vertex_index v = 0; v < p.m.sites.size(); ++v)
     CHECK(kept.at(v).position == p.m.sites[v].position);

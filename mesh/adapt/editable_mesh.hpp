@@ -91,11 +91,11 @@ inline double length_between(const node& p, const node& q) {
 }
 
 // Triangulation that is being changed. Several threads may read it while none changes it.
-class working_mesh {
+class editable_mesh {
  public:
   // Builds the triangulation from a mesh of `d` without disagreeing triangles. Fails, with a
   // reason, where that is no triangulation in doubles. `d` must outlive it.
-  static result<working_mesh> build(const domain& d, const mesh& start);
+  static result<editable_mesh> build(const domain& d, const mesh& start);
 
   const std::vector<node>& nodes() const { return nodes_; }
   node& at(vertex_index v) { return nodes_[v]; }
@@ -171,15 +171,15 @@ class working_mesh {
   // Replaces the nodes and faces: the domain's vertices must come first, all of them present.
   void assign(parts p);
   // Returns a mesh of the same domain with these nodes and faces.
-  working_mesh like(parts p) const;
+  editable_mesh like(parts p) const;
 
   // Returns the mesh: vertices of the domain in their order, then other nodes by number; faces as
   // triangles; subsegments in the order of their segments. `renumbered` maps nodes to sites.
   mesh triangulation(std::vector<vertex_index>& renumbered) const;
 
  private:
-  explicit working_mesh(const domain& d) : working_mesh(d, std::make_shared<curve_chords>(d)) {}
-  working_mesh(const domain& d, std::shared_ptr<const curve_chords> curves)
+  explicit editable_mesh(const domain& d) : editable_mesh(d, std::make_shared<curve_chords>(d)) {}
+  editable_mesh(const domain& d, std::shared_ptr<const curve_chords> curves)
       : domain_(&d), curves_(std::move(curves)) {}
   std::optional<error> add(const mesh& start);
   vertex_index new_face();

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -24,13 +24,13 @@ const half_edge* find(const std::vector<half_edge>& sorted, vertex_index a, vert
 
 }  // namespace
 
-result<working_mesh> working_mesh::build(const domain& d, const mesh& start) {
-  working_mesh made(d);
+result<editable_mesh> editable_mesh::build(const domain& d, const mesh& start) {
+  editable_mesh made(d);
   if (auto failure = made.add(start)) return *failure;
   return made;
 }
 
-std::optional<error> working_mesh::add(const mesh& start) {
+std::optional<error> editable_mesh::add(const mesh& start) {
   const auto refuse = [](const std::string& what) {
     return error{"what is to be adapted is no triangulation of the domain: " + what};
   };

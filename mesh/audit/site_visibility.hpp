@@ -10,9 +10,9 @@
 
 namespace asterism::internal::audit_detail {
 
-class visibility_test {
+class site_visibility {
  public:
-  visibility_test(const audit_context& context, const subsegment_tree& subsegments,
+  site_visibility(const audit_context& context, const subsegment_tree& subsegments,
                   filtered_kernel kernel)
       : context_(context), subsegments_(subsegments), kernel_(kernel) {}
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 
 #include <algorithm>
 
 namespace asterism::internal::adapting {
 
-void working_mesh::around(vertex_index v, face_list& out) const {
+void editable_mesh::around(vertex_index v, face_list& out) const {
   out.clear();
   const vertex_index start = nodes_[v].face;
   vertex_index t = start;
@@ -23,7 +23,7 @@ void working_mesh::around(vertex_index v, face_list& out) const {
   looked_at_.add(out.size());
 }
 
-void working_mesh::neighbours(vertex_index v, face_list& out) const {
+void editable_mesh::neighbours(vertex_index v, face_list& out) const {
   face_list at;
   around(v, at);
   out.clear();
@@ -33,7 +33,7 @@ void working_mesh::neighbours(vertex_index v, face_list& out) const {
   if (last.next[after(i)] == none) out.push_back(last.v[before(i)]);
 }
 
-vertex_index working_mesh::new_face() {
+vertex_index editable_mesh::new_face() {
   if (free_faces_.empty()) {
     faces_.emplace_back();
     return static_cast<vertex_index>(faces_.size() - 1);
@@ -43,7 +43,7 @@ vertex_index working_mesh::new_face() {
   return t;
 }
 
-vertex_index working_mesh::new_node(const point& where, node_kind kind) {
+vertex_index editable_mesh::new_node(const point& where, node_kind kind) {
   node made;
   made.position = where;
   made.kind = kind;
@@ -52,14 +52,14 @@ vertex_index working_mesh::new_node(const point& where, node_kind kind) {
   return static_cast<vertex_index>(nodes_.size() - 1);
 }
 
-void working_mesh::set(vertex_index t, const std::array<vertex_index, 3>& v,
-                       const std::array<vertex_index, 3>& next,
-                       const std::array<vertex_index, 3>& segment) {
+void editable_mesh::set(vertex_index t, const std::array<vertex_index, 3>& v,
+                        const std::array<vertex_index, 3>& next,
+                        const std::array<vertex_index, 3>& segment) {
   faces_[t] = {v, next, segment};
   for (const vertex_index u : v) nodes_[u].face = t;
 }
 
-void working_mesh::replace_neighbour(vertex_index t, vertex_index old, vertex_index now) {
+void editable_mesh::replace_neighbour(vertex_index t, vertex_index old, vertex_index now) {
   if (t == none) return;
   for (vertex_index& n : faces_[t].next)
     if (n == old) {
@@ -68,8 +68,8 @@ void working_mesh::replace_neighbour(vertex_index t, vertex_index old, vertex_in
     }
 }
 
-std::optional<vertex_index> working_mesh::split(vertex_index t, std::size_t edge,
-                                                const point& where) {
+std::optional<vertex_index> editable_mesh::split(vertex_index t, std::size_t edge,
+                                                 const point& where) {
   const face f = faces_[t];
   const vertex_index c = f.v[edge], a = f.v[after(edge)], b = f.v[before(edge)], s = f.next[edge];
   const auto fits = [&](vertex_index x, vertex_index y, vertex_index z) {
@@ -108,7 +108,7 @@ std::optional<vertex_index> working_mesh::split(vertex_index t, std::size_t edge
   return m;
 }
 
-std::optional<vertex_index> working_mesh::insert(vertex_index t, const point& where) {
+std::optional<vertex_index> editable_mesh::insert(vertex_index t, const point& where) {
   const face f = faces_[t];
   for (std::size_t i = 0; i < 3; ++i)
     if (!turns_left(nodes_[f.v[i]].position, nodes_[f.v[after(i)]].position, where))
@@ -124,7 +124,7 @@ std::optional<vertex_index> working_mesh::insert(vertex_index t, const point& wh
   return m;
 }
 
-bool working_mesh::can_flip(vertex_index t, std::size_t edge) const {
+bool editable_mesh::can_flip(vertex_index t, std::size_t edge) const {
   const face& f = faces_[t];
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
@@ -134,7 +134,7 @@ bool working_mesh::can_flip(vertex_index t, std::size_t edge) const {
          turns_left(nodes_[d].position, nodes_[b].position, nodes_[c].position);
 }
 
-void working_mesh::flip(vertex_index t, std::size_t edge) {
+void editable_mesh::flip(vertex_index t, std::size_t edge) {
   const face f = faces_[t];
   const vertex_index s = f.next[edge];
   const face g = faces_[s];
@@ -151,7 +151,7 @@ void working_mesh::flip(vertex_index t, std::size_t edge) {
 
 // True if the merge removes no given node and no segment: a sliding node may only be merged along
 // its segment.
-bool working_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
+bool editable_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
   const node& from = nodes_[v];
   if (from.kind == node_kind::free) return true;
   if (from.kind != node_kind::sliding) return false;
@@ -167,7 +167,7 @@ bool working_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
   });
 }
 
-bool working_mesh::can_merge(vertex_index v, vertex_index w) const {
+bool editable_mesh::can_merge(vertex_index v, vertex_index w) const {
   if (!merge_is_allowed(v, w)) return false;
   face_list at;
   around(v, at);
@@ -183,7 +183,7 @@ bool working_mesh::can_merge(vertex_index v, vertex_index w) const {
   return stay > 0;
 }
 
-void working_mesh::merge(vertex_index v, vertex_index w) {
+void editable_mesh::merge(vertex_index v, vertex_index w) {
   face_list at;
   around(v, at);
   for (const vertex_index t : at) {
@@ -217,7 +217,7 @@ void working_mesh::merge(vertex_index v, vertex_index w) {
   --count_;
 }
 
-bool working_mesh::can_move(vertex_index v, const point& where) const {
+bool editable_mesh::can_move(vertex_index v, const point& where) const {
   face_list at;
   around(v, at);
   return std::all_of(at.begin(), at.end(), [&](vertex_index t) {
@@ -227,7 +227,7 @@ bool working_mesh::can_move(vertex_index v, const point& where) const {
   });
 }
 
-point working_mesh::on_segment(vertex_index v, const point& where) const {
+point editable_mesh::on_segment(vertex_index v, const point& where) const {
   if (curves_->is_chord(nodes_[v].segment))
     return curves_->nearest(nodes_[v].segment, where).value_or(nodes_[v].position);
   const segment& s = domain_->segments[nodes_[v].segment];
@@ -237,19 +237,19 @@ point working_mesh::on_segment(vertex_index v, const point& where) const {
   return {a.x + along * x, a.y + along * y};
 }
 
-std::optional<point> working_mesh::place_on_edge(vertex_index t, std::size_t edge,
-                                                 const point& where) const {
+std::optional<point> editable_mesh::place_on_edge(vertex_index t, std::size_t edge,
+                                                  const point& where) const {
   const vertex_index segment = faces_[t].segment[edge];
   return curves_->is_chord(segment) ? curves_->nearest(segment, where) : where;
 }
 
-working_mesh::parts working_mesh::release() {
+editable_mesh::parts editable_mesh::release() {
   free_faces_.clear();
   count_ = 0;
   return {std::exchange(nodes_, {}), std::exchange(faces_, {})};
 }
 
-void working_mesh::assign(parts p) {
+void editable_mesh::assign(parts p) {
   nodes_ = std::move(p.nodes);
   faces_ = std::move(p.faces);
   free_faces_.clear();
@@ -259,13 +259,13 @@ void working_mesh::assign(parts p) {
       nodes_.begin(), nodes_.end(), [](const node& n) { return n.kind != node_kind::gone; }));
 }
 
-working_mesh working_mesh::like(parts p) const {
-  working_mesh made(*domain_, curves_);
+editable_mesh editable_mesh::like(parts p) const {
+  editable_mesh made(*domain_, curves_);
   made.assign(std::move(p));
   return made;
 }
 
-mesh working_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
+mesh editable_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
   mesh made;
   made.given = static_cast<vertex_index>(domain_->vertices.size());
   renumbered.assign(nodes_.size(), none);

@@ -2,7 +2,7 @@
 //
 // Applies elementary changes to a triangulation: in any order, it remains a triangulation of the
 // same domain.
-#include "asterism/mesh/adapt/working_mesh.hpp"
+#include "asterism/mesh/adapt/editable_mesh.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdint>
@@ -34,7 +34,7 @@ mesh plain_mesh(const domain& d) {
 }
 
 // Checks points 0 to 2 of the audit, and which segments the boundary edges are parts of.
-void check_triangulation(const domain& d, const working_mesh& m) {
+void check_triangulation(const domain& d, const editable_mesh& m) {
   std::vector<vertex_index> renumbered;
   mesh now = m.triangulation(renumbered);
   assign_regions(now, d);
@@ -52,7 +52,7 @@ std::uint64_t next(std::uint64_t& state) {
 }
 
 // Makes one random change, if one is possible at the place drawn.
-void change(working_mesh& m, std::uint64_t& state) {
+void change(editable_mesh& m, std::uint64_t& state) {
   const auto t = static_cast<vertex_index>(next(state) % m.faces().size());
   const std::size_t i = next(state) % 3;
   const face f = m.faces()[t];
@@ -84,9 +84,9 @@ TEST_CASE("a working mesh stays a triangulation under random changes") {
   for (const named_domain& kind : domain_kinds()) {
     INFO(kind.name);
     const domain& d = kind.shape;
-    auto built = working_mesh::build(d, plain_mesh(d));
+    auto built = editable_mesh::build(d, plain_mesh(d));
     REQUIRE(built.ok());
-    working_mesh m = std::move(built).value();
+    editable_mesh m = std::move(built).value();
     check_triangulation(d, m);
     std::uint64_t state = 7;
     for (int i = 0; i < 4000; ++i) {
@@ -126,9 +126,9 @@ TEST_CASE("what divides a chord is on its curve, whatever is changed") {
     const auto divided = divide_curves(whole);
     REQUIRE(divided.ok());
     const domain d = accepted(divided.value());
-    auto built = working_mesh::build(d, plain_mesh(d));
+    auto built = editable_mesh::build(d, plain_mesh(d));
     REQUIRE(built.ok());
-    working_mesh m = std::move(built).value();
+    editable_mesh m = std::move(built).value();
     std::uint64_t state = 5;
     for (int i = 0; i < 3000; ++i) change(m, state);
     std::vector<vertex_index> renumbered;
@@ -147,9 +147,9 @@ TEST_CASE("what divides a chord is on its curve, whatever is changed") {
 
 TEST_CASE("given nodes and segments are never merged away") {
   const domain d = accepted(square());
-  auto built = working_mesh::build(d, plain_mesh(d));
+  auto built = editable_mesh::build(d, plain_mesh(d));
   REQUIRE(built.ok());
-  const working_mesh& m = built.value();
+  const editable_mesh& m = built.value();
   for (vertex_index v = 0; v < d.vertices.size(); ++v) {
     face_list ring;
     m.neighbours(v, ring);

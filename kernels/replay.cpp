@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "asterism/kernels/replay_test.hpp"
+#include "asterism/kernels/replay.hpp"
 
 #include <bit>
 #include <cstdint>
