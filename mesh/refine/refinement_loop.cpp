@@ -167,7 +167,7 @@ class refinement_loop {
     // Ends as overworked if stars are missing: they have no triangles that could be bad.
     if (state_.stars().stars_missing() > 0) return ending::overworked;
     if (queue_.collateral() == 0) return ending::complete;
-    if (before_collateral_) return ending::collateral;  // beside corners that are left_low
+    if (before_collateral_) return ending::collateral;  // beside corners that keep low angles
     mend_collateral();
     return go_on;
   }

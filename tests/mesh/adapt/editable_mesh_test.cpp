@@ -80,7 +80,7 @@ void change(editable_mesh& m, std::uint64_t& state) {
 
 }  // namespace
 
-TEST_CASE("a working mesh stays a triangulation under random changes") {
+TEST_CASE("an editable mesh stays a triangulation under random changes") {
   for (const named_domain& kind : domain_kinds()) {
     INFO(kind.name);
     const domain& d = kind.shape;
