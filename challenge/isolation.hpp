@@ -22,7 +22,7 @@ struct reply {
   bool late = false;                  // slower than run_limits::slow
 };
 
-// Replies to a batch.
+// Replies of a foreign program to a batch of questions, and how its runs ended.
 struct batch_replies {
   std::vector<reply> replies;  // one a question
   double seconds = 0;          // of the runs whose answers were taken

@@ -27,7 +27,8 @@ std::string_view next_token(std::string_view& rest) {
 // Returns the number of a field: field 1 is the name, so number i (from 0) is field i + 2.
 std::string field(std::size_t number) { return "field " + std::to_string(number + 2); }
 
-// A predicate, and the metric of records whose name has none.
+// A predicate that a record names, and how many of its numbers the record leaves out: "incircle"
+// leaves out the metric, which is then the identity.
 struct named_predicate {
   predicate question;
   std::size_t implied = 0;  // numbers that the name stands for

@@ -70,7 +70,7 @@ constexpr site site_at(const batch_record& record, std::size_t which) {
 constexpr uncertain_int as_integer(sign s) { return to_int(s); }
 // Returns 1 for yes, 0 for no.
 constexpr uncertain_int as_integer(bool yes) { return yes ? 1 : 0; }
-// Returns the count itself.
+// Returns the count unchanged: the answer of a predicate that counts is its integer already.
 constexpr uncertain_int as_integer(int count) { return count; }
 // Returns the answer as an integer of the batch protocol; undecided stays so.
 template <class T>

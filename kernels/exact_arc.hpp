@@ -44,7 +44,8 @@ inline void add_zeros(root_line& line, const arc& on, const arc_function<dyadic>
     line.add(norm, tag);
     return;
   }
-  // Uses that f is then 2 P or 0 in each section between the zeros of P and beta.
+  // Cuts at the zeros of P and of beta: where the norm is the zero polynomial, f is 2 P or 0 in
+  // each section between these.
   line.add(dense_polynomial(on.rational_part(f)), tag);
   line.add(dense_polynomial(f.beta), tag);
 }

@@ -262,7 +262,8 @@ struct star_gap::upper_bound {
   double convexity = 0, convexity_error = 0;
   bool concave = false;
   double inverse_root = 0;  // of the discriminant; for the tangent only
-  // Value of C S at the quarter turns of w: +-turned + bulge.
+  // C S, with w's constant C, in the two directions at right angles to w: bulge + turned and bulge
+  // - turned.
   double turned = 0, bulge = 0, magnitude = 0;
 };
 

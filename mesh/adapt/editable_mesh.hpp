@@ -114,7 +114,8 @@ class editable_mesh {
   void charge_work(const cancellation& stop) {
     stop.charge(work_weights::face_listed * static_cast<double>(looked_at_.take()));
   }
-  // Returns the number of faces noted so far, and clears it, so that they are not charged here.
+  // Returns the number of faces visited and not yet charged, and sets it to 0: the caller charges
+  // them.
   std::size_t take_looked_at() { return looked_at_.take(); }
   void note_looked_at(std::size_t faces) const { looked_at_.add(faces); }
 

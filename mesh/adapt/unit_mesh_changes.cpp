@@ -84,9 +84,9 @@ point middle(const node& a, const node& b) {
   const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
   const double ratio = std::sqrt(squared(b.metric, x, y) / squared(a.metric, x, y));
   double t = 0.5;
-  // Least difference of a ratio from 1 for which the place is computed from two logarithms: with x
-  // = ratio - 1 the place is at 1/2 + x / 8 of the edge, to first order, so that 1/2 has an error
-  // below 2e-4 for smaller differences.
+  // Least difference of the ratio from 1 for which the node's place is computed from two
+  // logarithms: with x = ratio - 1 it is at 1/2 + x / 8 of the edge, to first order, so that for
+  // smaller differences 1/2 has an error below 2e-4.
   constexpr double least_difference = 1e-3;
   if (std::isfinite(ratio) && ratio > 0 && std::abs(ratio - 1) > least_difference)
     t = std::clamp(quick_log((1 + ratio) / 2) / quick_log(ratio), 0.25, 0.75);

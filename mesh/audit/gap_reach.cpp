@@ -113,8 +113,8 @@ gap_bound quick_reaches::between(const measured_ray& x, const measured_ray& y) c
   return along(towards_vertex(v_, *x.end, *y.end, x.way, y.way), x, y);
 }
 
-// Takes the direction midway between x and y, each divided by its length as it measures itself:
-// that of the vertex need not be within a right angle of both.
+// Bounds the reach along the sum of the directions to x and to y, each of unit length in its own
+// neighbour's metric: the direction of the Voronoi vertex need not be within a right angle of both.
 gap_bound quick_reaches::midway(const measured_ray& x, const measured_ray& y) const {
   if (!(x.is_known && y.is_known && cross(x.way, y.way) > 0)) return {infinity, {}};
   return along({x.inverse_root_c * x.way.x + y.inverse_root_c * y.way.x,

@@ -103,10 +103,11 @@ class site_tree {
     point low, high;
     metric_tensor metric;
     double reach = 0, spread_squared = 1;
-    // Set where the tree is to be searched by covectors: their values at the position of the star,
-    // or the first one, and bounds of the errors of these; an upper bound of the dual length of
-    // each in the metric of a single star. `along` takes the place of the lengths and the reach, if
-    // it is set: how far the outline of one star, or those of several, extend along each.
+    // Set if the tree is searched by covectors: the value of each at the position of the star, or
+    // of the first star; `lost`, a bound of the errors of these values; `length`, an upper bound of
+    // the dual length of each in the metric of a single star. `along`, if set, is used in place of
+    // the lengths and of the reach: how far the outlines of one or several stars extend along each
+    // covector.
     by_covector value{};
     double lost = 0;
     by_covector length{beyond_all, beyond_all, beyond_all, beyond_all};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds inner edges that join two vertices of the boundary. A linear element has all its values
-// prescribed on such an edge, and in a triangle with three boundary vertices, if the boundary's
-// values are.
+// Finds inner edges that join two vertices of the boundary. If values are prescribed on the
+// boundary, a linear element has no free value on such an edge, nor in a triangle with three
+// boundary vertices.
 #pragma once
 
 #include <array>

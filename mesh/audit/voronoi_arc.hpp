@@ -28,8 +28,9 @@ offset between(const point& from, const point& to);
 // a. Empty: not found, which proves nothing.
 std::optional<offset> enclose_voronoi_vertex(const site& a, const site& b, const site& c);
 
-// Returns the first point of the ray from v with f_v = f_u, where the direction is certainly within
-// a right angle of u, as v sees it: a point of the visible arc. Empty when not found.
+// Returns the first point with f_v = f_u on the ray from v: a point of the visible arc. Empty when
+// not found, or if the ray is not certainly within a right angle, in v's metric, of the direction
+// to u.
 std::optional<offset> enclose_bisector_point(const site& v, const site& u, const offset& direction);
 
 // True only if at every point of the segment from a to b, w, by its own metric, is farther than the

@@ -16,7 +16,8 @@
 
 namespace asterism::internal {
 
-// Makes the report of the distance, without the length factor. Fails where `wanted` does at a site.
+// Reports the distance of the mesh's metric from the wanted one, without the length factor. Fails
+// if `wanted` cannot be evaluated at a site.
 result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
                                              std::optional<double> angle_bound);
 

@@ -51,8 +51,8 @@ class fitting_goal {
   // Drops the copy of the metric without room at chords: the metric with room can no longer be
   // given up.
   void keep_room_at_chords() { without_room_.reset(); }
-  // Goes back to the metric without room at chords; returns false if there is none. The next mesh
-  // then has needles there.
+  // Restores the metric that was not refined at short chords, so that the next mesh has needles
+  // there; returns false if no such metric was kept.
   bool give_up_room_at_chords();
   // Raises the number of vertices, once, to the greatest with which short segments have room;
   // returns false if it is that already.

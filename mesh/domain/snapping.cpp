@@ -234,8 +234,9 @@ void snapper::meet(edge& e, edge& f) {
   made_.meetings.push_back({*v, second, first, true});
 }
 
-// Returns the vertices of the chain from a to b, both included: all that the edge is to pass, or,
-// if that makes a link as long as the edge, only the first of them.
+// Returns the vertices that replace the edge from a to b, both included: all that it must pass
+// through; or only the first of these if a piece between two successive ones would not be shorter
+// than the edge.
 std::vector<vertex_index> snapper::chain_of(const edge& e) const {
   std::vector<vertex_index> chain = {e.a};
   chain.insert(chain.end(), e.through.begin(), e.through.end());

@@ -48,8 +48,9 @@ class trimmer {
       for (const vertex_index v : {edges_[e].a, edges_[e].b}) around_[v].push_back(e);
   }
 
-  // Returns the chain of edges from the free end v to the vertex where its segment goes on; none if
-  // v is no free end outside of the domain, or the chain begins elsewhere.
+  // Returns the edges by which a segment sticks out of the domain: from its free end v to the first
+  // vertex with other edges. Empty if v is no free end outside of the domain, or if no edge of that
+  // segment continues there.
   std::vector<std::size_t> overhang(vertex_index v) const {
     std::vector<std::size_t> chain;
     if (around_[v].size() != 1) return {};

@@ -32,9 +32,9 @@
 
 namespace asterism::internal {
 
-// Reads a file. Where no triangle is in a physical group, the regions are empty. `given` is the
-// number of points if these are the first vertices, else 0. Tensors are checked to be positive
-// definite, exactly.
+// Reads a file. Where no triangle is in a physical group, the regions are empty. Sets `given` to
+// the number of the file's point elements if these are the first vertices, in order, else to 0.
+// Tensors are checked to be positive definite, exactly.
 result<listed_mesh> read_gmsh(const std::filesystem::path& path);
 
 enum class gmsh_version { two, four };

@@ -38,7 +38,8 @@ class gmsh_groups {
   using tag_set = std::vector<int>;
   int number_of(int dimension, int tag) const;
   std::string name_of(int dimension, int tag) const;
-  // Returns a number for each set; only sets that elements are in get a name.
+  // Returns a marker or region for each set of groups. Names only sets that some element belongs
+  // to.
   std::vector<int> numbers_of_sets(int dimension, const std::vector<char>& in_use,
                                    std::map<int, std::string>& names,
                                    std::vector<std::string>& notes) const;

@@ -53,8 +53,8 @@ bool may_have_crest(const rounded_interval& a, double shift, int parity) {
   for (int step = 0; step < 5; ++step) {
     const double k = first + step;
     if (std::abs(std::fmod(k, 2)) != parity) continue;
-    // Widens the comparison by more than the roundings of the point, of pi and of both comparisons,
-    // which are below 2^-50 of it.
+    // Widens the interval by 2^-40 of 1 + |at|: the roundings of `at`, of pi and of both
+    // comparisons are together below 2^-50 of that.
     const double at = (k + shift) * std::numbers::pi, slack = 0x1p-40 * (1 + std::abs(at));
     if (at >= a.inf() - slack && at <= a.sup() + slack) return true;
   }

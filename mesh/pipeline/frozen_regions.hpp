@@ -53,8 +53,8 @@ ASTERISM_EXPORT result<frozen_part> without_regions(const mesh& whole,
 // as longer than `longest`. Returns the number of vertices changed.
 ASTERISM_EXPORT std::size_t coarsen_border(frozen_part& part, double longest);
 
-// Returns the marks of the rest, in its numbers, with the border's vertices and edges required.
-// `marks` are those of the whole mesh, in the whole mesh's numbers.
+// Returns the marks of part.rest by its own vertex numbers, and marks the vertices and edges of the
+// border as required. `marks` has the vertex numbers of the whole mesh.
 ASTERISM_EXPORT mesh_marks marks_of_rest(const frozen_part& part, const mesh_marks& marks);
 
 // Joins the frozen triangles to a mesh of the other regions. Returns nothing where an edge of the

@@ -41,13 +41,13 @@ struct mesh_input {
   std::size_t given = 0;  // vertices of the domain before the first rows of layers
 };
 
-// Scales the metric by the demands of the source; with options.vertices to the complexity of
-// `density` times that number of vertices. Without any demand on the scale but sizes at places, the
-// size elsewhere is size_where_none_is_wished. With options.limit_size curves are divided anew for
-// the metric, in at most options.max_sites chords; otherwise for the tolerance, if there is one.
-// Then random points are added, by options.seed, and the first rows of layers, as long as there are
-// fewer vertices than options.max_sites. Fails as divide_curves_anew, add_random_points,
-// make_scaled_metric and with_layer_rows do.
+// Scales the metric by the sizes or the number of vertices that the source demands; with
+// options.vertices to the complexity of `density` times that number of vertices. Where only sizes
+// at places are demanded, the size elsewhere is size_where_none_is_wished. With options.limit_size
+// curves are divided anew for the metric, in at most options.max_sites chords; otherwise for the
+// tolerance, if there is one. Then random points are added, by options.seed, and the first rows of
+// layers, as long as there are fewer vertices than options.max_sites. Fails as divide_curves_anew,
+// add_random_points, make_scaled_metric and with_layer_rows do.
 ASTERISM_EXPORT result<mesh_input> prepare_mesh_input(const mesh_source& source,
                                                       const mesh_options& options,
                                                       double density = 1);

@@ -12,9 +12,9 @@
 
 namespace asterism::internal {
 
-// Holds the domain as it is meshed. Vertices of segments keep their numbers, and so do all where
-// few are isolated or they are along a curve already. The two orders lead to different meshes of
-// the same quality: the mesher breaks ties by the numbers.
+// Holds the domain as it is meshed. Renumbers isolated vertices only, and none if they are few or
+// follow a curve already. The two orders lead to different meshes of the same quality: the mesher
+// breaks ties by the numbers.
 class vertex_renumbering {
  public:
   // The domain must outlive the renumbering.

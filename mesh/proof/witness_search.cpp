@@ -33,8 +33,8 @@ double balance(const edge_sites& e, const vector& d, const vector& y, double asi
 std::optional<proof_point> find_edge_point(const plane& all, std::uint32_t edge) {
   const edge_sites e = sites_of_edge(all, edge);
   const vector d = from(e.v, e.w), y = from(e.v, e.y), x = from(e.v, e.x);
-  // Points equally far from v and w whose coefficient of y is between these two are farther from x
-  // and y.
+  // Writes points as v + a d + b y. Those of the bisector of v and w with b between these two
+  // values, b at the Voronoi vertices on either side of the edge, are farther from x and from y.
   const double left = in_basis(voronoi_vertex(e.v, e.w, e.y), d, y).y,
                right = in_basis(voronoi_vertex(e.v, e.x, e.w), d, y).y;
   const double by_x = in_basis(x, d, y).y;

@@ -31,8 +31,8 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   if (steep_.awaits_other_metric()) return false;
   if (rebuild(std::move(stale), star_search::near)) return true;
   if (exchange(disagreeing)) return true;
-  // Waits until the number of sites has grown by a tenth: where metrics vary much, each of these
-  // searches finds all sites in reach.
+  // Tests stars against all sites again only when the number of sites has grown by a tenth: where
+  // metrics vary much, each test finds all sites in reach.
   if (10 * state_.sites().size() < 11 * confirmed_at_) return false;
   confirmed_at_ = state_.sites().size();
   return rebuild(std::move(unconfirmed), star_search::thorough);

@@ -144,8 +144,8 @@ void metric_maker::meet(double target) {
       if (y - x < narrowest) break;
       factor = elementary::exp(x + part * (y - x));
     } else {
-      // Relative change below which the quantity counts as saturated. After six such steps, each by
-      // a factor of up to 16, the search ends.
+      // Relative change of the measured complexity, or of the inverse error, below which it counts
+      // as saturated. The search ends after six such steps in a row, each by a factor of up to 16.
       constexpr double alike = 1e-9;  // far below the 2e-3 to which the target is met
       saturated = step > 0 && std::abs(got - before) <= alike * got ? saturated + 1 : 0;
       if (saturated == 6) break;

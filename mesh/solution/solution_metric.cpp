@@ -157,11 +157,11 @@ double first_complexity(const solution_metric_options& options, const metric_mak
   return options.complexity.value_or(options.vertices.value_or(has) / vertices_of_unit);
 }
 
-// Makes the metric of the fields, with the least density at which all places that have it take the
-// usual share of the complexity, and the longest edge as long as the domain. If least sizes take
-// complexity away, the factor exceeds the resulting complexity, and so would that share: then the
-// least density is lowered. The longest edge follows the factor by half of the way in logarithms:
-// with an error wanted the factor falls as that edge grows.
+// Makes the metric of the fields. Lowers the least density while places at that density would take
+// clearly more than usual_floor_share of the complexity, as they do where least sizes use up
+// complexity. Adjusts the bound of the longest edge until that edge is about as long as the domain,
+// each time by half of the deviation in logarithms: with an error wanted, the factor of the metric
+// falls as that edge grows.
 result<solution_metric> metric_of(const field_derivatives& found, metric_maker& maker,
                                   const solution_metric_options& options) {
   constexpr int most_rounds = 5;

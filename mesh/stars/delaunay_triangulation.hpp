@@ -53,7 +53,7 @@ class delaunay_triangulation {
   // Makes the edge from a to b one that stays. Requires that both sites were inserted; returns
   // false where the segment goes through a site.
   bool insert_segment(vertex_index a, vertex_index b);
-  // Flips edges until all are Delaunay but those that stay; to be called after the last segment.
+  // Flips edges until all that may be flipped are Delaunay; to be called after the last segment.
   bool settle();
   // Flips edges while is_better(a, b, c, d) says that the edge from c to d is to take the place of
   // that from a to b, at most `most` times. The result is a triangulation with the edges that stay,

@@ -138,7 +138,8 @@ std::vector<double> needed_places(const patch_faces& of, const side_curve& curve
   return places;
 }
 
-// Returns the places that a trimming curve must have, with places of equal parts between them.
+// Returns the parameters, ascending, at which a trimming curve is divided at first: those of
+// needed_places, and between them parameters that make parts of equal length.
 std::vector<double> parts_of_trim(const patch_faces& of, const side_curve& curve,
                                   const std::vector<double>& sums) {
   std::vector<double> needed = needed_places(of, curve), places;

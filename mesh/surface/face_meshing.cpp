@@ -287,8 +287,9 @@ result<std::string> face_meshing::make(const side_places& places,
   return made;
 }
 
-// Returns the domain of the plane mesh: the corners, the vertices on sides in their order, and
-// segments around. Markers count sides from 1.
+// Returns the domain of the plane mesh. Its vertices are the corners, then those on the sides in
+// the order of `on_sides`; its segments run around the border, with the side's number, from 1, as
+// marker.
 domain face_meshing::polygons(const std::vector<placed>& on_sides) const {
   domain d;
   const std::size_t sides = border_->sides();

@@ -176,9 +176,9 @@ std::vector<weighted_point> differences(const bezier_piece& p, const interval_ve
   return all;
 }
 
-// Returns r_s w and r_t w up to positive factors. A part that a knot cut off may be so narrow that
-// its own sides are nearly parallel: then these give useful bounds, and differences along the sides
-// do not.
+// Bounds the derivatives of the surface by s and by t, times the weight w and positive factors. A
+// part that a knot cut off may be so narrow that its own sides are nearly parallel: then these
+// derivatives give useful bounds, and differences along the sides do not.
 two_directions along_parameters(const triangle_frame& f, const bezier_piece& p,
                                 const parameter_triangle& at, const triangle_net& net) {
   const auto by_s = differences(p, f.corner, true), by_t = differences(p, f.corner, false);

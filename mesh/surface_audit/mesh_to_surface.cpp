@@ -94,8 +94,8 @@ std::array<double, 3> excesses(const deviation_scene& scene, const mesh_cell& ce
     const double high = std::max({by[0], by[1], by[2]}), low = std::min({by[0], by[1], by[2]});
     if (low < 0 && high > most) most = high, found = by;
   }
-  // Returns zeros for a cell that is nearly all on one side of the piece's side: halving it is
-  // better.
+  // Returns three zeros if the side cuts off less than 2 % of the range of excesses: the caller
+  // then halves the cell, which is better than a cut there.
   const double high = std::max({found[0], found[1], found[2]});
   const double low = std::min({found[0], found[1], found[2]});
   if (!(high > 0.02 * (high - low) && -low > 0.02 * (high - low))) return {};

@@ -19,8 +19,9 @@ using plain_control = std::array<double, 4>;
 // than 2^600 X w, and is within the rounding that is counted separately.
 constexpr double lost_to_underflow = 0x1p-700;
 
-// Shares of the control points of one direction in the polar form, rows of degree + 1: one row for
-// each multi-index of sum `degree`, the number of times each corner is an argument.
+// Weights of the degree + 1 control points of one direction in the polar form, a row for each
+// choice of its arguments: a multi-index of sum `degree` that says how often each corner is an
+// argument.
 struct share_rows {
   static constexpr std::size_t most =
       net_size(most_degree) * (static_cast<std::size_t>(most_degree) + 1);

@@ -146,7 +146,8 @@ lifted_cells first_cells(const lifted_scene& scene, std::uint32_t t, look at) {
   return cells;
 }
 
-// First cells of all triangles, with bounds of distances and of normals, from one net for both.
+// The undivided cell of each triangle twice: with bounds of its distance, and with bounds of its
+// normals. Both bounds are computed from one net of control points.
 struct first_looks {
   std::vector<lifted_cells> distances, normals;
 };
