@@ -27,7 +27,8 @@ enum class [[nodiscard]] batch_status{ok, length_mismatch};
 class ASTERISM_EXPORT batch_kernel {
  public:
   batch_kernel() = default;
-  // Counts in `decided`, which must outlive the kernel and its copies. For one thread.
+  // Counts in `decided` the questions that each tier decides; it must outlive the kernel and its
+  // copies. For one thread.
   explicit batch_kernel(tier_counters& decided) : decided_(&decided) {}
 
   batch_status orientation(const point_columns& p, const point_columns& q, const point_columns& r,

@@ -53,7 +53,8 @@ struct seen_site {
     return dot(e, covector) + root(radicand_there) * inverse_length;
   }
 
-  // Returns the gradient of s at m, if s is certainly real there.
+  // Returns the gradient at m of s, the inverse of the parameter at which the ray first meets the
+  // bisector; nothing if s is not certainly real at m.
   std::optional<vector> tangent(const vector& m) const {
     const bounded turned = cross(m, offset);
     const bounded radicand_there = dot(m, m) - bend * (turned * turned);

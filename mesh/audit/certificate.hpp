@@ -64,8 +64,8 @@ struct certificate {
   double largest_deviation = 0;
   curve_report curves;                     // in the file if the domain has curves
   former_boundary_report former_distance;  // in the file if there is a former boundary
-  // Areas of regions; written if some region is not 1. `before` is set by the caller that adapted a
-  // mesh.
+  // Areas of the regions, in the file if some region has another number than 1. The caller that
+  // adapted a mesh sets `before`, the area before the adaptation.
   std::vector<region_area> regions;
   bool domain_checked = false, angles_checked = false, stars_checked = false;
   bool certified = false;

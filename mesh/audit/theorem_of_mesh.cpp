@@ -318,8 +318,9 @@ measured_part measure_some_neighbours(const mesh& m, double radius) {
 }
 
 // True if some neighbours alone prove that the theorem is far from applying: metrics differ too
-// much, or some sites are so near to each other that four times their distance would be too little.
-// Such meshes may have very many near pairs, as among random sites, each of which is near hundreds.
+// much, or the spacing would be too small even at four times the least distance between these
+// neighbours. Such meshes may have very many near pairs, as among random sites, each of which is
+// near hundreds.
 bool is_far_from_applying(theorem_hypotheses h, const measured_part& some, double angle_bound) {
   constexpr double times = 4;
   if (!some.failure.empty()) return true;

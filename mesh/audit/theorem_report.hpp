@@ -24,7 +24,8 @@ struct theorem_hypotheses {
   // Variation sigma: the least for which tau <= 1 / (1 - sigma d) for all near sites, d the smaller
   // of their two distances.
   double variation = 0;
-  // Entry of the table of angles: the greater of sigma R and 1 - 1 / sqrt(tau).
+  // Value with which the theorem's table of angles is entered: the greater of sigma R and 1 - 1 /
+  // sqrt(tau), R the covering radius.
   double sigma_eps = 0;
   // Angle that the theorem proves for these numbers, in degrees; 0 if none.
   double proved_angle = 0;

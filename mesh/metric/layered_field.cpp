@@ -119,8 +119,9 @@ class layered_field final : public sized_field, public layered {
     const rounded_interval size = root_of(rounded_interval(size_squared()));
     found.across = size * found.across;
     found.along = size * found.along;
-    // Scales by the size. A radial formula has derivatives by the radius in the domain's units, the
-    // others by the frame's.
+    // Multiplies lengths and their derivatives by the size. Derivatives are by the coordinates of
+    // the domain; those of a radial formula are by the radius in the frame, and are divided by its
+    // unit.
     const rounded_interval unit =
         lengths_.radial ? rounded_interval(2) * rounded_interval(frame_.half_unit) : 1.0;
     for (rounded_interval* each : {&found.across_by_normal, &found.across_by_tangent,

@@ -136,9 +136,9 @@ std::string text_as_given(const constant_metric_report& report) {
   return ending_text(report.as_given) + rounding_text(report.too_close);
 }
 
-// Explains an outcome without demands where the given metric is the same everywhere. Another metric
-// cannot help; the obstacle is a limit, which is named, or details of the domain far smaller than
-// the rest, near which the shortest edge is.
+// Explains a mesh made without demands on angles and sizes, in a given metric that is the same
+// everywhere. Another metric cannot help; the obstacle is a limit, which is named, or details of
+// the domain far smaller than the rest, near which the shortest edge is.
 std::string text_without_demands(const mesh_outcome& outcome) {
   const auto [length, at] = shortest_edge(outcome.result);
   return fmt::format(

@@ -35,7 +35,8 @@ struct proof_exception {
   // Points from the ray to the first neighbour to the ray to the last; for a hidden site, one pair
   // of numbers: the segment's ends.
   std::vector<proof_point> points;
-  // Weights at a meeting: of both neighbours and of the site, 1, 3 or 6 coefficients each.
+  // Weights of the two neighbours and of the site at a meeting: 1, 3 or 6 coefficients for each of
+  // the three.
   std::vector<proof_detail::whole> weights = {};
 };
 

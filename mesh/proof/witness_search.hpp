@@ -22,8 +22,9 @@ std::optional<proof_exception> find_wide_row(const gap_sites& g);
 // point that shows it.
 std::optional<proof_exception> find_edge_meeting(const plane& all, std::uint32_t edge);
 
-// Returns a reason why the gap refuses w, for pairs that the gap's own row does not decide; or a
-// meeting of the gap on the other side of the opposite edge that shows the same.
+// Returns a reason why the gap refuses w, for pairs that the gap's own row does not decide: a
+// segment that hides w, another row, or a meeting of this gap or, if w is across the opposite edge,
+// of w's gap at that edge.
 std::optional<proof_exception> find_exception(const plane& all, std::uint32_t gap, vertex_index w);
 
 }  // namespace asterism::internal::proof_detail
