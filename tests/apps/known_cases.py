@@ -132,7 +132,8 @@ class BoundedWork(command.CommandTest):
                 self.assertRegex(done.stdout, "(?m)^(star|angle)")
                 done = self.bounded("verify", f"{name}.mesh")
                 self.assertEqual(done.returncode, 1, done.stderr)
-                self.assertIn("REFUSED: ", done.stdout)
+                # The audit of jump_100 comes to its end, and its stars agree: angles alone are low.
+                self.assertIn("not certified: " if name == "jump_100" else "REFUSED: ", done.stdout)
 
     def test_thousands_of_segments_at_one_vertex_took_a_minute_to_be_excused(self):
         self.write("fan.poly", hostile_inputs.fan(1000, 0.36))

@@ -82,7 +82,7 @@ class TerminalText(command.CommandTest):
         done = self.run_command("certify", "a.mesh")
         self.assertEqual(done.returncode, 1)
         found = [line for line in done.stdout.splitlines() if line.startswith("angle_below_bound: the angle")]
-        self.assertEqual(len(found), 10)
+        self.assertEqual(len(found), 4)  # ten findings: an angle that several metrics measure alike is one line
         for line in found:
             self.assertIsNone(re.search(r"\d\.?\d{7,}|\d\.\d{9,}", line), line)
             places = re.findall(r"vertex \d+ \(", line)
