@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from typing import Any, Dict, List, Mapping, Optional
+from typing import Any, Dict, List, Mapping, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -139,8 +139,8 @@ class Mesh:
         return dict(self._values)
 
     @property
-    def certificate(self) -> Optional[Certificate]:
-        """The certificate. None for a mesh from elsewhere without one."""
+    def certificate(self) -> Union[Certificate, Any]:
+        """The certificate. None for a mesh from elsewhere without one; a checker of types takes it as given."""
         text = self._made.certificate_text
         return None if text is None else Certificate(text)
 
@@ -176,10 +176,10 @@ class Mesh:
         return _asterism._locate(self._made, doubles("points", points))
 
     def interpolate(self, values: npt.ArrayLike, points: npt.ArrayLike, *,
-                    outside: Optional[float] = None) -> Doubles:
+                    outside: Optional[npt.ArrayLike] = None) -> Doubles:
         """Values at points (n, 2), linear between those at the mesh's points, (m,) or (m, c).
 
-        outside: the value of points in no triangle; None: they are refused.
+        outside: the value of points in no triangle, or (c,), one a column of values; None: they are refused.
         """
         if isinstance(values, Mapping):
             raise InputError("values: an array is wanted, not a dict; each of its fields is interpolated by itself")
@@ -187,10 +187,14 @@ class Mesh:
         if of.ndim not in (1, 2) or len(of) != len(self.points):
             raise InputError(f"values: {len(self.points)} rows are wanted, one a point of the mesh, not an array "
                              f"of the shape {of.shape}")
+        filling = None if outside is None else doubles("outside", outside)
+        if filling is not None and filling.shape not in ((), of.shape[1:]):
+            raise InputError(f"outside: a number is wanted, or one for each column of values, not an array of the "
+                             f"shape {filling.shape}")
         at = np.atleast_2d(doubles("points", points))
         found = self.locate(at)
         lost = np.flatnonzero(found < 0)
-        if len(lost) and outside is None:
+        if len(lost) and filling is None:
             x, y = at[lost[0]]
             raise InputError(f"points: row {lost[0]}, ({x}, {y}), is in no triangle of the mesh; outside=0, say, "
                              f"gives such points a value")
@@ -198,7 +202,7 @@ class Mesh:
         weights = _weights(self.points[corners], at)
         made: Doubles = np.einsum("nk,nk...->n...", weights, of[corners])
         if len(lost):
-            made[lost] = outside
+            made[lost] = filling
         return made
 
     def statistics(self) -> Dict[str, float]:

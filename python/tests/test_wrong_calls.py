@@ -49,6 +49,8 @@ CALLS = [
     (lambda m: asterism.Mesh(L_SHAPE, cells=[(0, 1, 2)]), "here it is triangles"),
     (lambda m: m.interpolate(flat(m)), "points is missing"),
     (lambda m: m.interpolate(flat(m), [(0.5, 0.5)], outsid=0), "did you mean outside"),
+    (lambda m: m.interpolate(flat(m), [(0.5, 0.5)], outside="nearest"), "outside: .* not 'nearest'"),
+    (lambda m: m.interpolate(flat(m), [(0.5, 0.5)], outside=[1, 2]), "outside: a number is wanted"),
     (lambda m: m.verify(angle=20), "here it is angle_bound"),
     (lambda m: asterism.adapt(m, flat(m), nv=100), "here it is vertices"),
     (lambda m: asterism.transfer(m, flat(m)), "to is missing"),
