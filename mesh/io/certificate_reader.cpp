@@ -49,7 +49,7 @@ void read_mesh(const json& object, certificate& c) {
   c.fingerprint = digest_in(object, "fingerprint");
 }
 
-// Accepts certificates written before this question existed.
+// Reads the verdict on the Voronoi diagram. Older certificates have none: not_asked.
 voronoi_verdict voronoi_of(const json& object) {
   if (!object.contains("voronoi")) return voronoi_verdict::not_asked;
   const auto text = value_of<std::string>(object, "voronoi");

@@ -25,7 +25,8 @@ struct closer {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-// Enters the path in `created` once the file exists, which it must not before.
+// Creates the file, which must not exist yet, and writes it. Adds its path to `created` as soon as
+// it exists.
 std::optional<error> write_bytes(const fs::path& path, const output_file& contents,
                                  std::vector<fs::path>& created) {
   errno = 0;

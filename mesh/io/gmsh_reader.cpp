@@ -188,7 +188,8 @@ failure gmsh_reader::read_entity(int dimension, bool is_part) {
   for (std::size_t i = 0; i < groups.value(); ++i) {
     const auto number = to_marker(source_, source_.next(), "physical group");
     if (!number.ok()) return number.failure();
-    // Drops the sign, which is a direction that edges and triangles do not need.
+    // Drops the group's sign: it is the entity's orientation, which edges and triangles do not
+    // need.
     if (number.value() != std::numeric_limits<int>::min()) tags.push_back(std::abs(number.value()));
   }
   if (dimension < 3)
@@ -265,7 +266,8 @@ failure gmsh_reader::read_element_list(const std::string& end) {
   return expect(end);
 }
 
-// Reads physical group, entity, and the number of nodes, which follows from the type as well.
+// Returns the physical group of an element of version 1. Skips its entity and its number of nodes,
+// which follows from its type.
 result<int> gmsh_reader::read_group_of_one() {
   const auto group = to_marker(source_, source_.next(), "physical group");
   if (!group.ok()) return group;

@@ -47,7 +47,7 @@ std::vector<vertex_index> indices_of(const certificate_json& object, const std::
 std::vector<point> points_of(const certificate_json& object, const std::string& key);
 // Returns the number that sixteen hexadecimal digits are.
 std::uint64_t digest_in(const certificate_json& object, const std::string& key);
-// Requires of each curve no more than that its vertices are the domain's.
+// Reads a domain. Checks of its curves only that their vertices are vertices of the domain.
 domain domain_of(const certificate_json& object);
 
 // Returns the indices as numbers from 1.

@@ -31,8 +31,9 @@ result<std::string> read_medit_text(const std::filesystem::path& path);
 // Returns the text of a binary file.
 result<std::string> text_of_medit_binary(const std::string& file, std::string_view bytes);
 
-// Returns the binary form of a text that this library wrote. Adds `required_edges`, counted from 1:
-// the comment in which the text states that all edges are segments has no place in it.
+// Returns the binary form of a text that this library wrote. Adds a section RequiredEdges with
+// these edges, counted from 1, if there are any: the text states in a comment that all edges are
+// segments, and the binary form has no comments.
 std::string medit_binary_of_text(const std::string& text,
                                  const std::vector<std::size_t>& required_edges = {});
 

@@ -65,7 +65,7 @@ class medit_reader {
   failure read_elements(const element_section& kind);
   void add_element(const element_section& kind, const std::array<vertex_index, 4>& corners,
                    int reference, std::size_t line);
-  // Reads the vertices of a list of marked ones; corners are checked, and not used.
+  // Appends the vertices that a section lists, Corners or RequiredVertices, to `marked`.
   failure read_marked(std::string_view keyword, std::string_view meaning,
                       std::vector<vertex_index>& marked);
   failure read_required_edges();

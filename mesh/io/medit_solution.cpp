@@ -156,7 +156,7 @@ result<int> read_medit_header(text_scanner& source, std::optional<double>* corne
     return source.failure(
         number.line, "MeshVersionFormatted: " + quoted_token(number.text) + " is none of 0 to 4");
   word keyword = source.next();
-  // Skips keywords of BAMG's, each with a number, that precede in some of its geometries.
+  // Skips the keywords of BAMG, each with an angle, that precede Dimension in some geometries.
   while (keyword.text == "MaximalAngleOfCorner" || keyword.text == "AngleOfCornerBound") {
     const auto angle = to_number(source, source.next(), keyword.text);
     if (!angle.ok()) return angle.failure();

@@ -10,8 +10,9 @@
 
 namespace asterism::internal {
 
-// Given vertices, ascending, that are no corners since they divide a curve. If comments are kept,
-// these need not be required either: a comment has the number of given vertices.
+// Given vertices, ascending, that are no corners since they divide a curve. If the file keeps
+// comments, these vertices need not be listed in RequiredVertices either: a comment has the number
+// of given vertices.
 struct medit_smooth {
   std::vector<vertex_index> vertices = {};
   bool keeps_comments = true;

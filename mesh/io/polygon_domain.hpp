@@ -26,7 +26,7 @@ struct occurrences {
   std::size_t count = 0;
   std::string first;
 
-  // Counts one more. Calls `describe` for the first.
+  // Counts an occurrence. Describes the first one by describe().
   template <class Describe>
   void add(const Describe& describe) {
     if (count++ == 0) first = describe();

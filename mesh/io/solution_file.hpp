@@ -3,14 +3,13 @@
 // Reads and writes solutions: numbers at the vertices of a mesh.
 //
 //   .sol   Medit: SolAtVertices with any list of types (1 scalar, 2 vector, 3 symmetric tensor);
-//   the
-//          fields are called 1, 2, ... in their order
+//          the fields are called 1, 2, ... in their order
 //   .solb  the same in binary (mesh/io/medit_binary.hpp)
 //   .bb    BAMG: `2 N V 2`, then N scalars for each of V vertices; .BB: `2 N T1 ... TN V 2`, with
 //          types 1 to 3
-//   .msh   gmsh: the node data of 1, 3 or 9 numbers a node, by their names; the metric is none
-//   .vtu   VTK: the point data of one piece, as text, base64 or raw bytes, not compressed, by their
-//   names
+//   .msh   gmsh: the node data of 1, 3 or 9 numbers a node, by their names, except the metric
+//   .vtu   VTK: the point data of one piece, as text, base64 or raw bytes, not compressed, by
+//          their names
 //
 // Refused, with file, line and vertex: numbers that are not finite, counts that are not the mesh's,
 // types and shapes that are none of these, anything after the last number.

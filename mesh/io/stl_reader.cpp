@@ -42,7 +42,7 @@ failure join_corners(const std::vector<stl_corner>& corners, listed_mesh& made) 
     }
     number[i] = number[first[i]];
     if (first[i] == i && c.z != 0) made.heights.push_back({number[i], c.line, c.z});
-    // Leaves heights of one vertex that differ by rounding to put_in_order.
+    // Accepts corners at one vertex whose heights differ by rounding: put_in_order judges them.
     if (!(std::abs(c.z - corners[first[i]].z) <= rounding_of_heights * extent))
       return text_scanner(made.file, "")
           .failure(c.line,

@@ -229,7 +229,7 @@ failure su2_reader::read_marker_elements(std::size_t count, marker_edges& to) {
   return {};
 }
 
-// Numbers the markers: a tag that is a number has that one, other tags the least free numbers.
+// Numbers the markers: by the tag where that is a number, else by the least free number.
 void su2_reader::number_markers() {
   std::set<int> used;
   std::vector<std::optional<int>> numbers;

@@ -362,7 +362,7 @@ failure vtk_reader::read_attribute(const word& head) {
   const auto of = type();
   if (!of) return of.failure();
   if (head.text == "SCALARS") {
-    // Accepts that the width and the table of colours are left out.
+    // Accepts SCALARS without its number of components (then 1) and without a LOOKUP_TABLE line.
     components = 1;
     word next = text_scanner(source_).next();
     if (next.line == head.line && in_capitals(next.text) != "LOOKUP_TABLE" && !next.empty()) {

@@ -32,7 +32,7 @@ std::string decode_base64(std::string_view text, std::size_t most_bytes);
 // bytes: a header with the number of bytes, then the bytes. Compressed ones have another header:
 // the number of blocks, the bytes of a block, those of the last one if it is shorter, else 0, and
 // for each block how many bytes it has when it is compressed. An error is half a sentence. Values
-// may be any doubles, not finite ones too.
+// may be any doubles, infinities and NaN included.
 result<std::vector<double>> vtu_binary_numbers(std::string_view text, std::string_view type,
                                                std::size_t count, const vtu_encoding& how,
                                                bool raw = false);

@@ -90,7 +90,7 @@ bool wkt_reader::take_empty() {
   return true;
 }
 
-// Reads a list "( one, one, one )".
+// Reads a list in brackets, "(item, item, item)"; `one` reads an item.
 failure wkt_reader::read_list(reader one) {
   if (!take("(")) return wanted("'('");
   do {

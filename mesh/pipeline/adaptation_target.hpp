@@ -32,8 +32,8 @@ ASTERISM_EXPORT std::optional<error> take_target(const adaptation_wish& wish,
                                                  mesh_adaptation_options& options);
 
 // Returns a sentence on what was not reached: the mesh, the metric's target, or the number of
-// vertices, which may be off by a tenth or by five, or, below ten, by half. Nothing where all was
-// reached.
+// vertices. That number may be off by a tenth, or by five if that is more; where fewer than ten are
+// wanted, by half of them. Returns nothing where all was reached.
 ASTERISM_EXPORT std::optional<std::string> what_is_missed(
     const adapted_mesh& next, const solution_metric_report& report,
     const std::optional<std::size_t>& vertices_wanted);

@@ -15,8 +15,8 @@ namespace asterism {
 using namespace internal;
 namespace {
 
-// Returns the stop without its account of work: an audit's findings may not depend on earlier work
-// of the run, as `verify` has no account.
+// Returns the stop without its count of work done. The findings of an audit must not depend on work
+// that the run did before: `verify` audits the same mesh without such a count.
 cancellation question_of(const cancellation& stop) {
   return [stop]() { return stop.told(); };
 }

@@ -15,12 +15,13 @@ namespace {
 
 // Number of points of the grid along each side of the domain's box.
 constexpr std::size_t grid_points = 33;
-// Distortion from which the way between two samples is searched further: below it (1 - 1 / tau) / d
-// is about the field's own rate already. At this distortion that quotient still has ten digits free
-// of rounding errors.
+// Distortion tau of two samples from which the segment between them is sampled further. Below it
+// the quotient (1 - 1 / tau) / d, d their distance, is about the field's rate of change already. At
+// this tau the quotient still has ten digits free of rounding errors.
 constexpr double little_distortion = 1.01;
-// Distance of two samples, as a part of the box's longer side, at which a distortion above that
-// limit counts as a jump: 2^-40 is some thousand units in the last place of a coordinate.
+// Distance of two samples, as a part of the box's longer side, at which a distortion above
+// little_distortion counts as a jump: 2^-40 is some thousand units in the last place of a
+// coordinate.
 constexpr double next_to_each_other = 0x1p-40;
 
 class sampling {

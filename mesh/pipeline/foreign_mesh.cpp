@@ -82,8 +82,8 @@ domain domain_of(const mesh& m, const triangle_sides& sides) {
   return d;
 }
 
-// Kinds of findings about numbers that are no site or triangle: such a mesh is refused before any
-// question.
+// Kinds of findings about input that forms no sites or triangles. A mesh with such a finding is
+// refused before its stars are built.
 constexpr std::array unusable = {
     finding_kind::empty_mesh,        finding_kind::index_out_of_range,
     finding_kind::not_finite,        finding_kind::metric_not_positive_definite,

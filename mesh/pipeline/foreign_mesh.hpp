@@ -92,8 +92,9 @@ ASTERISM_EXPORT audit_options questions_for(const adopted_mesh& adopted);
 
 // Builds the stars, compares and audits. An edge is a unit edge if its length, the mean of those in
 // the metrics of its two ends, is in [1/sqrt 2, sqrt 2]. 0 <= angle_bound < 60, degrees. With
-// `check_voronoi` the audit has a verdict on point 5 as well, on which certified() does not depend.
-// `stop` is polled during the judgement, and can end it.
+// `check_voronoi` the audit also decides whether the mesh is the dual of the Voronoi diagram (point
+// 5 of mesh/audit/audit.hpp); certified() does not depend on that. `stop` is polled during the
+// judgement, and can end it.
 ASTERISM_EXPORT certify_report certify(const adopted_mesh& adopted, double angle_bound,
                                        bool check_voronoi = false,
                                        std::size_t findings_kept = audit_options{}.findings_kept,

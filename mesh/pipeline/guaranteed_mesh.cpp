@@ -42,9 +42,9 @@ double greatest_variation(double angle_bound) {
   return greatest;
 }
 
-// Returns the last step of the ladder with edges that are no shorter than the samples of the field
-// demand. They may be longer than demanded, and suffice: no site need be at the field's steepest
-// place. A step from an upper bound of the field could be finer than needed.
+// Returns the last step of the ladder whose edges are no shorter than the samples of the field
+// demand. Edges longer than demanded may suffice, since there may be no site where the field is
+// steepest. A step from an upper bound of the field could be finer than needed.
 int first_step(const field_steepness& field, double angle_bound) {
   return ladder_step_below(field.sampled * largest_circumradius / greatest_variation(angle_bound));
 }

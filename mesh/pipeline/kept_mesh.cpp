@@ -55,8 +55,8 @@ unit_counts vertices_of_unit_edges(const mesh& m) {
   return {inside, inside + boundary / 2 + euler};
 }
 
-// Compares with the number named, which sets the area of the metric, or else with the number that
-// unit edges take.
+// Compares the number of vertices with options.vertices, for which the metric is scaled, or, if
+// that is not set, with the numbers that unit edges take.
 bool has_enough_vertices(const mesh& m, const mesh_options& options) {
   constexpr double of_named = 0.02, tolerable = 0.1;
   const auto got = static_cast<double>(m.sites.size());

@@ -43,8 +43,9 @@ edge_lengths edge_lengths_of(const mesh& m);
 bool are_as_in_new_mesh(const edge_lengths& lengths);
 
 // True if the share of lengths near one is that of the new mesh, to 2 %, and no length is both
-// outside the range above and a quarter beyond the new mesh's range: where the domain has vertices
-// nearer to each other than the metric wants, or the metric jumps, no mesh has better ones.
+// outside [1/3, 1.75] and a quarter beyond the range of the new mesh's lengths. Where the domain
+// has vertices nearer to each other than the metric wants, or the metric jumps, no mesh has better
+// lengths.
 bool are_no_worse(const edge_lengths& lengths, const edge_lengths& of_new);
 
 // Returns the outcome that keeps the mesh of this domain as it is, where the auditor certifies

@@ -72,8 +72,9 @@ bool may_go_both_ways(const mesh_options& options) {
   return may_adapt(options) && options.metric_tolerance.value_or(0) > 0;
 }
 
-// Returns the total budget in units of one attempt's. The second attempt gets what it would get
-// with a tolerance of 0, so raising the tolerance never loses a mesh.
+// Returns the work limit of all attempts together, as a multiple of the limit of one attempt. The
+// second attempt gets what it would get with a tolerance of 0, so raising the tolerance never loses
+// a mesh.
 double work_for_ways(const mesh_options& options) {
   return may_go_both_ways(options) ? 1 + for_metric_wanted : 1;
 }
@@ -123,8 +124,8 @@ class attempts_at_mesh {
   // the list; each is evaluated once.
   bool begins_with_delivery() { return is_first_ && may_deliver_; }
 
-  // True if a mesh in the wanted metric is unlikely, or wants few sites; remembers why, since that
-  // attempt then gets a small share of the work.
+  // True if the attempt in the wanted metric is unlikely to lead to a mesh, or that metric wants
+  // few sites. Remembers both answers, since the attempt then gets a small share of the work.
   bool is_mesh_unlikely() {
     const bool may_give_up = may_adapt(options_) && options_.metric_tolerance != 0.0 && !is_first_;
     wants_few_ = may_give_up && delivery_.wants_few_sites();

@@ -57,8 +57,8 @@ result<all_sides> find_sides(const domain& d, const std::vector<periodic_pair>& 
 // Returns the metric length of edges with which the domain takes the number of vertices wanted;
 // none where no number is wanted, or the metric is not given at the nodes of a mesh. A mesh is
 // fitted to the number by edges of another length than 1: sides divided in lengths of 1 would leave
-// too few vertices for the inside. Edges of length t take A / t^2 vertices for the area and B / t
-// for half the boundary; the boundary alone has 2 B / t.
+// too few vertices for the inside. If unit edges take A vertices for the area and B for half the
+// boundary, edges of length t take A / t^2 + B / t vertices, 2 B / t of them on the boundary.
 std::optional<double> edge_length_for_count(const domain& d, const metric_field& field,
                                             const mesh_options& options) {
   const mesh* const given = options.vertices ? background_of_domain(d, field) : nullptr;

@@ -11,7 +11,7 @@
 namespace asterism::internal {
 
 // True if the mesher reported a complete mesh in the wanted metric, and the audit refuses one of
-// its stars: with stars confirmed by the mesher, that star would have been found before.
+// its stars. A mesher that confirms its stars itself would have found that star before the audit.
 bool is_refused_for_a_star(const mesh_outcome& outcome, const audit_report& report,
                            const mesh_options& options);
 

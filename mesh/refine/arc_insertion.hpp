@@ -56,8 +56,8 @@ class arc_insertion {
   enum class pass_result { progressed, field_failed, exhausted };
 
   pass_result insert_at_worst();
-  // Splits a subsegment for the worst triangle that has a candidate just beyond one; returns true
-  // if it did.
+  // Splits a subsegment that has, just beyond it, a candidate of a bad triangle, for the worst
+  // triangle where that is possible; returns true if one was split.
   bool split_before_worst();
   void insert_for_large();
   bool insert_at(const triangle& t, double tolerance);

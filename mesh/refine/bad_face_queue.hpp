@@ -35,8 +35,8 @@ class bad_face_queue {
  public:
   bool empty() const { return heap_.empty(); }
 
-  // Adds a face by the square of its shortest edge. Removes faces for which `has_gone` is true once
-  // these may be more than half of the queue.
+  // Adds a face by the square of its shortest edge. Removes the faces for which has_gone() is true,
+  // once such faces may be more than half of the queue.
   template <class HasGone>
   void push(const triangle& where, std::uint32_t face, double squared_shortest_edge,
             const HasGone& has_gone) {

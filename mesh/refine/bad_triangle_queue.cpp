@@ -224,7 +224,8 @@ bad_triangle_queue::record bad_triangle_queue::examine(const refine_state& state
         judge(state, oracle, t, found);
       }
     }
-    // If all triangles of v agree, each neighbour's star contains v, so none is one-sided.
+    // If all triangles of v agree, the star of each neighbour contains v: no neighbour is
+    // one-sided.
     const bool all_agree = s.gaps() > 0 && found.disagreeing.size() == before;
     for (std::size_t i = 0; !all_agree && i < s.neighbours.size(); ++i)
       if (!stars[s.neighbours[i]].contains(v)) found.one_sided.push_back(s.neighbours[i]);

@@ -16,7 +16,7 @@ double squared_length_above(const metric_tensor& m, const point& d) {
   return inner_product(m, d, d) + 0x1p-46 * (m.m11 * d.x * d.x + m.m22 * d.y * d.y);
 }
 
-// Returns a lower bound on |d|_M^2, by the same error; may be negative.
+// Returns a lower bound on |d|_M^2, by the error bound of squared_length_above; may be negative.
 double squared_length_below(const metric_tensor& m, const point& d) {
   return inner_product(m, d, d) - 0x1p-46 * (m.m11 * d.x * d.x + m.m22 * d.y * d.y);
 }

@@ -15,22 +15,22 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Constants of Voronoi arcs: the tolerance at the start, as a part of the shortest distance; the
-// quotient of that at the start by that at the end (ten halvings); and the quotient of that at the
-// start by the finest distance of sites. They hardly matter: starts of 0.05 to 0.4, ladders of 16
-// to 1024 and finest parts of 32 to 1024 give the same meshes of the square in swirl:12 and sink:12
-// and of the airfoil. They only end attempts at triangles that no site can mend.
+// Constants of Voronoi arcs: the first tolerance, as a part of the shortest distance; the first
+// tolerance divided by the last (ten halvings); and the first tolerance divided by the finest
+// distance of sites. These constants hardly matter: starts of 0.05 to 0.4, ladders of 16 to 1024
+// and finest parts of 32 to 1024 give the same meshes of the square in swirl:12 and sink:12 and of
+// the airfoil. The constants only end attempts at triangles that no site can mend.
 constexpr double arc_fraction = 0.2;
 constexpr double arc_ladder = 1024;
 constexpr double arc_finest_part = 256;
 // Constants after a fill, when defects are mended at points nearly as far from all sites as the
 // fill's own. The start is 0.6 of the fill's distance, the factor between steps 0.75, and the start
-// over the finest 32. Chosen by the number of disagreeing triangles left in a metric that varies
-// too fast, the square in polar-1 with size 0.5, which is 317. With 0.3 or 0.9 in place of 0.6 it
-// is 821 or 530, with 0.5 or 0.9 in place of 0.75 it is 827 or 513, with 8 in place of 32 it is
-// 702, and with a fill_ladder of 16 the run ends before its stars are made. In metrics that vary
-// less (airfoil and square with sizes) a start of 0.3, or a factor of 0.5, would save 2 to 5 % of
-// the sites.
+// over the finest 32. Chosen for few disagreeing triangles in a metric that varies too fast: on the
+// square in polar-1 with size 0.5 these constants leave 317. With 0.3 or 0.9 in place of 0.6, 821
+// or 530 are left, with 0.5 or 0.9 in place of 0.75, 827 or 513, with 8 in place of 32, 702; and
+// with a fill_ladder of 16 the run ends before its stars are made. In metrics that vary less
+// (airfoil and square with sizes) a start of 0.3, or a factor of 0.5, would save 2 to 5 % of the
+// sites.
 constexpr double fill_fraction = 0.6;
 constexpr double fill_ladder = 128;  // start over floor
 constexpr double finest_part = 32;   // start over finest

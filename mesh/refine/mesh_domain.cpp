@@ -81,9 +81,10 @@ result<mesh_outcome> mesh_domain(const meshing_context& job) {
   auto filled = fill_within_budget(job);
   if (!filled) return filled.failure();
   if (const auto& crowded = filled.value().proposed.crowded) return mesh_without(*crowded, job);
-  // Keeps the mesh of the given vertices if it is complete at a size with at most two halvings
-  // more: it may already be as fine as the limit on sites allows. A fill that keeps all these
-  // vertices may be finer than required, by a factor below two in the length of edges.
+  // Keeps the mesh of the given vertices alone if it is complete after at most two more halvings of
+  // the number of sites than the fill took: such a mesh may already be as fine as the limit on
+  // sites allows. A fill that keeps all these vertices may be finer than required, by a factor
+  // below two in the length of edges.
   const int halvings = filled.value().halvings;
   const int coarsest = halvings > 0 && keep ? halvings + 2 : 0;
   for (int fewer = 1; fewer <= coarsest; ++fewer)

@@ -39,8 +39,7 @@ std::optional<point> point_between(const point& near, const point& far, double n
 // high.
 double coarsest_in_middle(double low, double high) {
   const double quarter = (high - low) / 4, middle = low + 2 * quarter;
-  // Uses that one of two neighbouring multiples is in any interval at least as long as their
-  // distance.
+  // Finds a multiple at the latest when `step` is no greater than the length of the middle half.
   double step = elementary::exp2(std::ceil(elementary::log2(high)));
   for (int i = 0; i < 64; ++i, step /= 2) {
     const double multiple = step * std::round(middle / step);

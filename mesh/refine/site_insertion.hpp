@@ -27,11 +27,11 @@ enum class placement_outcome {
 // site then encroaches.
 placement_outcome place_site(refine_state& state, const point& q, double tolerance);
 
-// Splits a subsegment at a corner of less than twice the bound that the bad triangle lies in; true
-// if one was split. Such a corner can have no neighbour between its two subsegments: one part would
-// be below the bound. The remedy is therefore to shorten its subsegments (the longer one first, as
-// the corner measures) until the triangle between them is small enough to be good and no other site
-// is a neighbour of the corner.
+// Splits a subsegment at a corner of the domain in which the bad triangle lies, if the corner's
+// angle is below twice the angle bound; true if one was split. Such a corner can have no neighbour
+// between its two subsegments: one part of the angle would be below the bound. The remedy is
+// therefore to shorten its subsegments (the longer one first, as the corner measures) until the
+// triangle between them is small enough to be good and no other site is a neighbour of the corner.
 bool shorten_tight_corner(refine_state& state, const triangle& bad, const angle_requirement& angle,
                           double tolerance);
 

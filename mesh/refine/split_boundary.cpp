@@ -128,8 +128,8 @@ double split_boundary::subsegment_length(std::size_t subsegment, vertex_index fr
   return std::sqrt(squared_length(sites()[from].metric, d));
 }
 
-// Records the sharp corners by the segments beside them, before any split. Splits change the
-// neighbour that a segment has at its end, but neither the end nor the side.
+// Records the sharp corners by the segments beside them, before any split. A split changes the
+// vertex next to a segment's end, but neither that end nor whether the segment leaves or enters it.
 void split_boundary::note_sharp_corners() {
   const std::vector<boundary_edge>& all = edges_.subsegments();
   std::size_t segments = 0;

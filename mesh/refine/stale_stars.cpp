@@ -38,8 +38,8 @@ bool stale_stars::rebuild_disagreeing(const bad_triangle_queue& queue) {
   return rebuild(std::move(unconfirmed), star_search::thorough);
 }
 
-// Offers each corner of these triangles the neighbours of the other two corners, once for each
-// triangle: a site missed by a local search is usually in the star of another corner.
+// Offers each corner of a disagreeing triangle the other two corners and their neighbours, once for
+// each triangle: a site missed by a local search is usually in the star of another corner.
 bool stale_stars::exchange(const std::vector<triangle>& disagreeing) {
   const star_set& stars = state_.stars();
   std::vector<std::pair<vertex_index, vertex_index>> offers;  // to whom, and what

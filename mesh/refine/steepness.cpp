@@ -13,7 +13,7 @@ namespace {
 // is used.
 constexpr double resolved_variation = 0.3;
 // Distortion below which two sites have wedged arcs at any distance that sites of a net can have:
-// the root of the golden ratio (the same page, point 4).
+// the square root of the golden ratio (docs/math/refinement.md, point 4).
 constexpr double resolved_distortion = 1.272;
 
 }  // namespace
