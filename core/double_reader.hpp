@@ -23,9 +23,9 @@
 namespace asterism::internal {
 
 // Sets `value` to the nearest double, ties to even, of the longest beginning of the characters that
-// is a number: decimal, or hexadecimal without the leading 0x. Says where that ends, and fails as
-// std::from_chars does. A decimal number that is too large or too small for a double may be
-// infinite or zero instead of a failure.
+// is a number: decimal, or hexadecimal without the leading 0x. Returns the end of this beginning,
+// and fails, as std::from_chars does. A decimal number that is too large or too small for a double
+// may be infinite or zero instead of a failure.
 inline std::from_chars_result read_double(const char* first, const char* last, double& value,
                                           bool is_hexadecimal) {
 #ifdef ASTERISM_STANDARD_DOUBLES

@@ -144,7 +144,7 @@ constexpr std::array<double_pair, 9> arc_tangents = {{
     {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
 }};
 
-// Returns a + f b for f of about an eighth: products are exact but for the tail's last place.
+// Returns a + f b as a pair, for f of about an eighth: only the tail of the pair is rounded.
 double_pair sum_with_product(double a, double f, double b) {
   const double_pair p = exact_product(f, b), sum = exact_sum(a, p.head);
   return exact_sum_of_ordered(sum.head, sum.tail + p.tail);

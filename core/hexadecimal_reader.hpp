@@ -71,7 +71,7 @@ inline double nearest_double(hexadecimal_digits read) {
   const std::uint64_t bits = read.bits << unused;  // the first bit is one: 2^63 times its worth
   const long long lowest = read.power - unused, highest = lowest + 63;
   if (highest > 1023) return HUGE_VAL;
-  // Keeps 53 bits of the number, or those from 2^-1074 on.
+  // Keeps the leading 53 bits of the number; of a subnormal one the bits worth 2^-1074 or more.
   const long long dropped = highest < -1022 ? -1074 - lowest : 11;
   if (dropped > 64) return 0;
   const auto count = static_cast<int>(dropped);

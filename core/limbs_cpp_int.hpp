@@ -73,7 +73,8 @@ inline cpp_int to_cpp_int(const limb* a, std::size_t n) {
   return value;
 }
 
-// Writes all `room` limbs; returns the number of limbs without leading zeros.
+// Writes the value to `room` limbs, with zeros above it; returns its number of limbs, without these
+// zeros.
 inline std::size_t from_cpp_int(const cpp_int& value, limb* to, std::size_t room) {
   limb* const end = value == 0 ? to : export_bits(value, to, 64, false);
   std::fill(end, to + room, limb{0});

@@ -33,10 +33,11 @@ inline bool is_normal(double x) {
   return ((static_cast<std::uint64_t>(bits_of(x)) >> 52) & 0x7FFU) - first < exponents;
 }
 
-// Returns the sign of a * b - p, as a number. Requires that a, b and p are normal numbers, and p is
-// the product rounded to nearest. The mantissas are whole numbers, of 53 bits. The difference of
-// the products a * b and p * 1 in units of the last place of the former is at most half a unit of
-// p, 2^52 of these. So it is known from the last 64 bits, which is all that is computed of it.
+// Returns a number with the sign of a * b - p. Requires that a, b and p are normal numbers, and p
+// is the product rounded to nearest. Mantissas are taken as whole numbers of 53 bits. In units of
+// the last place of the mantissas' product, a * b differs from p by at most half a unit in the last
+// place of p, which is at most 2^52 units. The lowest 64 bits of the difference therefore determine
+// it, and only these are computed.
 inline std::int64_t product_excess(double a, double b, double p) {
   constexpr std::uint64_t leading = std::uint64_t{1} << 52;
   constexpr int bias = 1075;

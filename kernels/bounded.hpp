@@ -44,7 +44,8 @@ class bounded {
                                              std::abs(b.value_) * a.error_ + a.error_ * b.error_);
   }
   friend bounded operator/(bounded a, bounded b) {
-    // Takes |b| less twice its error: once by definition, once for the roundings of this line.
+    // Bounds the exact |b| from below by subtracting b's error twice: once for the error itself,
+    // once for the roundings of this line.
     const double divisor = std::abs(b.value_) - 2 * b.error_;
     const double quotient = a.value_ / b.value_;
     if (!(divisor > smallest)) return {quotient, std::numeric_limits<double>::infinity()};

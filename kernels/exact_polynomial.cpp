@@ -215,7 +215,8 @@ struct isolation {
   }
 
   // Returns cuts for roots that bisection separates slowly: the ends of short intervals around
-  // roots of the derivative. One of these lies between the roots, and is found fast.
+  // roots of the derivative. Between two roots lies a root of the derivative, whose interval is
+  // found fast.
   std::vector<dyadic> beside_turns(const dyadic& low, const dyadic& high) {
     if (!turns) turns = isolate_real_roots(slope);
     const long narrow = (high - low).magnitude() - 32;
@@ -246,8 +247,8 @@ double share_of_first(const dyadic& a, const dyadic& b) {
 }
 
 bool overlap(const real_root& a, const real_root& b) {
-  // Excludes equal roots if false: open intervals that share at most an end hold different roots,
-  // and a dyadic root at an open end of an interval is not that interval's root.
+  // Returns false only for different roots: open intervals that share at most an end hold different
+  // roots, and a dyadic root at an open end of an interval is not that interval's root.
   return a.low() < b.high() && b.low() < a.high();
 }
 

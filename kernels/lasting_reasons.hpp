@@ -73,7 +73,8 @@ class lasting_reasons {
     std::optional<polynomial<Number, 4>> norm;
   };
 
-  // True if site i, which does not dominate p over x at `at`, does so nowhere on the range.
+  // True if site i certainly dominates no point of the range over x, given that it does not
+  // dominate the point with the verdict `at`.
   bool undominated_throughout(std::size_t side, const basic_site<Source>& i, const verdict& at,
                               const range& over) {
     const auto cache = [&](pair_function f) -> cached& {

@@ -121,8 +121,8 @@ bool star_gap::enclose_meeting(neighbour& z) const {
   z.highest = s + above;
   if (!(ray.at(s - above) < -error && ray.at(z.highest) > error)) return false;
   const double convexity_error = convexity_depth * rho * convexity_magnitude(extent, trace);
-  // Replaces a bound of s that may not be concave by the bound for the nearest metric for which it
-  // is.
+  // Adds to the error of the ray equation the change by a replacement of det N with C / |d|^2, for
+  // which s_z is concave where it may not be so (docs/math/star-gap-proof.md).
   const double u_over_c = (u_extent_ * u_extent_) * inverse_c;
   const double lower_error = error + 3 * convexity_error * u_over_c;
   const double below = lower_error * inverse_root;
@@ -321,17 +321,18 @@ bool star_gap::refuted(const candidate& w, double at_lowest) const {
     return false;
   const auto top = bound_above(w);
   if (!top) return false;
-  // Takes for S, if s_w may not be convex, the bound for the nearest metric for which it is, and
-  // requires that the ray equation at lowest_ exceeds the difference.
+  // Requires, unless S is the tangent, that the ray equation at lowest_ exceeds its change by a
+  // replacement of det N with C / |d|^2, for which s_w is convex where it may not be so.
   if (!top->concave && !(at_lowest * w.ray.c > 4 * top->convexity_error * (u_extent_ * u_extent_)))
     return false;
   return closed_towards(x_, w, *top, w.turn_x, 1) && closed_towards(y_, w, *top, w.turn_y, -1);
 }
 
-// True if certainly no direction is left to w between u and n, where n is at a right angle to w on
-// the side of z. Either the rays meet z's bisector before w's in all of these directions; or they
-// do so up to z's ray or a direction beyond it, and farther on the triangle of v, w and the point
-// contains z. `turn` is the area spanned by w and z, positive; `side` is 1 for x, -1 for y.
+// True if w certainly has no good point in any direction between u and n, where n is at a right
+// angle to w on the side of z. Either the rays in all of these directions meet z's bisector before
+// w's; or they do so up to z's ray or a direction beyond it, and in the directions from there to n
+// the triangle of v, w and the point contains z. `turn` is the area spanned by w and z, positive;
+// `side` is 1 for x, -1 for y.
 bool star_gap::closed_towards(const neighbour& z, const candidate& w, const upper_bound& top,
                               double turn, double side) const {
   const auto& d = w.site.offset;

@@ -61,8 +61,9 @@ inline std::optional<double> vertex_parameter(const visible_arc<double>& arc,
   return along_d > 0 && arc.contains(1.0, m).value() ? std::optional(m) : std::nullopt;
 }
 
-// Proposes parameters for a "no": below `high` one neighbour fails, above `low` the other, and low
-// < high. Takes one sample in between and one on either side, close enough to stay on the arc.
+// Proposes parameters to show the answer "no": below `high` the condition of one neighbour fails,
+// above `low` that of the other, and low < high. Takes one sample between low and high and one on
+// either side, close enough to stay on the arc.
 inline search_hints hints_around_overlap(const visible_arc<double>& arc, double low, double high) {
   search_hints hints;
   hints.extent = find_extent(arc);

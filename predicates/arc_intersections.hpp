@@ -17,7 +17,8 @@
 
 namespace asterism::internal {
 
-// True if the value P + beta sqrt E is zero, given that the norm P^2 - beta^2 E is.
+// True if P + beta sqrt E is zero, by the signs of P and beta. Requires that the norm P^2 - beta^2
+// E is zero.
 inline uncertain_bool conjugate_vanishes(uncertain_sign rational_part, uncertain_sign beta) {
   if (!rational_part.certain() || !beta.certain()) return {};
   return rational_part.value() * beta.value() != sign::positive;

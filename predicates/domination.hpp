@@ -81,8 +81,8 @@ uncertain_sign dominates(const basic_site<Number>& v, const basic_site<Number>& 
   const uncertain_sign nearer =
       sign_of(squared_length(v.metric, from_v) - squared_length(w.metric, from_w));
   if (!nearer.certain()) return {};
-  // Starts from one meeting each: f_v - f_w changes sign once on the segment from the farther site
-  // to p.
+  // Starts from one point of the bisector on each segment: f_v - f_w changes sign once on the
+  // segment from the farther site to p, so that its count stays 1; other counts are computed.
   uncertain_int of_v = 1, of_w = 1;
   if (nearer.value() == sign::negative) of_v = seen_from_v().roots_before_negative_end();
   if (nearer.value() == sign::positive) of_w = seen_from_w().roots_before_negative_end();

@@ -55,7 +55,8 @@ struct neighbour_condition {
   // Returns the function whose zeros are where x becomes as near as v and w.
   arc_function<Number> equidistance() const { return arc->restrict(distance()); }
 
-  // Calls visit for every function, except equidistance(), at whose zeros the condition can change.
+  // Calls visit for each function, other than equidistance(), whose zeros are parameters at which
+  // the condition can change.
   template <class Visitor>
   void visit_other_critical_functions(Visitor&& visit) const {
     const auto &v = arc->v, &w = arc->w;

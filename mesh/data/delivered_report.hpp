@@ -36,9 +36,10 @@ struct delivered_report {
 // fronts that cross on 500 vertices, at 1.52 (docs/results/metrics_on_meshes.md).
 inline constexpr double most_median_distance = 2.302585092994046;
 
-// Greatest ratio of the two complexities, either way, of such a run. Beyond it the mesh is of
-// another size altogether, though half of its sites, in a flat part, may have the tensors wanted.
-// Of metrics as simulations make them, the worst are again two fronts that cross, at 3.4.
+// Greatest ratio of the complexities of the two metrics, the greater to the lesser, of a run that
+// is complete where no tolerance is asked for. Beyond it the mesh is of another size altogether,
+// though half of its sites, in a flat part, may have the tensors wanted. Of metrics as simulations
+// make them, two fronts that cross have the greatest ratio, 3.4.
 inline constexpr double most_density_ratio = 10;
 
 // Returns the ratio of the complexities of the metric delivered and of the one wanted, or its

@@ -18,8 +18,8 @@ struct former_boundary {
   // The former vertices between the ends of each segment, from its first to its second: one list
   // for each segment of the domain.
   std::vector<std::vector<point>> between;
-  // Greatest distance asked for between the two, in units of the domain; default:
-  // none.
+  // Greatest distance allowed between the new boundary and the former one, in units of the domain;
+  // default: any.
   std::optional<double> allowed = {};
 };
 

@@ -21,9 +21,9 @@ enum class refinement_strategy { voronoi_arcs, poisson_darts, fill };
 struct mesh_options {
   double angle_bound = 20;  // degrees, 0 <= bound < 60; measured from all three vertices
   refinement_strategy strategy = refinement_strategy::fill;
-  // Least metric length from a new site to any other, as both measure it. Darts start from it and
-  // shrink it. Default: chosen from the domain (refine/insertion_tolerance.hpp) and reported in the
-  // outcome.
+  // Least length from a new site to any other, in the metrics of both. Poisson darts
+  // (refine/poisson_darts.hpp) start from this length and shrink it. Default: chosen from the
+  // domain (refine/insertion_tolerance.hpp) and reported in the outcome.
   std::optional<double> tolerance = {};
   // A triangle is too large when its sites are farther than 0.75 metric units from their nearest
   // common Voronoi vertex, a boundary subsegment when it is longer than 1.2: edges then come out

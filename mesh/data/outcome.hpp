@@ -97,8 +97,8 @@ struct improvement_report {
 // Distance of a metric in which stars agree, but which is farther from the one wanted than
 // mesh_options::metric_tolerance allows.
 struct intolerable_distance {
-  // The measure that is too large: delivered_report::greatest, with a tolerance; else its median,
-  // or, where that is small enough, the ratio of complexities (density_ratio).
+  // Names the distance that is too large: with a tolerance the greatest of all sites; without one
+  // the median or, where the median is small enough, the ratio of complexities (density_ratio).
   enum class measure { greatest, median, density };
 
   double allowed = 0, found = 0;
@@ -160,8 +160,8 @@ struct mesh_outcome {
   // Set if the mesh is in one metric for all sites; `delivered` has its distance from the one
   // wanted, unless both are equal.
   std::optional<constant_metric_report> one_metric;
-  // Set if the mesh was first refined in one metric for all sites and that was stopped: how it
-  // ended. The mesh is then in the metric given, and `ended` states how refinement ended there.
+  // Set if refinement in one metric for all sites was tried and stopped: how that refinement ended.
+  // The mesh is then in the metric given, and `ended` states how refinement in that metric ended.
   std::optional<refinement_ending> stopped_in_one_metric;
   // Distance of the mesh's metric from the one wanted; set if the mesh was made by local changes,
   // or in one metric for all sites.

@@ -48,7 +48,8 @@ constexpr quarters quarters_of_curve() {
   return all;
 }
 
-// Part of a cell cut into 16 by 16, with its number and way: four levels at a time.
+// One of the 16 by 16 parts of a cell, four levels below it: its number along the curve, and the
+// way in which the curve enters it.
 struct curve_part {
   std::uint8_t number, way;
 };

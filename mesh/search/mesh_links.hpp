@@ -26,7 +26,8 @@ struct incidence {
 // memory are linear; made by all threads, with the same result for any number of them.
 class mesh_links {
  public:
-  // Lists of neighbouring vertices take more than half of the time; a walk needs none.
+  // Says whether each vertex's neighbours are listed: that takes more than half of the time, and a
+  // walk from triangle to triangle does not need it.
   enum class lists { all, no_neighbours };
 
   mesh_links(std::size_t vertices, const std::vector<triangle>& triangles, lists wanted);

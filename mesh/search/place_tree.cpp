@@ -76,8 +76,9 @@ place_tree::place_tree(std::vector<sized_place> places)
   if (!order_.empty()) add_node(0, static_cast<std::uint32_t>(order_.size()));
 }
 
-// Adds the node of a part of the order, and those below it, halves of the part along the longer
-// side of its box. Depth: the logarithm of the number of places.
+// Adds the node of the places number `first` to `last` - 1 of order_, and below it the nodes of the
+// two halves of these places, divided along the longer side of the node's box. Depth: the logarithm
+// of the number of places.
 void place_tree::add_node(std::uint32_t first, std::uint32_t last) {
   const std::size_t at = nodes_.size();
   node made{box_of_place(places_[order_[first]]),

@@ -51,9 +51,9 @@ class site_index {
   template <class Visit>
   bool visit_box(const std::vector<site>& sites, const point& low, const point& high,
                  Visit&& visit) const;
-  // Calls visit(places, which) for a few sites at a time, their positions and their numbers, until
-  // all in the closed box were among them; some others near it are visited as well. Requires an
-  // index for places alone.
+  // Calls visit(places, which) for a few sites at a time, with their positions and their numbers:
+  // for all sites in the closed box, and for some others near it. Requires an index for places
+  // alone.
   template <class Visit>
   bool visit_clusters(const std::vector<site>& sites, const bounding_box& box, Visit&& visit) const;
   // Calls visit(w) for each site w that may see a point q of the box within the distance:
@@ -260,8 +260,8 @@ bool site_index::visit_leaf_inside(const std::vector<site>& sites, const node& n
   return true;
 }
 
-// Writes each child to both lists and advances only the list that it belongs to: a branch would be
-// mispredicted every other time.
+// Writes each node to both lists, of parents and of leaves, and advances at most the one that it
+// belongs to: a branch would be mispredicted every other time.
 template <class Visit>
 bool site_index::visit_clusters(const std::vector<site>& sites, const bounding_box& box,
                                 Visit&& visit) const {

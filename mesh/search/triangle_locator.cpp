@@ -66,7 +66,8 @@ triangle_locator::triangle_locator(const mesh& m, const bounding_box& box)
   }
 }
 
-// Doubles the box of the search until it holds triangles; the doubled box of the mesh does.
+// Doubles the search box around q until it holds triangles; the last box is thousands of times as
+// wide as the mesh.
 triangle_locator::located triangle_locator::deepest(const point& q) const {
   constexpr int most_doublings = 64;
   const double extent =

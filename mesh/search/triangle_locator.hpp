@@ -27,8 +27,8 @@ class triangle_locator {
   // Indexes the triangles of a mesh that are counter-clockwise; requires one at least. Keeps its
   // own copy.
   explicit triangle_locator(const mesh& m);
-  // Indexes a part `m` of a larger mesh, and searches as an index of the larger one, which has this
-  // box.
+  // Indexes `m`, a part of a larger mesh, and searches as an index of the whole mesh would; `box`
+  // is the box around the sites of the whole mesh.
   triangle_locator(const mesh& m, const bounding_box& box);
 
   struct located {

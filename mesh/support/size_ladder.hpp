@@ -5,8 +5,8 @@
 
 namespace asterism::internal {
 
-// Ratio of one size to the next: the first step that suffices takes at most 1.69 times the sites of
-// the least factor that does.
+// Ratio of one size factor to the next: a mesh with the first factor on the ladder that suffices
+// has at most 1.69 times the sites of a mesh with the least real factor that suffices.
 inline constexpr double ladder_ratio = 1.3;
 // Largest step of the ladder: 1.3^160 is 2^60, and edges shorter by that factor have no room among
 // doubles.
@@ -19,7 +19,7 @@ constexpr double ladder_factor(int step) {
   return factor;
 }
 
-// Returns the last step from 0 on whose factor is not above `factor`.
+// Returns the greatest step of the ladder whose factor is at most `factor`; 0 if there is none.
 constexpr int ladder_step_below(double factor) {
   int step = 0;
   while (step < ladder_steps && ladder_factor(step + 1) <= factor) ++step;
