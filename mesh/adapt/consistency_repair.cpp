@@ -251,8 +251,8 @@ void consistency_repair::follow_shape(vertex_index t) {
   const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
   const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
   const double vx = wx - ux, vy = wy - uy;
-  // A triangle is equilateral in the inverse of the sum of e e^T over its edges e, and in multiples
-  // of it.
+  // A triangle is equilateral in the metric that is the inverse of the sum of e e^T over its edge
+  // vectors e, and in multiples of that metric.
   const metric_tensor shape{uy * uy + wy * wy + vy * vy, -(ux * uy + wx * wy + vx * vy),
                             ux * ux + wx * wx + vx * vx};
   const double root = plain_root_of_determinant(shape);

@@ -42,7 +42,8 @@ class edges_around {
       if (!visit(present_.of(f.next[i]))) return;
     }
   }
-  // Stores the present clearances, of the node as the mesh has it, to be compared with later ones.
+  // Stores the clearances of the edges for the node as the mesh has it, for a comparison with those
+  // of the node as it is tried.
   void remember() {
     clearances_.clear();
     visit_clearances([this](std::size_t k) { return present_.of(at_[k]); },

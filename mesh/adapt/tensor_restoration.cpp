@@ -161,7 +161,7 @@ void tensor_restoration::list_disagreeing(vertex_index v, std::vector<vertex_ind
   }
 }
 
-// Undoes each node once, so this ends.
+// Ends because the change of each node is undone at most once.
 void tensor_restoration::take_back(const std::vector<vertex_index>& nodes,
                                    std::vector<vertex_index>& taken) {
   std::vector<vertex_index> waiting = nodes;

@@ -82,8 +82,8 @@ std::optional<vertex_index> unit_mesh_remesher::insert_seed(const located& at, n
   return std::nullopt;
 }
 
-// Inserts nodes at the seeds that have room. Returns the seeds that no walk from the nodes before
-// reached.
+// Inserts nodes at the seeds that have room. Returns the seeds that were not reached by a walk from
+// the face of an earlier seed, or lie beyond an edge and got no node.
 std::vector<point> unit_mesh_remesher::insert_seeds(std::span<const point> seeds) {
   std::vector<point> left;
   vertex_index from = 0, hint = 0;

@@ -45,7 +45,7 @@ struct vertex_smoothing::side_products {
   metric_tensor uu, uw, ww;  // the products of the two coordinates are doubled
   double twice;              // area
 
-  // Returns the greatest of the cotangents, times an area that is measured by a tensor.
+  // Returns the greatest cotangent of the face's angles in the metric m, times twice its area in m.
   double greatest(const metric_tensor& m) const {
     const auto measured = [&m](const metric_tensor& p) {
       return m.m11 * p.m11 + m.m12 * p.m12 + m.m22 * p.m22;

@@ -19,7 +19,7 @@ namespace {
 // Largest number of audits of a mesh in which only tensors change: those after the first cost
 // little.
 constexpr int most_audits = 40;
-// Largest number of repairs of the mesh between these audits.
+// Largest number of repairs of the mesh while the tensors of one mesh are restored.
 constexpr int most_mended = 8;
 
 // True if the reach of the gap at corner i of the face is unknown: an audit would test the star

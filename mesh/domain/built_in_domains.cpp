@@ -53,7 +53,7 @@ class known_points {
 
  private:
   static constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
-  // Maps both zeros to one place.
+  // Returns the bits of a coordinate; -0.0 has those of 0.0, so that equal points are found.
   static std::uint64_t bits_of(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); }
 
   std::vector<vertex_index> places_;

@@ -107,7 +107,7 @@ double curve_path::height(double t0, double t1) const {
     const point a = minus(p[1], p[0]), b = minus(p[2], p[0]);
     return std::max(elementary::hypot(a.x, a.y), elementary::hypot(b.x, b.y));
   }
-  // Uses that the inner control points have at most three quarters of the weight, both together.
+  // Uses that the Bernstein weights of a cubic's two inner control points sum to at most 3/4.
   return 0.75 / length *
          std::max(std::abs(cross(chord, minus(p[1], p[0]))),
                   std::abs(cross(chord, minus(p[2], p[0]))));

@@ -32,8 +32,8 @@ struct run {
   std::vector<vertex_index> vertices, edges;
 };
 
-// True if both have the same regions, with areas that differ at most by the share `part`, the area
-// `swept` and the rounding error of the whole.
+// True if two domains have the same regions, with areas that differ at most by the share `part`,
+// the area `swept` and the rounding error of the whole area.
 bool are_near(const region_sizes& wanted, const region_sizes& found, double part, double swept) {
   constexpr double rounding_of_sums = 1e-12;
   double whole = 0;
@@ -284,7 +284,7 @@ double outliner::width(const run& r, std::size_t i, std::size_t j,
     high = std::max(high, off);
   };
   for (std::size_t k = i + 1; k < j; ++k) include(where(r.vertices[k]), 1);
-  // Uses that the inner control points have at most three quarters of the weight, both together.
+  // Uses that the Bernstein weights of a cubic's two inner control points sum to at most 3/4.
   for (const point& p : control) include(p, 0.75);
   return high - low;
 }

@@ -175,8 +175,8 @@ result<plane_graph> build_plane_graph(const domain& d, domain_repairs& repairs) 
   graph.first_alike = merge_vertices(d, by_place);
   report_merged(d, graph.first_alike, repairs);
   unite_subsegments(d, cut_segments(d, graph.first_alike, by_place, repairs), graph, repairs);
-  // Drops messages about polygons: where several meet, each ring has corners and sides of its own,
-  // and nothing was changed.
+  // Drops messages about merged vertices and subsegments of polygons: rings that meet list their
+  // common corners and sides once for each ring, which is no fault of the domain.
   if (!d.polygons.empty()) repairs.messages.resize(told);
   if (const auto crossing = find_crossing(d, graph.edges)) {
     const domain_names names(d);

@@ -105,8 +105,8 @@ std::optional<int> number_of_feature(const domain_parts& parts, std::size_t face
   return parts.polygons.features[parts.polygons.feature_of[face]];
 }
 
-// Numbers the faces without a region point, in the order of the edges, by the least free
-// numbers.
+// Gives each face of the domain that has no region number yet the least number that is not taken,
+// in the order of the edges.
 void number_the_rest(const domain& d, const plane_graph& graph, const face_map& faces,
                      const named_faces& named, domain_parts& parts) {
   std::set<int> taken;

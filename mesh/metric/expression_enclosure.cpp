@@ -30,7 +30,7 @@ interval_jet number_of(truth t) {
 }  // namespace
 
 interval_jet expression_enclosure::over(const plane_jet& at) const {
-  // Uses the first step, a number, in the place of operands that a step does not have.
+  // Reads step 0, a number, in the place of each operand that an operation does not have.
   std::vector<evaluation> made(steps_.size());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const step& s = steps_[i];

@@ -27,7 +27,7 @@ area_function area_series(double t) {
     slope = slope + divided(rounded_interval(k + 1.0) * power, odd + rounded_interval(2.0));
     power = power * rounded_interval(t);
   }
-  // The rest is at most t^30 / (1 - t), for t up to 1/4: 2^-60 * 4/3.
+  // Bounds the terms left out of each series by t^30 / (1 - t), for t up to 1/4: 2^-60 * 4/3.
   const rounded_interval rest(0, 0x1p-59);
   return {value + rest, slope + rest};
 }
@@ -123,8 +123,8 @@ std::optional<tensor_jet> graded_region::over(const part& p, const bounding_box&
     if (given_ != nullptr) given = given_->over(at);
     if (!given || count == 3) return given;
   }
-  // Weights add up to 1, so the mean is one of the logarithms, plus the differences of the others
-  // from it times their weights.
+  // Computes the mean as the logarithm at one corner, plus the weighted differences of the other
+  // logarithms from that one: the barycentric weights add up to 1.
   const auto first = std::find(t.kept.begin(), t.kept.end(), false) - t.kept.begin();
   const tensor_logarithm& base = t.logarithms[static_cast<std::size_t>(first)];
   const logarithm_jet from{base.l11, base.l12, base.l22};

@@ -99,7 +99,8 @@ even_functions even_functions_at(double at) {
     power = power * q;
     factorial = even;
   }
-  // Bounds the rest: (20)! is above 2^61, and each later term is less than half of the one before.
+  // Bounds the terms left out of each series: 20! is above 2^61, and each term is less than half of
+  // the one before.
   const rounded_interval rest(0, 0x1p-59);
   return {c + rest, s + rest, slope + rest};
 }

@@ -28,8 +28,8 @@ struct metric_part {
 std::optional<metric_part> part_of(const metric_field& field, const bounding_box& window);
 
 // Returns the field of the part: at points of the window it equals the whole field bit for bit. It
-// fails at a point from which no triangle is within the margin. The whole field has the tensor of a
-// farther one there.
+// fails at a point from which no triangle is within the margin, where the whole field has the
+// tensor of a triangle farther away.
 std::unique_ptr<metric_field> make_field_of_part(const metric_part& part);
 
 // Returns the part as bytes in this machine's memory format, for a file that exists for one run.

@@ -82,7 +82,7 @@ ASTERISM_EXPORT result<size_wishes> with_wish(size_wishes all, std::string_view 
 // Returns the wishes as text, "in 2:0.1,1.3; hmax 1": numbers read back as they were. Nothing
 // wished is "none".
 ASTERISM_EXPORT std::string text_of(const size_wishes& wishes);
-// Returns the wishes of such a text.
+// Reads the wishes from a text as text_of() returns it.
 ASTERISM_EXPORT result<size_wishes> size_wishes_of(std::string_view text);
 
 }  // namespace asterism

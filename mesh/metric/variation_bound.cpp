@@ -42,7 +42,8 @@ class outline {
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const point& n = directions[k];
       const double x = n.x * (n.x > 0 ? low.x : high.x), y = n.y * (n.y > 0 ? low.y : high.y);
-      // Bounds the roundings of both sums, 2^-53 of each; products by 0, 1 and 2 are exact.
+      // Bounds the rounding errors of x + y and of the sum in farthest_, 2^-53 of each; products
+      // by 0, 1 and 2 are exact.
       const double slack = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(farthest_[k]));
       if (x + y > farthest_[k] + slack) return true;
     }

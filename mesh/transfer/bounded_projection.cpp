@@ -28,7 +28,7 @@ class limiter {
         sum += (flux > 0 ? std::min(up_[v], down_[w]) : std::min(down_[v], up_[w])) * flux;
       });
       const double own = mass_.row_sums()[v];
-      // Clamps: only rounding can leave the bounds now.
+      // Clamps the value: after limited fluxes only rounding can put it outside of the bounds.
       if (own > 0) made[v] = std::clamp(lumped_[v] + sum / own, low_[v], high_[v]);
     });
     return made;

@@ -39,7 +39,7 @@ class locator {
     return all;
   }
 
-  // True if t, which contains q, extends from there towards m.
+  // True if the triangle t, which contains q, extends from q towards the point m.
   bool leads(vertex_index t, const point& q, const point& m) const {
     const auto c = finder_.corners(t);
     for (std::size_t i = 0; i < 3; ++i) {
