@@ -279,7 +279,8 @@ bool approximate_star_store::find_near(vertex_index w, double known, double reac
   const double squared_known = known < 0 ? known : known * known;
   const double squared_reach = reach * reach;
   std::size_t count = near.size();
-  // Writes every site and advances only past those that qualify: branches would be mispredicted.
+  // Writes every site to near[count], but counts only those that are to be added: branches would be
+  // mispredicted.
   sites_->index().visit_clusters(
       sites_->all(), box, [&](std::span<const point> places, std::span<const vertex_index> which) {
         looked_at += places.size();
@@ -369,9 +370,9 @@ double approximate_star_store::farthest_vertex(vertex_index w, bool leaves_out) 
 }
 
 // True if a wider search around w is given up. At the boundary there may be no neighbour on the
-// outer side, however wide the search. Where lengths differ by large factors, there may be none
-// beyond sites whose metrics are far denser. At the rim of many given sites the next ones are far,
-// so that the number of tested sites is bounded.
+// outer side, however wide the search. Where lengths differ by large factors, there may be no
+// neighbour beyond sites whose metrics are far denser. The number of sites tested is bounded, too:
+// if w is at the rim of many given sites, sites beyond them are far away.
 bool approximate_star_store::ends_search(vertex_index w, int attempt, bool is_ordinary,
                                          std::size_t looked_at) const {
   constexpr int enough_attempts = 3;

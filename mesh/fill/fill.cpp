@@ -177,8 +177,8 @@ class filling {
     return filled;
   }
 
-  // Returns the sites of the outcome by their numbers here: the vertices, those that divide
-  // segments, and the interior along a curve.
+  // Returns the sites in the order of the outcome, each by its number in the fill: the vertices,
+  // those that divide segments, and the interior along a curve.
   std::vector<vertex_index> in_order_of_outcome() const {
     std::vector<vertex_index> order(domain_.vertices.size()), inside;
     std::iota(order.begin(), order.end(), vertex_index{0});

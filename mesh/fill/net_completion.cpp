@@ -27,8 +27,8 @@ constexpr double part_of_covering = 1 - 0x1p-20;
 // Bounds the number of boxes, for each site and in all: about 200 a site are usual.
 constexpr std::size_t most_boxes_a_site = 4096, most_boxes = 1U << 20U;
 // Factor by which search boxes are enlarged, since the metrics of two sites measure the distance
-// between them differently. Where they differ by more, sites may be missed; the theorem is then not
-// claimed.
+// between them differently. Where these distances differ by a larger factor, a search may miss
+// sites; the theorem on nets (docs/math/guarantee.md) is then not claimed.
 constexpr double search_margin = 1.25;
 
 std::array<point, 4> corners_of(const bounding_box& b) {

@@ -24,8 +24,8 @@ offset in_basis(const offset& p, const offset& x, const offset& y);
 // metrics.
 offset voronoi_vertex(const site& v, const site& x, const site& y);
 
-// Returns the number of grid steps, rounded up; nothing if it is below `least` or above the range
-// of the format.
+// Returns `part` as a number of grid steps, rounded up; nothing if it is below `least` or above the
+// range of the format.
 std::optional<std::int32_t> on_grid(double part, double least);
 
 // Returns 1 / t for the least t at which t u is as near to z as to v; negative if there is none.
@@ -36,7 +36,8 @@ double first_meeting(const site& v, const offset& z, const site& at, const offse
 // at q.
 double part_of_edge(const site& v, const offset& z, const site& at, const offset& q);
 
-// Returns the grid point at (1 + slack) / bound times `part`, with coefficients rounded up.
+// Returns the grid point at `part` times (1 + slack) / bound, with coefficients rounded up. With
+// `bound` from first_meeting(), `part` / bound is on a bisector, and the point just beyond it.
 std::optional<proof_point> point_along(const offset& part, double bound, double slack);
 
 // The sites of a gap, with the displacements from its centre to its neighbours. Directions are

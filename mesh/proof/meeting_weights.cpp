@@ -182,8 +182,8 @@ std::vector<std::size_t> reduce(std::vector<row>& matrix) {
   return pivots;
 }
 
-// Scales the weights, which are rationals, to whole numbers without a common divisor, so that the
-// last weight is negative at the point z.
+// Scales the weights, which are rationals, to whole numbers without a common divisor, with the sign
+// that makes w's weight, the last of the three, negative at the point z of the box.
 std::vector<whole> in_lowest_terms(const row& weights, const box_point& z) {
   whole multiple = 1, divisor = 0;
   for (const rational& x : weights) multiple = lcm(multiple, denominator(x));

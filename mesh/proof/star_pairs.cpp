@@ -124,9 +124,9 @@ class pair_check {
   }
 
  private:
-  // Lists gaps by the triangles, other than their own, that their regions may meet: none if the
-  // gap's own triangle contains the region, the triangle behind if these two contain it, else all
-  // triangles that the ball of the gap's centre meets.
+  // Lists each gap by the triangles, other than its own, that its region may meet: by none if its
+  // own triangle contains the region, by the triangle behind the gap if that and its own contain
+  // it, else by all triangles that the ball of the gap's centre meets.
   std::optional<error> list_gaps() {
     ball_walk walk(all_, squared_);
     for (std::uint32_t gap = 0; gap < gaps_.size(); ++gap) {

@@ -33,8 +33,9 @@ double balance(const edge_sites& e, const vector& d, const vector& y, double asi
 std::optional<proof_point> find_edge_point(const plane& all, std::uint32_t edge) {
   const edge_sites e = sites_of_edge(all, edge);
   const vector d = from(e.v, e.w), y = from(e.v, e.y), x = from(e.v, e.x);
-  // Writes points as v + a d + b y. Those of the bisector of v and w with b between these two
-  // values, b at the Voronoi vertices on either side of the edge, are farther from x and from y.
+  // Writes points as v + a d + b y. At the Voronoi vertices on either side of the edge b is `left`
+  // and `right`; points of the bisector of v and w with b between these two are farther from x and
+  // from y than from v and w.
   const double left = in_basis(voronoi_vertex(e.v, e.w, e.y), d, y).y,
                right = in_basis(voronoi_vertex(e.v, e.x, e.w), d, y).y;
   const double by_x = in_basis(x, d, y).y;
@@ -90,8 +91,8 @@ vector direction_of_turn(int turn) {
   return {1 - t, t};
 }
 
-// Returns the direction u, among the steps, whose ray meets both bisectors and for which |u| / t is
-// greatest, with t u the farther meeting.
+// Returns the turn of the direction u for which |u| / t is greatest, where t u is the farther of
+// the two points at which the ray along u meets the bisectors; none if no such ray meets both.
 std::optional<int> common_direction(const gap_ends& g) {
   const metric own(g.v.metric);
   std::optional<int> best;
@@ -107,8 +108,8 @@ std::optional<int> common_direction(const gap_ends& g) {
   return best;
 }
 
-// Returns the first grid point in the direction of a turn at (1 + slack) / bound times that
-// direction or farther.
+// Returns the first grid point along direction_of_turn(turn) that is at (1 + slack) / bound times
+// this direction or farther.
 std::optional<proof_point> point_on_turn(int turn, double bound, double slack) {
   if (!(bound > 0)) return std::nullopt;
   const auto steps = on_grid((1 + slack) / bound / turns, 1);

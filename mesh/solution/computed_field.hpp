@@ -23,11 +23,12 @@
 
 namespace asterism::internal {
 
-// Below the first of these ratios a field counts as computed, above the second as a function's.
+// Bounds of roughness::ratio(): a field counts as computed below the first, and as values of a
+// function above the second.
 inline constexpr double ratio_of_computed = 0.6, ratio_of_function = 0.95;
-// Roughness of fitted quadratics below which a field is resolved, and above which it is not: both
-// roughnesses then come from the field's own higher derivatives. In loops solutions have 0.02 to
-// 0.04; layers of a third of a grid's spacing have 0.9.
+// Bounds of roughness::fitted: a field is resolved by the mesh below the first, and not resolved
+// above the second, where both roughnesses come from the field's own higher derivatives. In loops
+// solutions have 0.02 to 0.04; layers of a third of a grid's spacing have 0.9.
 inline constexpr double roughness_of_resolved = 0.1, roughness_of_unresolved = 0.2;
 // Least bound of the aspect, and the ratio of the bound to the steepness. By experiment: the best
 // bounds are 7 to 14 for layers of three hundredths, 20 to 40 for layers of a hundredth (steepness
@@ -40,7 +41,8 @@ inline constexpr double least_aspect_bound = 14, aspect_of_steepness = 0.27;
 struct roughness {
   double weak = 0;    // of the Laplacian in the weak form
   double fitted = 0;  // of that of fitted quadratics
-  // Returns weak / fitted; values that are negligible beside a method's errors count as equal.
+  // Returns weak / fitted. Adds a small number to both, so that the ratio is about 1 if both are
+  // negligible beside a method's errors.
   double ratio() const {
     constexpr double nothing = 1.0 / 512;
     return (weak + nothing) / (fitted + nothing);

@@ -38,10 +38,11 @@ struct one_field {
   std::vector<metric_tensor> moduli;
 };
 
-// Returns the mean of moduli of which the metric is made. A relative error is adaptmesh's measure,
-// which takes the plain mean. If a field was computed in linear elements, its second derivatives
-// have noise, and their peaks are mostly noise. The plain mean removes most of that: errors of
-// solutions are 2 to 5 % less with it (docs/results/adaptation.md).
+// Returns the tensors of which the metric is made: with the method `green` means of moduli over
+// triangles. The mean is a plain one for a relative error, as in adaptmesh, and for fields computed
+// in linear elements: their second derivatives have noise, and peaks of these are mostly noise,
+// which the plain mean removes. Errors of solutions are 2 to 5 % less with it
+// (docs/results/adaptation.md).
 std::vector<metric_tensor> moduli_of(const mesh& m, const mesh_links& links,
                                      const std::vector<metric_tensor>& hessian, bool is_computed,
                                      const solution_metric_options& options) {

@@ -35,10 +35,10 @@ metric_tensor mean_around(const mesh& m, const mesh_links& links, vertex_index v
   return whole > 0 ? metric_tensor{sum.m11 / whole, sum.m12 / whole, sum.m22 / whole} : tensors[v];
 }
 
-// Returns the least tensor that is at least both in their common directions. Either may be
-// singular, as of a field that is bent in one direction alone. So the mean is thickened by a part
-// of the traces, 2^-46: 64 times the relative error of a determinant. That changes no metric of an
-// aspect up to 1e6, whose moduli have a ratio up to 2^40.
+// Returns the least tensor that is at least `mean` and at least `own` in their common directions.
+// Either may be singular, as of a field that is bent in one direction alone. So `mean` is thickened
+// by 2^-46 of the sum of both traces: 64 times the relative error of a determinant. That changes no
+// metric of an aspect up to 1e6, whose moduli have a ratio up to 2^40.
 metric_tensor at_least_both(const metric_tensor& mean, const metric_tensor& own) {
   constexpr double part = 0x1p-46;
   const double thick = part * (mean.m11 + mean.m22 + own.m11 + own.m22);

@@ -10,9 +10,9 @@
 
 namespace asterism {
 
-// Default growth of sizes, with which loops do best (docs/results/adaptation.md has 1.5 to 12, and
-// none). Faster growth is never delivered, as stars do not agree in such a metric; below 3,
-// gradation uses up vertices that fronts need.
+// Default growth of sizes, with which adaptation loops do best (docs/results/adaptation.md compares
+// growths of 1.5 to 12, and unlimited growth). Meshes never have a faster growth, as stars do not
+// agree in such a metric; with a growth below 3, gradation uses up vertices that fronts need.
 inline constexpr double loop_gradation = 6;
 
 // Aspect if none is named: then the aspect along layers of a solution that was computed in linear
@@ -36,7 +36,8 @@ struct solution_metric_options {
   bool isotropic = false;
   std::optional<double> step = {};  // greatest factor by which a length changes, above 1
   // True for an error relative to the field's greatest less its least value, or, with a cutoff C,
-  // to the modulus at each vertex, at least to C times the greatest. The norm is not used.
+  // to the modulus of the value at each vertex, or C times the greatest modulus where that is more.
+  // The norm is not used.
   bool relative = false;
   std::optional<double> cutoff = {};  // above 0, at most 1
 };

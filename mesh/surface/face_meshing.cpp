@@ -351,7 +351,8 @@ result<std::string> face_meshing::make_once(const side_places& places, bool keep
   if (!made) return made.failure();
   plane_ = std::move(made.value().result);
   made_with_ = demand_;
-  // Counts kept vertices as sites like others, not as given ones.
+  // Counts corners and points on sides alone as given: vertices kept from the mesh before are
+  // ordinary sites.
   plane_.given = static_cast<vertex_index>(given);
   given_on_.clear();
   for (const placed& one : on_sides) given_on_.push_back(*one.on);

@@ -33,8 +33,8 @@ struct on_side {
 };
 
 // Demands on the plane meshes of faces with common sides, in decreasing order. A vertex that one
-// face needs on a common side makes the other face need one, and so on around a vertex or a ring of
-// faces. With lower demands this ends.
+// face adds on a common side may make the other face add a vertex on its next side, and so on
+// around a vertex or a ring of faces. With lower demands this exchange ends.
 enum class plane_demand {
   angles,  // sizes, and the bound of angles
   sizes,   // sizes alone; vertices are kept

@@ -17,8 +17,8 @@ struct surface_mesh_options {
   double aspect = 100;                  // the greatest ratio of lengths wanted
   std::optional<std::size_t> vertices;  // about; the chord then decides nothing but the verdict
   double angle_bound = 20;              // degrees, of the plane meshes
-  // True to apply the angle bound also to faces that, with it, do not agree how to divide a common
-  // side.
+  // True to keep the angle bound even if faces do not come to agree how to divide a common side
+  // with it; else the faces' later meshes drop it.
   bool keeps_angle_bound = false;
   std::size_t most_rounds = 40;
   std::size_t most_sites = 1'000'000;  // of a patch

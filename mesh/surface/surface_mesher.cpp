@@ -40,7 +40,8 @@ std::array<point, 3> corners_of(const mesh& m, std::size_t t) {
   return {m.sites[c[0]].position, m.sites[c[1]].position, m.sites[c[2]].position};
 }
 
-// Returns the increase of the logarithm of the density at a triangle of this distance.
+// Returns by how much to increase the logarithm of the density at a triangle that is at most
+// `distance` from the surface.
 double finer_by(double distance, double chord) {
   return std::min(1.1 * elementary::log(distance / (aim * chord)) + 0.02, 2.0);
 }
@@ -259,7 +260,9 @@ surface_mesh surface_meshing::of_planes() const {
   return now;
 }
 
-// Keeps the first mesh, then one within the chord, then the one with the fewest vertices.
+// Keeps the present mesh if none is kept yet, or if it is better: complete, so within the chord,
+// rather than not; of two complete meshes that with fewer vertices, of others the nearer to the
+// surface.
 void surface_meshing::keep_if_better() {
   surface_mesh now = of_planes();
   const double most = *std::max_element(distances_.begin(), distances_.end());
@@ -407,7 +410,8 @@ result<surface_mesh> surface_meshing::run() {
   return ended(std::min(round + 1, options_.most_rounds));
 }
 
-// Makes meshes for a number of vertices. Measures no distance; the final one is proved later.
+// Makes meshes until one has about the number of vertices wanted. Measures no distances: those of
+// the final mesh are proved later.
 result<surface_mesh> surface_meshing::run_to_count() {
   std::size_t round = 0;
   scale_to_count(round);

@@ -27,8 +27,8 @@ struct bezier_piece {
   int degree_u = 0, degree_v = 0;
   bool is_rational = false;  // else every weight is 1
   double u_low = 0, u_high = 1, v_low = 0, v_high = 1;
-  // Sides of the patch at this piece that are one point, since all control points are equal, for s
-  // = 0, s = 1, t = 0, t = 1; and that point.
+  // For the sides s = 0, s = 1, t = 0, t = 1 of the piece: whether the side is on a side of the
+  // patch whose control points are all one point; and that point.
   std::array<bool, 4> is_point{};
   std::array<space_point, 4> point{};
   std::vector<weighted_point> net;               // rows of constant i, (degree_u + 1)(degree_v + 1)

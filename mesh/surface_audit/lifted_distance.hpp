@@ -8,8 +8,8 @@
 
 namespace asterism::internal {
 
-// Sets the squared distances: `above` bounds that of every point of the part of the surface from
-// the mesh.
+// Sets the squared distances of the cell: `above` bounds that of every point of its part of the
+// surface from the mesh; `below` is that of the part's middle, in doubles.
 void look_at_distance(const lifted_scene& scene, lifted_cell& cell, const triangle_net& net);
 
 // Returns an upper bound of the squared distance of a vertex from the surface at (u, v) of a face.

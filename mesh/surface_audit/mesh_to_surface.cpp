@@ -77,9 +77,10 @@ interval_vector point_between(const interval_vector& a, const interval_vector& b
   return a + rounded_interval(share) * (b - a);
 }
 
-// Returns how far the nearest places of the three corners are beyond one side of the piece, in its
-// parameters; negative inside. Takes the side with corners on both sides of it and the greatest
-// excess. All are zero if no side has that, or if nearly all of the cell is on one side.
+// Returns how far the places nearest to the three corners are beyond one side of the piece, in its
+// parameters; negative inside. Takes, of the sides that some corner is beyond and some other is
+// not, the one with the greatest excess. Returns three zeros if there is no such side, or if nearly
+// all of the cell is on one side of it.
 std::array<double, 3> excesses(const deviation_scene& scene, const mesh_cell& cell) {
   constexpr double reach = 1;
   std::array<surface_place, 3> at;

@@ -35,9 +35,10 @@ struct two_directions {
   bool negative = false;
 };
 
-// Returns the derivatives along the part's own sides, times n and w: differences of the net and,
-// for a quotient, these differences minus r w'. None where numbers leave the range of doubles, or a
-// weight may not be positive. Requires a floating_point_scope(rounding::upward).
+// Returns the derivatives along two of the part's own sides, times w / n, with w the weight and n
+// the net's degree: differences of the net and, for a quotient r, these minus r times the
+// differences of w. None where numbers leave the range of doubles, or a weight may not be positive.
+// Requires a floating_point_scope(rounding::upward).
 std::optional<two_directions> along_sides(const triangle_frame& frame, const triangle_net& net,
                                           bool is_rational);
 

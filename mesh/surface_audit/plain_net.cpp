@@ -140,8 +140,9 @@ void sum_pairs(int p, int q, const plain_start& start, plain_triangle_net& net) 
 [[gnu::noinline]] std::optional<plain_triangle_net> to_nearest(const tensor_net& from,
                                                                const parameter_triangle& corners,
                                                                bool is_rational) {
-  // Greatest relative error of weights that is accepted; beyond it intervals are used. True weights
-  // differ from computed ones by a factor below 1 + 2 weight_off then, which the last step uses.
+  // Greatest relative error of weights that is accepted; if it is greater, intervals are used.
+  // Below it true and computed weights differ by a factor below 1 + 2 weight_off, by which the last
+  // step multiplies the errors.
   constexpr double rough = 0x1p-30;
   plain_start start;
   take_corners(corners, start);

@@ -249,7 +249,8 @@ void audit_distances(const shell_view& view, const std::vector<lifted_cells>& fi
     limits.negligible = std::max(limits.negligible, negligible_at_trims * asked.chord);
   limits.at_most = asked.chord;
   limits.most_cells = 100 * scene.triangles.size() + 1'000'000;
-  // Reports the greater of the two bounds: the other need not be narrowed.
+  // Reports the greater of the bounds of mesh to surface and of surface to mesh: the second bound
+  // is not narrowed below the first.
   const double of_mesh = distance_of_mesh(scene.space, limits);
   limits.negligible = std::max(limits.negligible, of_mesh);
   const auto found = narrow(joined(first), limits, [&](const lifted_cell& cell) {

@@ -89,7 +89,8 @@ class face_sides {
  public:
   face_sides(const surface_patch& patch, const shell_face& face)
       : face_(face), trimmed_(!patch.loops.empty()) {
-    // Trusts markers, which were compared with the curves together with the plane mesh.
+    // Trusts the markers of boundary edges: the audit of the plane mesh compared them with the
+    // trimming curves.
     if (trimmed_)
       for (const boundary_edge& e : face.plane.boundary)
         on_.emplace(std::pair{e.a, e.b}, e.marker - 1);

@@ -21,7 +21,8 @@ struct nearest_triangle {
 nearest_triangle nearest_triangle_to(const deviation_scene& scene, const plain_vector& p,
                                      std::uint32_t hint);
 
-// Returns two triangles of the mesh as a pair if two of their corners coincide.
+// Returns the triangles a and b of the mesh as a pair with a common edge; none if no edge of a has
+// the same two ends, by place, as an edge of b.
 std::optional<two_triangles> joined_triangles(const deviation_scene& scene, std::uint32_t a,
                                               std::uint32_t b);
 

@@ -10,8 +10,8 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the product of a point and a weight of the polar form. If the corners are in the piece no
-// weight is negative.
+// Returns a times a weight of the polar form. With `inside` the triangle's corners are in the
+// piece, so that no weight is negative and scaled() applies.
 template <bool inside>
 rounded_interval weighed(const rounded_interval& weight, const rounded_interval& a) {
   if constexpr (inside)

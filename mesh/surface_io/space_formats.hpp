@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads meshes in space of the formats of other fields: .obj, .stl and .ply.
+// Reads meshes in space in formats that are not of simulation: .obj, .stl and .ply.
 #pragma once
 
 #include <string>

@@ -138,7 +138,7 @@ failure read_trim(const json& from, trim_curve& c) {
   }
   if (auto wrong = read_flag(from, "backward", c.backward)) return wrong;
   if (auto wrong = read_flag(from, "point", c.is_point)) return wrong;
-  // Gives points joined by straight lines a knot each.
+  // Gives a curve of straight lines without knots the knot k at its point k.
   if (c.degree == 1 && c.knots.empty() && c.control.size() > 2) {
     const auto last = static_cast<double>(c.control.size() - 1);
     c.knots = {0, 0};
