@@ -313,7 +313,8 @@ result<measured_mesh> read_measured(certify_options& options) {
     if (!made) return made.failure();
     formula = std::move(made).value();
   }
-  // Adds segments between regions for a repair alone: a mesh to be judged is taken as listed.
+  // Adds segments between regions only for a repair: a mesh to be judged has the segments that its
+  // file lists.
   auto adopted = adopt_mesh(std::move(subject),
                             options.repair ? region_edges::segments : region_edges::as_listed,
                             slit_rule::joined);

@@ -12,7 +12,8 @@ namespace asterism::apps {
 struct foreign_option {
   std::string_view name;        // without dashes
   std::string_view ours, what;  // an option here, and what it means
-  // False if no option here means the same: `what` is then said of commands that have `ours`.
+  // False if no option here means the same as `name`: messages then state `what` instead, for
+  // commands that have the option `ours`.
   bool is_one = true;
 };
 

@@ -200,8 +200,8 @@ std::string flag_with_value(const CLI::App& app, const std::vector<std::string>&
   return "";
 }
 
-// Returns the end of a message about a word that no argument takes, if it is the second word after
-// an option that takes one value and may be repeated: that the option must be repeated for it.
+// Returns the end of a message about two values behind an option that may be repeated and takes one
+// value each time: that the option must be repeated for the second. Empty in all other cases.
 std::string once_for_each(const CLI::App& app, const std::vector<std::string>& words,
                           const CLI::ParseError& failure) {
   if (dynamic_cast<const CLI::ExtrasError*>(&failure) == nullptr) return "";

@@ -46,8 +46,8 @@ residence read_residence() {
 }
 
 // Computes the number of bytes that may be allocated: the limit less the other resident memory,
-// which differs between machines. That is code that was used, and freed blocks that the allocator
-// keeps. Reads it again after each further megabyte.
+// which differs between machines: code that was used, and freed blocks that the allocator keeps.
+// Reads the resident memory again after each further megabyte that is allocated.
 class allowance {
  public:
   void begin(double bytes) {
@@ -62,8 +62,8 @@ class allowance {
     // Bytes reserved for code that is not resident yet, and the stacks of threads. Measured: 3 to 4
     // megabytes.
     constexpr double to_come = 4e6, at_least = 1e6;
-    // Least allowance in bytes: under a limit below the program's own size it can still report
-    // that.
+    // Least allowance in bytes: with it the program can still report that the limit is below the
+    // program's own size.
     constexpr double least = 2e6, largest = 0x1p62;
     constexpr std::int64_t between_looks = 1 << 20;
     const std::int64_t then = held.load(std::memory_order_relaxed);

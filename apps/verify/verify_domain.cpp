@@ -57,7 +57,8 @@ std::optional<error> take_repaired(const domain& d, double distance, asked_by wh
   return std::nullopt;
 }
 
-// Contradicts a certificate whose domain was repaired without need, if the repair changed it.
+// Contradicts a certificate of a repaired domain, if the domain is valid without the repair and the
+// repair changes it.
 void contradict_repair(const domain& d, double distance, asked_domain& asked) {
   domain_repairs repairs;
   const auto repaired = repair_domain(d, distance, &repairs);

@@ -166,7 +166,8 @@ namespace {
 
 constexpr double least_said = 0.0005;  // a smaller share is 0.0 %
 
-// Lists what is so at some of the vertices: ", A at 1.0 % of the vertices, B at 2.0 %".
+// Lists properties, each with the share of vertices that have it: ", A at 1.0 % of the vertices, B
+// at 2.0 %".
 std::string shares_text(const char* begin,
                         std::initializer_list<std::pair<const char*, double>> shares) {
   std::string text;

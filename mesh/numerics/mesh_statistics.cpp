@@ -139,7 +139,8 @@ sums sums_over(const mesh& m) {
   return all;
 }
 
-// Divides the sums by numbers, to means and shares; leaves out the aspects of sites.
+// Divides the sums by the numbers of edges and triangles, for means and shares. Does not set the
+// greatest aspect of the sites.
 mesh_statistics means_of(const sums& all, std::size_t triangles) {
   const auto count = static_cast<double>(triangles);
   mesh_statistics result;

@@ -98,8 +98,8 @@ bool thin_corner_is_low(const metric_tensor& given, const std::array<point, 3>& 
   return !(inner <= cotangent * std::sqrt(det) * area * (1 - 8 * epsilon));
 }
 
-// True if all nine angles are certainly above one of this cotangent, which is that of an angle from
-// 0.1 degrees to 60. Returns false for thin metrics and for angles near the threshold, which other
+// True if all nine angles are certainly above the angle with this cotangent, which must be from 0.1
+// to 60 degrees. Returns false for thin metrics and for angles near the threshold, which other
 // tests decide.
 //
 // Errors. A metric that is not thin has a determinant of 2^-14 of its monomials or more, so that no

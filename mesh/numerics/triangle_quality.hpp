@@ -66,11 +66,11 @@ double corner_angle(const site& corner, const point& first, const point& last);
 // nearest common Voronoi vertex. Insertions at vertices farther than this leave edges between it
 // and twice it, around metric length 1.
 inline constexpr double largest_circumradius = 0.75;
-// Greatest metric length of a boundary subsegment: longer ones are split, so that sites at the
-// distance above do not encroach on them.
+// Greatest metric length of a boundary subsegment: longer ones are split, so that sites at
+// largest_circumradius from other sites do not encroach on them.
 inline constexpr double longest_subsegment = 1.2;
-// Greatest metric length of a subsegment where a domain is filled at once: 1.2 times the radius
-// above, a little shorter.
+// Greatest metric length of a boundary subsegment where a domain is filled at once: 1.2 times
+// largest_circumradius.
 inline constexpr double longest_subsegment_of_fill = 0.9;
 
 // Returns the distance from the three sites to the nearest point equally far from all three;

@@ -42,7 +42,8 @@ struct domain_cut {
   std::size_t pieces = 0;
   vertex_index given = 0;  // the domain's vertices, which are the first, in their order
   std::vector<point> vertices;
-  // The parts of the domain's segments, in the order of these and along each; then the cuts.
+  // The parts of the domain's segments, in the order of the segments and, within one segment, of
+  // their places along it; then the cuts.
   std::vector<cut_edge> edges;
   // Piece of each given vertex that is on no edge; none for the others.
   std::vector<piece_index> piece_of_loose;

@@ -44,8 +44,8 @@ bool are_among(const std::vector<point>& few, const std::vector<point>& many) {
   return i == few.size();
 }
 
-// Returns the points of `now`, and adds points of `asked`: `before` divides both lists into
-// stretches, and a stretch that is empty in `now` is taken from `asked`.
+// Merges two lists of points on a seam, both of which contain all points of `before`. Between two
+// successive points of `before` takes the points of `now`, or, if `now` has none there, of `asked`.
 std::vector<point> united(const std::vector<point>& before, const std::vector<point>& now,
                           const std::vector<point>& asked) {
   std::vector<point> all;

@@ -41,7 +41,7 @@ std::string edge_text(const pieces_index& index, std::size_t e) {
          text_of(index.cut.vertices[edge.a]) + " to " + text_of(index.cut.vertices[edge.b]);
 }
 
-// Returns a contradiction about the sides of an edge, if there is one.
+// Returns what is wrong with the pieces, regions and marker of an edge of the cut; none if nothing.
 std::optional<std::string> wrong_sides(const pieces_index& index, const cut_edge& e) {
   if (e.left == no_piece) return "has no piece on its left";
   if (e.is_cut()) {
