@@ -48,7 +48,7 @@ void audit_context::found(finding_kind kind, std::string witness,
 }
 
 void audit_context::take(audit_tally&& tally) {
-  // Drops findings beyond the number kept of their kind: they stay counted, by the lines below.
+  // Keeps at most `findings_kept` findings of a kind. Those dropped are counted in the next loop.
   for (audit_finding& finding : tally.part.findings) {
     --tally.part.found[static_cast<std::size_t>(finding.kind)];
     keep(report, options.findings_kept, std::move(finding));

@@ -24,9 +24,9 @@ struct measured_ray {
   bool is_known = false;
 };
 
-// How far sites matter to a gap: all points that may show a site accepted are within `reach` of v,
-// and in the kite of v, `vertex` and the shares of the ways to both neighbours
-// (docs/math/certificate.md, 4.3). An infinite reach: nothing is known.
+// Bounds the points by which a gap may accept a site: all are within `reach` of v, and in the kite
+// whose corners are v, `vertex` and a point on the way to each neighbour, at measured_ray::share of
+// it (docs/math/certificate.md, 4.3). If `reach` is infinite, nothing is known.
 struct gap_bound {
   double reach;
   outline_point vertex;
@@ -42,11 +42,12 @@ class quick_reaches {
   // v's metric, and the kite, with the lower bounds of 4.2; an infinite reach where plain doubles
   // prove none. Requires distinct sites with positive definite metrics.
   gap_bound between(const measured_ray& x, const measured_ray& y) const;
-  // Returns another bound, which may be known where that is not.
+  // Returns the bound along the direction midway between x and y: its reach may be finite where
+  // that of between() is infinite.
   gap_bound midway(const measured_ray& x, const measured_ray& y) const;
 
  private:
-  // Returns the bound by those of 4.2 in the direction u.
+  // Returns the reach and kite that follow from the lower bounds of section 4.2 in the direction u.
   gap_bound along(const point& u, const measured_ray& x, const measured_ray& y) const;
 
   const site& v_;

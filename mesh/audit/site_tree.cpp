@@ -462,7 +462,8 @@ site_tree::separation site_tree::separation_along(const point& h, const offset_b
   return {least, own_squared, std::min(other_squared, turned)};
 }
 
-// Takes roots only where (a + b)^2 is not decided by its bounds 4 a^2 and 2 a^2 + 2 b^2.
+// Takes roots only where the bounds 4 a^2 and 2 a^2 + 2 b^2 of (a + b)^2 do not decide: a^2 is
+// own_squared, and b^2 the greater of own_squared and other_squared.
 bool site_tree::separation::is_beyond(double reach) const {
   if (!(least > 0 && reach < 0x1p200)) return false;
   constexpr double smallest_reach = 0x1p-200;

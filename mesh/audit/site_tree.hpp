@@ -82,8 +82,8 @@ class site_tree {
   // One number for each of the covectors x, y, x + y and x - y.
   static constexpr std::size_t covectors = 4;
   using by_covector = std::array<double, covectors>;
-  // How far sites matter along one covector, in one of its two directions: two linear bounds of
-  // their dual length, the greater of which is at least the value of the covector at w - v.
+  // Reach along a covector g, in one of its two directions: a site w does not matter if g . (w - v)
+  // exceeds both of two linear functions of |g|_w, the dual length of g in w's metric.
   struct reach_along {
     double none = beyond_all, rise = 0;  // for the length 0
     double own = 0, at_own = beyond_all, steep = 0;
@@ -93,7 +93,7 @@ class site_tree {
       return less > more ? less : more;
     }
   };
-  // Along each covector and its opposite.
+  // Reach along a covector, and reach along its opposite.
   using both_ways = std::array<reach_along, 2>;
   using reaches_along = std::array<both_ways, covectors>;
   // The centre of one star, or of several: their positions are in the box, the metric M of each is
@@ -144,8 +144,8 @@ class site_tree {
     std::vector<reaches_along> along;  // of each, and of all together
     std::vector<std::size_t> leaves;
   };
-  // Descends once for several stars by covectors. Returns false, with nothing set, in a tree
-  // without bounds by these.
+  // Descends once for several stars by covectors. Returns false, with nothing set, in a tree that
+  // keeps no bounds of its sites along the covectors.
   bool gather(const std::vector<reaching>& stars, nearby_leaves& nearby) const;
   // Visits the sites that visit_near would visit for the star with this number among those gathered
   // for.
@@ -226,8 +226,8 @@ class site_tree {
     const double own = v.length[covector];
     return v.reach * (own + (own > length ? own : length)) * roundings + underflow;
   }
-  // True if a site or all sites of a node, whose values of g . (w - v) are between these, and whose
-  // dual lengths of g are at most `length`, are too far. No reach along a covector is negative.
+  // True if every site w with g . (w - v) from `least` to `greatest`, and with a dual length of g
+  // of at most `length`, is too far along g. No reach along a covector is negative.
   static bool is_beyond_along(const both_ways& along, double least, double greatest,
                               double length) {
     constexpr double roundings = 1 + 0x1p-47, underflow = 0x1p-900;

@@ -120,16 +120,16 @@ class star_check {
   // True if a changed site is within this reach of v, and may matter to its star.
   bool is_reached(vertex_index v, double reach);
   void prepare(vertex_index v, const vertex_fan& fan);
-  // Sets `outline` to that of the fan's gaps that are concerned, or of the others. Returns null
-  // where the kite of one is not known.
+  // Sets `outline` to the outline of those gaps of the fan that are tested and whose is_concerned
+  // equals `of_concerned`. Returns its address; null where the kite of such a gap is not known.
   static const star_outline* outline_of(const prepared_fan& p, bool of_concerned,
                                         star_outline& outline);
   // True if w is certainly outside of the gap's kite, in the sense of its outline.
   bool is_outside(const prepared_fan& p, const fan_gap& gap, vertex_index w) const;
   bool is_left_open(const fan_gap& gap) const;
-  // Sets the gap's reach and kite without preparing its tests, which most gaps do not need. Sharper
-  // reaches are not computed unless that is a few times the length of the gap's edges: they would
-  // cost more than they save.
+  // Sets the gap's reach and kite without preparing its tests, which most gaps do not need.
+  // Computes a sharper reach only where the quick one is more than twice the length of the gap's
+  // edges: elsewhere it would cost more than it saves.
   void bound(vertex_index v, fan_gap& gap, const quick_reaches& reaches, const measured_ray& to_x,
              const measured_ray& to_y) const;
   [[gnu::noinline]] void sharpen(vertex_index v, fan_gap& gap) const;

@@ -23,7 +23,8 @@ struct gap_side {
   gap_side(const site& v, const site& z);
 
   bounded bound(const vector2<bounded>& u, const bounded& length_squared) const;
-  // Returns the greater of |d|_v / 2 and |d|_v / bound(d), where bound(d) = 1 + |d|_v / |d|_z.
+  // Returns the reach along the edge d = z - v: the greater of |d|_v / 2 and |d|_v / bound(d),
+  // where bound(d) = 1 + |d|_v / |d|_z.
   double reach_along_edge() const;
 
   vector2<bounded> offset;      // z - v

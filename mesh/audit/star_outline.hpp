@@ -37,9 +37,9 @@ struct offset_box {
   point low, high;
 };
 
-// True if certainly no site in this box, with a metric of at least `metric`, is accepted in gaps
-// whose outline has these points: the vertices of their kites, which give the covector, at least
-// one, and the others.
+// True if certainly no site in the box `to`, with a metric of at least `metric`, is accepted in
+// gaps with this outline: `vertices` of their kites, at least one, from which the covector is
+// chosen, and its other points.
 bool are_outside(const offset_box& to, const least_metric& metric,
                  std::span<const outline_point> vertices, std::span<const outline_point> others);
 

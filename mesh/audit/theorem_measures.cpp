@@ -40,7 +40,7 @@ double middle_share(const site& p, const site& q) {
   return share > 0 && share < 1 ? share : 0.5;
 }
 
-// Returns about the point that is equally far from all three corners, moved onto the triangle.
+// Approximates the point equally far from all three corners, and moves it onto the triangle.
 place middle_place(const std::array<site, 3>& t) {
   const auto vertex = enclose_voronoi_vertex(t[0], t[1], t[2]);
   const offset to_b = between(t[0].position, t[1].position),
@@ -104,10 +104,10 @@ point nearer_to_vertex(const std::array<site, 3>& t, const point& to_b, const po
           x.y + inverse * (excess_c * slope_b.x - excess_b * slope_c.x)};
 }
 
-// Returns about the point equally far from all three corners, as a place of the triangle: one
-// Newton step from the centre of the circle through them in the sum of their metrics; beyond an
-// edge the middle of that edge. The result is never outside the triangle; nothing else is assumed
-// of it. Both vectors are from the first corner.
+// Returns an approximation of the point equally far from all three corners, as a place of the
+// triangle: one Newton step from the centre of the circle through them in the sum of their metrics;
+// the middle of an edge if the point is beyond that edge. Callers assume only that the place is not
+// outside the triangle. `to_b` and `to_c` are vectors from the first corner.
 place plain_middle_place(const std::array<site, 3>& t, const point& to_b, const point& to_c) {
   constexpr double all_but = 1 - 0x1p-40;
   metric_tensor m{0, 0, 0};

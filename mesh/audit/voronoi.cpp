@@ -75,8 +75,8 @@ class arc_check {
     if (order_ == sign::positive) enclosed_.emplace(at(edge.v), at(edge.u), edge.from, edge.to);
   }
 
-  // Returns a distance from v: only sites that are as near as v to a point within this distance of
-  // v matter.
+  // Returns an upper bound of v's distance to the points of the dual edge and, on the boundary, of
+  // the edge itself: only sites as near as v to one of these points matter.
   double reach() const {
     double reach = enclosed_ ? enclosed_->reach() : 0;
     if (edge_.on_boundary) {

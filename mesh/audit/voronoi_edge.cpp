@@ -86,7 +86,7 @@ arc_meeting dual_edge_question::meeting_with(vertex_index w) {
   }
   ++tally_.part.voronoi_pairs_exact;
   find_parameters();
-  // Requires both ends; the callers call this only where they exist.
+  // Requires both ends of the dual edge: callers ask only where these exist.
   if (!from_ || !to_) return {true, true, true, true};
   return exact_->meeting_with(at(w), *from_, *to_);
 }

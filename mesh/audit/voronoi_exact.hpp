@@ -20,8 +20,8 @@ struct arc_meeting {
   bool nearer = false, between = false, at_from = false, at_to = false;
 };
 
-// Result of comparing a site's distance with that of the nearer of two others, along the segment
-// between these.
+// Result of comparing, at each point of the segment between two sites, the distance of a third site
+// with that of the nearer end.
 enum class segment_meeting {
   apart,      // farther at every point
   at_middle,  // as near where both ends are equally far, and farther elsewhere
@@ -57,7 +57,8 @@ class exact_voronoi_arc {
   exact::arc on_;
 };
 
-// Returns how w meets the segment from a to b. Requires that it does not encroach on it.
+// Compares w with the nearer of a and b along the segment from a to b. Requires that w does not
+// encroach on the segment.
 segment_meeting meeting_with_segment(const site& a, const site& b, const site& w);
 
 // Returns, for equal metrics, where bisectors are lines, the sign of f_d - f_a at the Voronoi

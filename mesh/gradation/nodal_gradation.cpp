@@ -22,9 +22,9 @@ bool is_metric(const metric_tensor& m) {
 // True only if the log distortion of the reduced pair is at most `most` as clip_distortion_by()
 // computes it. Needs no logarithm for most pairs, since |ln x| <= |x - 1| / root x.
 bool are_surely_alike(const simultaneous_reduction& r, double most) {
-  // Part of the limit 2 most that is used. The margin, 2e-9 most, exceeds the error of quick_log,
-  // 1e-13, and roundings of some 1e-16 for limits of 1e-4 and more; limits of meshes are above
-  // 0.05. With a smaller limit, a pair that exceeds it by 1e-13 may be accepted.
+  // Factor that reduces the limit of |ln ratio|, 2 * most. The margin, 2e-9 * most, exceeds the
+  // error of quick_log, 1e-13, and roundings of some 1e-16 for limits of 1e-4 and more; limits of
+  // meshes are above 0.05. With a smaller limit, a pair that exceeds it by 1e-13 may be accepted.
   constexpr double roundings = 1 - 1e-9;
   const auto is_within = [most](double ratio) {
     const double s = std::sqrt(ratio);

@@ -37,9 +37,9 @@ double least_along(const std::vector<vertex_index>& order, const std::vector<sit
   return least;
 }
 
-// Returns the squared distance between v and the nearest other site, in the metric of either in
-// which it is less; at most `most`. Both searches go twice as far as the radius within which they
-// must find all sites: that covers roundings.
+// Returns the squared distance between v and the nearest other site, by the metric of v or of that
+// site, whichever gives less; at most `most`. Both searches go twice as far as the radius within
+// which they must find all sites: that covers roundings.
 double nearest_other(const std::vector<site>& sites, const site_index& near, vertex_index v,
                      double most) {
   const site& s = sites[v];
@@ -116,7 +116,8 @@ double shortest_of_all(const std::vector<site>& sites, const boundary& edges, co
 double shortest_distance(const std::vector<site>& sites, vertex_index count, const boundary& edges,
                          const proximity& near, double most) {
   if (count == sites.size()) return shortest_of_all(sites, edges, near, most);
-  // Goes along the curve: each search then finds in the cache what the search before it read.
+  // Visits sites along a space-filling curve: each search then finds in the cache what the search
+  // before it read.
   std::vector<vertex_index> order = near.order();
   std::erase_if(order, [count](vertex_index v) { return v >= count; });
   double least = std::min(most * most, least_along(order, sites));

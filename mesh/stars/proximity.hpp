@@ -29,8 +29,8 @@ class proximity {
   const box_index& influences() const { return influences_; }
   // Returns the sites along a space-filling curve, those added later after all others.
   const std::vector<vertex_index>& order() const { return order_; }
-  // Returns the sites along that curve; a few later ones may be at the end. Loops in this order
-  // find what they read in the cache.
+  // Returns the sites along the space-filling curve; a few sites added later may be at the end.
+  // Loops in this order find what they read in the cache.
   std::vector<vertex_index> order_anew(const std::vector<site>& sites) const;
   // Returns the box around all sites; some may lie outside it by rounding.
   const bounding_box& box() const { return box_; }

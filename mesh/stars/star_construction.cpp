@@ -199,8 +199,8 @@ star begun_star(const site_oracle& oracle, vertex_index v, const approximate_sta
 }
 
 // Returns the star guessed in plain doubles if exact tests confirm it: at once against all sites,
-// or else against the given ones. With the near search it tests only the given sites: gaps that far
-// sites reach are left to a thorough search, since most such stars are soon changed.
+// or else against the sites in `order`. With the near search, gaps without a bound on their reach
+// are left to a thorough search, since most such stars are soon changed.
 std::optional<constructed_star> confirmed_guess(const site_oracle& oracle, vertex_index v,
                                                 star_search search, const approximate_star& guess,
                                                 const std::vector<vertex_index>& order) {

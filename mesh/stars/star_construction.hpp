@@ -65,8 +65,9 @@ constructed_star construct_star(const site_oracle& oracle, vertex_index v,
 // Returns the distance from v to the farthest Voronoi vertex of the star's gaps, as v measures;
 // infinite when a gap has none. In doubles, for choosing the radius of a search.
 double farthest_vertex(const site_oracle& oracle, vertex_index v, const star& s);
-// Returns the greater of that distance and the farthest neighbour's. Leaves out gaps of less than
-// half a turn that have no vertex: where metrics vary fast, no distance would be enough for these.
+// Returns the greater of farthest_vertex() and the distance of the farthest neighbour. Leaves out
+// gaps of less than half a turn that have no Voronoi vertex: where metrics vary fast, no distance
+// would be enough for these gaps.
 double farthest_known_vertex(const site_oracle& oracle, vertex_index v, const star& s);
 
 }  // namespace asterism::internal

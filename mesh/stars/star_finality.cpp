@@ -94,7 +94,8 @@ class prepared_sector {
       gap = &gaps_[where.at];
     }
     if (!gap->content) return false;
-    // Returns false for sites inside the gap's triangle: these are accepted whatever the arcs say.
+    // Returns false for sites inside the gap's triangle: the star accepts these without an
+    // edge_test.
     return refuses(*gap, w) && oracle_->orientation(gap->y, gap->x, w) != sign::positive;
   }
 
