@@ -122,19 +122,19 @@ void check_subsegments(audit_context& context) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const directed_subsegment& side = sides[i];
     const boundary_edge& subsegment = context.subject.boundary[side.subsegment];
-    const std::string text = subsegment_text(context, side.subsegment);
+    const auto text = [&] { return subsegment_text(context, side.subsegment); };
     if (i > 0 && sides[i - 1].a == side.a && sides[i - 1].b == side.b)
       context.found(finding_kind::repeated_boundary,
-                    text + " repeats boundary edge " +
+                    text() + " repeats boundary edge " +
                         std::to_string(std::size_t{sides[i - 1].subsegment} + 1));
     if (find_edge(context, side.a, side.b) == context.edges.size())
       context.found(
           finding_kind::boundary_without_triangle,
-          text + " has no triangle on its " + (side.a == subsegment.a ? "left" : "right"));
+          text() + " has no triangle on its " + (side.a == subsegment.a ? "left" : "right"));
     const std::size_t other_side = find_edge(context, side.b, side.a);
     if (!subsegment.internal && other_side != context.edges.size())
       context.found(finding_kind::boundary_inside,
-                    text + " has " + triangle_text(context, context.edges[other_side].triangle) +
+                    text() + " has " + triangle_text(context, context.edges[other_side].triangle) +
                         " on its right");
   }
 }
