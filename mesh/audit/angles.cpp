@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/audit/corner_angle.hpp"
 #include "asterism/mesh/audit/sharp_corners.hpp"
 #include "asterism/mesh/audit/unit_subject.hpp"
+#include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -36,10 +37,20 @@ struct plain_triangle {
     }
     const double left = edge[0].x * edge[1].y, right = edge[0].y * edge[1].x;
     area_below = left - right - step * (std::abs(left) + std::abs(right)) - lost;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &a = edge[i], &c = edge[(i + 2) % 3];
+      const double ahead = a.x * c.y, behind = a.y * c.x;
+      at[i] = {a.x * c.x, ahead + behind, a.y * c.y, std::abs(ahead) + std::abs(behind)};
+    }
   }
 
   static constexpr double step = 0x1p-49, lost = 0x1p-600;
+  // Products of the components of both edges at a corner; `mixed` bounds |xy|.
+  struct corner_products {
+    double xx, xy, yy, mixed;
+  };
   std::array<vector2<double>, 3> edge;  // from corner i to the next
+  std::array<corner_products, 3> at;
   double extent = 0;
   double area_below = 0;
 };
@@ -48,7 +59,6 @@ struct plain_triangle {
 std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_tensor& own) {
   const double power = power_to_unit(own.m11 + own.m22);
   const metric_tensor m{power * own.m11, power * own.m12, power * own.m22};
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> above = {infinity, infinity, infinity};
   const double product = m.m11 * m.m22, square = m.m12 * m.m12;
   const double determinant_below =
@@ -59,11 +69,8 @@ std::array<double, 3> cotangents_above(const plain_triangle& t, const metric_ten
   if (!(height > 0x1p-700)) return above;
   const double inverse = 1 / height;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto &a = t.edge[i], &c = t.edge[(i + 2) % 3];
-    const double xx = a.x * c.x, xy = a.x * c.y + a.y * c.x, yy = a.y * c.y;
-    const double size = m.m11 * std::abs(xx) +
-                        std::abs(m.m12) * (std::abs(a.x * c.y) + std::abs(a.y * c.x)) +
-                        m.m22 * std::abs(yy);
+    const auto& [xx, xy, yy, mixed] = t.at[i];
+    const double size = m.m11 * std::abs(xx) + std::abs(m.m12) * mixed + m.m22 * std::abs(yy);
     const double left = -(m.m11 * xx + m.m12 * xy + m.m22 * yy);
     above[i] = (left + plain_triangle::step * size + plain_triangle::lost) * inverse;
     above[i] += std::abs(above[i]) * plain_triangle::step;
@@ -86,16 +93,90 @@ class angle_check {
   angle_check(const audit_context& context, audit_tally& tally, const audited_requirement& wanted)
       : context_(context), tally_(tally), wanted_(wanted) {}
 
-  void run(vertex_index t) {
+  // Returns an upper bound of the cotangents of all angles of the triangle, if all are ordinary and
+  // certainly above the angle bound. Returns infinity where that is not known, and minus infinity
+  // where there is no angle to measure.
+  double bound_of(vertex_index t) {
     const triangle& c = context_.subject.triangles[t];
     if (!std::all_of(c.begin(), c.end(), [&](vertex_index v) { return context_.measured[v] != 0; }))
-      return;
+      return -infinity;
     if (tally_.kernel().orientation(context_.at(c[0]), context_.at(c[1]), context_.at(c[2])) !=
         sign::positive)
-      return;
+      return -infinity;
+    find_sectors(c);
+    if (beside_) return infinity;
+    const bool has_bound = wanted_.degrees > 0;
+    const double most = has_bound ? wanted_.bound.root_below : infinity;
+    double greatest = -infinity;
+    bool is_known = true;
+    visit_bounds(c, [&](std::size_t, vertex_index, double above) {
+      is_known = is_known && above < most;  // false for a value that is no number
+      greatest = std::max(greatest, above);
+    });
+    if (!is_known) return infinity;
+    constexpr std::size_t angles = 9;
+    if (has_bound) tally_.part.decisions += angles;
+    return greatest;
+  }
+
+  // Measures the angle with the greatest bound of the cotangent: most other angles then need not be
+  // measured.
+  void start_from(vertex_index t) {
+    const triangle& c = context_.subject.triangles[t];
+    double greatest = -infinity;
+    angle least{};
+    visit_bounds(c, [&](std::size_t i, vertex_index perspective, double above) {
+      if (!(above > greatest)) return;
+      greatest = above;
+      least = ordinary_angle(t, i, perspective, above);
+    });
+    skip_wider(least, angle_in_degrees(context_, least.at, least.perspective));
+  }
+
+  // Enters the angles of a triangle with this bound into the least angles found so far, and reports
+  // those that are low.
+  void judge(vertex_index t, double bound) {
+    if (bound == -infinity) return;
+    if (bound == infinity) return judge_each(t);
+    if (bound < greatest_cotangent_[static_cast<std::size_t>(angle_class::ordinary)]) return;
+    visit_bounds(context_.subject.triangles[t],
+                 [&](std::size_t i, vertex_index perspective, double above) {
+                   note(ordinary_angle(t, i, perspective, above));
+                 });
+  }
+
+ private:
+  struct angle {
+    vertex_index triangle;
+    corner at;
+    vertex_index perspective;
+    angle_class demand;
+    double above;  // its cotangent is at most this
+  };
+
+  angle ordinary_angle(vertex_index t, std::size_t i, vertex_index perspective,
+                       double above) const {
+    const triangle& c = context_.subject.triangles[t];
+    return {t, {c[i], c[(i + 1) % 3], c[(i + 2) % 3]}, perspective, angle_class::ordinary, above};
+  }
+
+  // Calls take(i, perspective, above) for each angle, with an upper bound of its cotangent. If the
+  // three vertices have one metric, measures angles in that metric once.
+  template <class Take>
+  void visit_bounds(const triangle& c, const Take& take) const {
+    const plain_triangle plain(context_, c);
+    const auto metric = [&](std::size_t j) { return context_.subject.sites[c[j]].metric; };
+    const bool is_one = identical(metric(0), metric(1)) && identical(metric(0), metric(2));
+    for (std::size_t j = 0; j < (is_one ? 1 : c.size()); ++j) {
+      const std::array<double, 3> above = cotangents_above(plain, metric(j));
+      for (std::size_t i = 0; i < above.size(); ++i) take(i, c[j], above[i]);
+    }
+  }
+
+  void judge_each(vertex_index t) {
+    const triangle& c = context_.subject.triangles[t];
     find_sectors(c);
     const plain_triangle plain(context_, c);
-    if (passes_at_once(t, c, plain)) return;
     std::array<bool, 3> failed{};
     for (const vertex_index perspective : c) {
       const auto above = cotangents_above(plain, context_.subject.sites[perspective].metric);
@@ -112,39 +193,6 @@ class angle_check {
     if (failed[0]) tally_.part.low_triangles.push_back(t);
     if (failed[1]) tally_.part.collateral_triangles.push_back(t);
     if (failed[2]) tally_.part.exempt_triangles.push_back(t);
-  }
-
- private:
-  struct angle {
-    vertex_index triangle;
-    corner at;
-    vertex_index perspective;
-    angle_class demand;
-    double above;  // its cotangent is at most this
-  };
-
-  // True if all angles are ordinary and certainly above the bound by their quick bounds alone: then
-  // the triangle needs no further test. If its three vertices have one metric, angles are measured
-  // in that metric once.
-  bool passes_at_once(vertex_index t, const triangle& c, const plain_triangle& plain) {
-    if (beside_) return false;
-    constexpr std::size_t perspectives = 3;
-    const auto metric = [&](std::size_t j) { return context_.subject.sites[c[j]].metric; };
-    const bool is_one = identical(metric(0), metric(1)) && identical(metric(0), metric(2));
-    const std::size_t asked_of = is_one ? 1 : perspectives;
-    std::array<std::array<double, 3>, perspectives> above;
-    for (std::size_t j = 0; j < asked_of; ++j) {
-      above[j] = cotangents_above(plain, metric(j));
-      for (const double a : above[j])
-        if (wanted_.degrees > 0 && !(a < wanted_.bound.root_below)) return false;
-    }
-    if (wanted_.degrees > 0) tally_.part.decisions += perspectives * 3;
-    constexpr auto ordinary = angle_class::ordinary;
-    for (std::size_t j = 0; j < asked_of; ++j)
-      for (std::size_t i = 0; i < 3; ++i)
-        if (!(above[j][i] < greatest_cotangent_[static_cast<std::size_t>(ordinary)]))
-          note({t, {c[i], c[(i + 1) % 3], c[(i + 2) % 3]}, c[j], ordinary, above[j][i]});
-    return true;
   }
 
   void find_sectors(const triangle& c) {
@@ -180,13 +228,19 @@ class angle_check {
     const double degrees = angle_in_degrees(context_, a.at, a.perspective);
     if (!(degrees < worst[kind]->degrees)) return;
     *worst[kind] = {degrees, a.triangle, a.at.at, a.perspective};
+    skip_wider(a, degrees);
+  }
+
+  // Skips from now on angles of this kind that certainly have more degrees than this one.
+  void skip_wider(const angle& a, double degrees) {
     // The margin covers the roundings of the degrees and of their tangent, some 2^-50 of each: a
     // skipped angle exceeds the least known one by more than these roundings. In a metric so thin
     // that the degrees themselves have larger errors, the reported least angle may differ from the
     // true one by such an error.
     constexpr double margin = 1e-9;
     const double cotangent = 1 / elementary::tan(degrees * std::numbers::pi / 180);
-    greatest_cotangent_[kind] = cotangent - margin * (1 + std::abs(cotangent));
+    greatest_cotangent_[static_cast<std::size_t>(a.demand)] =
+        cotangent - margin * (1 + std::abs(cotangent));
   }
 
   bool is_wide(const angle& a) {
@@ -225,10 +279,27 @@ class angle_check {
   std::array<const narrow_sector*, 3> sector_{};
   bool beside_ = false;
   // Lower bound of the cotangent of the smallest angle so far: ordinary, exempt, collateral.
-  std::array<double, 3> greatest_cotangent_ = {-std::numeric_limits<double>::infinity(),
-                                               -std::numeric_limits<double>::infinity(),
-                                               -std::numeric_limits<double>::infinity()};
+  std::array<double, 3> greatest_cotangent_ = {-infinity, -infinity, -infinity};
 };
+
+// Returns a flag for each triangle: 0 if the audit before bounded its angles, and no tensor of its
+// corners has changed. Which angles are ordinary may depend on tensors elsewhere if there is a
+// wedge.
+std::vector<char> triangles_to_bound(audit_context& context, const audited_requirement& wanted) {
+  const auto& triangles = context.subject.triangles;
+  const bool is_known = context.changed != nullptr && wanted.wedges.list.empty() &&
+                        context.angle_bounds.size() == triangles.size();
+  std::vector<char> is_new(triangles.size(), 1);
+  context.angle_bounds.resize(triangles.size());
+  if (!is_known) return is_new;
+  std::vector<char> is_changed(context.subject.sites.size(), 0);
+  for (const vertex_index v : *context.changed) is_changed[v] = 1;
+  for (const vertex_index t : context.triangles) {
+    const auto& [a, b, c] = triangles[t];
+    is_new[t] = is_changed[a] | is_changed[b] | is_changed[c];
+  }
+  return is_new;
+}
 
 }  // namespace
 
@@ -244,15 +315,24 @@ void check_angles(audit_context& context) {
   if (wanted.degrees > 0) {  // else trivially met
     wanted.bound = make_squared_cotangent(wanted.degrees);
     wanted.sectors = find_narrow_sectors(context, wanted.bound);
-    wanted.wedges =
-        find_narrow_wedges(context, wanted.sectors, make_squared_cotangent(wanted.degrees / 2));
+    if (!wanted.sectors.empty())
+      wanted.wedges =
+          find_narrow_wedges(context, wanted.sectors, make_squared_cotangent(wanted.degrees / 2));
   }
+  const std::vector<char> is_new = triangles_to_bound(context, wanted);
+  std::vector<double>& bounds = context.angle_bounds;
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     angle_check part(context, tally, wanted);
+    std::optional<vertex_index> least;
     for (std::size_t i = begin; i < end; ++i) {
       context.prefetch_corners(i + triangles_ahead);
-      part.run(context.triangles[i]);
+      const vertex_index t = context.triangles[i];
+      if (is_new[t] != 0) bounds[t] = part.bound_of(t);
+      if (bounds[t] < infinity && (!least || bounds[t] > bounds[*least])) least = t;
     }
+    if (least && bounds[*least] > -infinity) part.start_from(*least);
+    for (std::size_t i = begin; i < end; ++i)
+      part.judge(context.triangles[i], bounds[context.triangles[i]]);
   };
   check_in_parallel(context, context.triangles.size(), check);
 }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Holds what an audit of a mesh passes to the next one about its stars: reaches and open questions.
-// Internal to the library.
+// Holds what an audit of a mesh passes to the next one: about its stars, their reaches and open
+// questions; and what was checked of the triangulation and of its angles. Internal to the library.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "asterism/mesh/data/mesh.hpp"
 
 namespace asterism::internal {
+
+namespace audit_detail {
+class checked_triangulation;
+}
 
 // Kind of an open question about a star: whether it accepts a neighbour, as it should; whether it
 // accepts another site, as it should not; or any site at all, in a gap of unknown reach.
@@ -22,13 +27,17 @@ struct open_question {
   about what;
 };
 
-struct star_memory {
+struct audit_memory {
   std::vector<open_question> open;  // questions that are left
   // Reach of each site's star, in the site's own metric; empty where reaches are not known.
   std::vector<double> reaches;
   // Exponent of the power of two by which the squares of these reaches are scaled: stars of very
   // large metrics are checked in other units, which depend on the largest number.
   int power_of_squares = 0;
+  // The triangulation, if all checks of it that no tensor affects are passed; else null.
+  std::shared_ptr<const audit_detail::checked_triangulation> triangulation;
+  // Bound of the angles of each of its triangles (audit_context::angle_bounds); may be empty.
+  std::vector<double> angle_bounds;
 };
 
 }  // namespace asterism::internal

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/audit/auditor.hpp"
 
+#include <memory>
 #include <utility>
 
 #include "asterism/kernels/filtered_edge_test.hpp"
@@ -26,7 +27,7 @@ void charge(const audit_context& context) {
       work_weights::audit_finding_text * static_cast<double>(report.findings.size()));
 }
 
-// Checks points 0 to 2; returns false where the mesh is no triangulation.
+// Checks points 0 to 2. Returns false where the mesh is no triangulation.
 bool check_covering(audit_context& context) {
   audit_report& report = context.report;
   check_values(context);
@@ -42,13 +43,53 @@ bool check_covering(audit_context& context) {
   return report.total_found() == 0;
 }
 
+// Takes the lists of the triangulation that the audit before checked. Where the mesh differs from
+// it in more than tensors, forgets it and returns false.
+bool take_checked(audit_context& context) {
+  if (context.memory == nullptr) return false;
+  const auto before = std::move(context.memory->triangulation);
+  context.angle_bounds = std::move(context.memory->angle_bounds);
+  const bool is_same = context.changed != nullptr && before != nullptr &&
+                       before->is_of(context.subject, context.options.original);
+  if (!is_same) {
+    context.angle_bounds.clear();
+    return false;
+  }
+  static_cast<triangulation_lists&>(context) = before->lists();
+  before->enter_measurements(context.report);
+  context.memory->triangulation = before;
+  return true;
+}
+
+// Checks points 0 to 2, the domain and the regions; of a triangulation checked before, the tensors
+// alone. Returns false where the mesh is no triangulation.
+bool check_triangulation(audit_context& context) {
+  if (take_checked(context)) {
+    check_sites(context);
+    return context.report.total_found() == 0;
+  }
+  const bool is_one = check_covering(context);
+  if (context.options.original != nullptr) check_domain_kept(context);
+  check_regions(context);
+  context.is_new = is_one && context.report.total_found() == 0;
+  return is_one;
+}
+
+// Passes what was checked of the triangulation and its angles to the next audit.
+void remember_triangulation(audit_context& context) {
+  if (context.memory == nullptr) return;
+  context.memory->angle_bounds = std::move(context.angle_bounds);
+  if (context.is_new)
+    context.memory->triangulation = std::make_shared<const checked_triangulation>(
+        context.subject, context.options.original,
+        std::move(static_cast<triangulation_lists&>(context)), context.report);
+}
+
 // Runs all checks that the options call for, one point after the other.
 void check_all(audit_context& context) {
   const audit_options& options = context.options;
   audit_report& report = context.report;
-  const bool triangulation = check_covering(context);
-  if (options.original != nullptr) check_domain_kept(context);
-  check_regions(context);
+  const bool triangulation = check_triangulation(context);
   audit_detail::check_angles(context);
   check_something_judged(context);
   if (options.check_stars && triangulation) check_stars(context);
@@ -74,7 +115,7 @@ audit_report counts_of(const mesh& subject) {
 auditor::auditor(const mesh& subject, audit_options asked)
     : subject_(&subject), asked_(std::move(asked)) {}
 
-auditor::auditor(const mesh& subject, audit_options asked, audit_report before, star_memory memory)
+auditor::auditor(const mesh& subject, audit_options asked, audit_report before, audit_memory memory)
     : subject_(&subject),
       asked_(std::move(asked)),
       report_(std::move(before)),
@@ -106,7 +147,7 @@ const audit_report& auditor::recheck(const std::vector<vertex_index>& changed,
 
 // Runs all checks. Restricts those of stars to the questions that involve a site in `changed`; a
 // null pointer checks all stars.
-void auditor::ask(const std::vector<vertex_index>* changed, star_memory* memory,
+void auditor::ask(const std::vector<vertex_index>* changed, audit_memory* memory,
                   const audit_effort& effort) {
   report_ = counts_of(*subject_);
   audit_context context(*subject_, asked_, report_);
@@ -117,6 +158,7 @@ void auditor::ask(const std::vector<vertex_index>* changed, star_memory* memory,
   if (memory != nullptr) memory->open.clear();
   check_all(context);
   charge(context);
+  remember_triangulation(context);
   tree_ = std::move(context.tree);
 }
 

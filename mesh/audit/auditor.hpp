@@ -12,7 +12,9 @@
 // sites, and on the subsegments between v and w, alone. So only questions with a changed site are
 // asked again; all other answers stay. A new gap, a new edge, and an edge with a new site across
 // belong to a new triangle: their questions are asked if the corners of new triangles are listed as
-// changed.
+// changed. Where the mesh differs in tensors alone, which the auditor compares itself, the checks
+// that tensors do not affect are passed, and angles are measured in triangles with a changed
+// corner.
 //
 // Open questions. While a mesh is being mended, questions that take long need no answer at once:
 // where doubles do not decide whether a star accepts a site, the tensors of both may be changed
@@ -26,9 +28,9 @@
 #include <optional>
 #include <vector>
 
+#include "asterism/mesh/audit/audit_memory.hpp"
 #include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/audit/star_memory.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -55,7 +57,7 @@ class auditor {
   auditor(const mesh& subject, audit_options asked);
   // Continues from the report and the memory of an audit made before the mesh was changed; the
   // reaches in it are indexed by the present numbers of the sites.
-  auditor(const mesh& subject, audit_options asked, audit_report before, star_memory memory);
+  auditor(const mesh& subject, audit_options asked, audit_report before, audit_memory memory);
   auditor(auditor&&) noexcept;
   ~auditor();
 
@@ -89,19 +91,19 @@ class auditor {
 
   const audit_report& report() const { return report_; }
   const std::vector<open_question>& open() const { return memory_.open; }
-  const star_memory& memory() const { return memory_; }
+  const audit_memory& memory() const { return memory_; }
 
   // Makes the certificate of the mesh as it was audited last. Charges the work to `account`.
   certificate make_certificate(const cancellation& account) const;
 
  private:
-  void ask(const std::vector<vertex_index>* changed, star_memory* memory,
+  void ask(const std::vector<vertex_index>* changed, audit_memory* memory,
            const audit_effort& effort);
 
   const mesh* subject_;
   audit_options asked_;
   audit_report report_;
-  star_memory memory_;
+  audit_memory memory_;
   std::unique_ptr<audit_detail::site_tree> tree_;  // of the mesh's sites; null if none was needed
 };
 

@@ -9,6 +9,8 @@
 namespace asterism::internal::audit_detail {
 
 void check_values(audit_context& context);
+// Checks the numbers of the sites alone, a part of check_values.
+void check_sites(audit_context& context);
 void check_orientations(audit_context& context);
 void check_edges(audit_context& context);
 void check_boundary_contacts(audit_context& context);

@@ -6,80 +6,21 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit/audit_memory.hpp"
 #include "asterism/mesh/audit/audit_report.hpp"
+#include "asterism/mesh/audit/checked_triangulation.hpp"
 #include "asterism/mesh/audit/number.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
-#include "asterism/mesh/audit/star_memory.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal::audit_detail {
-
-// The edge a -> b of `triangle`, the triangle on its left, whose third corner is the apex.
-struct directed_edge {
-  vertex_index a = 0, b = 0;
-  vertex_index apex = 0;
-  vertex_index triangle = 0;
-};
-
-// The boundary edge `subsegment` seen with the domain on the left of a -> b. An internal one is
-// listed in both directions.
-struct directed_subsegment {
-  vertex_index a = 0, b = 0;
-  vertex_index subsegment = 0;
-};
-
-// The triangles around a vertex, counter-clockwise, as far as the next boundary edge: triangle i
-// has the vertex, link[i] and link[i + 1]; a closed fan comes back to link[0], an open one has one
-// more neighbour than triangles. At the free end of an internal edge the open fan starts and ends
-// with the same neighbour.
-struct vertex_fan {
-  bool closed = false;
-  std::span<const vertex_index> link;  // in the list the fan is from
-};
-
-// Keeps the fans of many vertices in few blocks. A block is written by one thread.
-class fan_lists {
- public:
-  static constexpr std::size_t vertices_of_a_block = 1024;
-
-  struct block {
-    struct fan {
-      bool closed = false;
-      std::uint32_t end = 0;  // of its part of `links`
-    };
-    std::vector<vertex_index> links;
-    std::vector<fan> fans;
-    std::vector<std::uint32_t> ends;  // in `fans`, by vertex
-  };
-
-  // Makes one block for every `vertices_of_a_block` vertices, in order.
-  void resize(std::size_t vertices) { blocks_.resize(chunk_count(vertices, vertices_of_a_block)); }
-  block& block_of(vertex_index v) { return blocks_[v / vertices_of_a_block]; }
-  // Calls take(fan) for each fan of v.
-  template <class Take>
-  void visit(vertex_index v, const Take& take) const {
-    const block& from = blocks_[v / vertices_of_a_block];
-    const std::size_t nth = v % vertices_of_a_block;
-    const std::uint32_t first = nth == 0 ? 0 : from.ends[nth - 1];
-    std::uint32_t begin = first == 0 ? 0 : from.fans[first - 1].end;
-    for (std::uint32_t i = first; i < from.ends[nth]; ++i) {
-      const auto& [closed, end] = from.fans[i];
-      take(vertex_fan{closed, std::span(from.links).subspan(begin, end - begin)});
-      begin = end;
-    }
-  }
-
- private:
-  std::vector<block> blocks_;
-};
 
 // Findings and counts of one part of a check, made by one thread. `part` holds findings, counts and
 // the least angles of that part.
@@ -103,7 +44,7 @@ struct audit_tally {
   void found(finding_kind kind, std::string witness, std::vector<vertex_index> vertices = {});
 };
 
-struct audit_context {
+struct audit_context : triangulation_lists {
   audit_context(const mesh& m, const audit_options& o, audit_report& r)
       : subject(m), options(o), report(r) {}
 
@@ -119,36 +60,26 @@ struct audit_context {
   // Indices of sites whose tensors were changed since all stars were checked; null to check
   // everything. With a list, only questions that involve one of the sites are asked (auditor.hpp).
   const std::vector<vertex_index>* changed = nullptr;
-  // Reaches and open questions that one audit passes to the next; may be null.
-  star_memory* memory = nullptr;
+  // What one audit passes to the next; may be null.
+  audit_memory* memory = nullptr;
   bool leaves_open = false;        // hard questions about stars, to the memory
   std::size_t many_for_a_gap = 0;  // sites, for a gap of which no reach is known to be a hard one
 
   // Returns a kernel that counts its decisions in the report: for the thread that owns the context.
   filtered_kernel kernel() const { return filtered_kernel(report.counters); }
 
-  // One flag a site, set by check_values: which sites the later checks may use. vector<char> is
-  // written from several threads.
-  std::vector<char> placed;               // finite position
-  std::vector<char> measured;             // placed, and a positive definite metric
-  std::vector<vertex_index> triangles;    // in range, three distinct placed corners
-  std::vector<vertex_index> subsegments;  // of the boundary: in range, two distinct placed ends
-  // Sorted lists of edges, made by check_edges.
-  std::vector<directed_edge> edges;        // of `triangles`, sorted by (a, b, triangle)
-  std::vector<directed_subsegment> sides;  // of `subsegments`, sorted by (a, b, subsegment)
-  // Edges that leave v are edges[edge_start[v] .. edge_start[v + 1]), and the same for sides.
-  std::vector<std::size_t> edge_start, side_start;
-  // Segment of the domain that each boundary edge is a subsegment of, entered by
-  // check_domain_kept.
-  std::vector<std::optional<vertex_index>> segment_of;
+  std::vector<char> measured;  // flags of sites: placed, and a positive definite metric
+  // Upper bound of the cotangents of each triangle's angles in the metrics of its corners, made by
+  // check_angles; infinite where one is low or not ordinary. Those passed by the audit before hold
+  // for triangles without a changed corner.
+  std::vector<double> angle_bounds;
+  bool is_new = false;  // the triangulation was checked in this audit, without a finding
   // Work units that no counter of the report shows (audit/audit_work.hpp), and whether a part of a
   // check ended early.
   double looked_units = 0;
   bool unfinished = false;
   std::optional<std::string> told;  // the reason, if it was told to end
   double share_of_work = 1;         // of the most that an audit may do
-  // Fans of all vertices, made by check_fans if the edges match.
-  fan_lists fans;
   std::unique_ptr<site_tree> tree;  // of the mesh's sites; none where it was not asked for
 
   // Prefetches the sites of one of `triangles`, or of the edges that leave v.

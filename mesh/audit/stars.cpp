@@ -72,7 +72,7 @@ bool have_one_metric(const std::vector<site>& sites) {
 
 // Resets the remembered reaches to unknown if the memory has none, or has them in other units.
 void take_reaches(const audit_context& context, int power_of_squares) {
-  star_memory& memory = *context.memory;
+  audit_memory& memory = *context.memory;
   const bool are_known = !memory.reaches.empty() && memory.power_of_squares == power_of_squares;
   memory.power_of_squares = power_of_squares;
   if (!are_known)

@@ -23,25 +23,6 @@ std::string metric_text(const audit_context& context, vertex_index v) {
          number_text(m.m22) + " of " + vertex_text(context, v);
 }
 
-void check_sites(audit_context& context) {
-  const auto& sites = context.subject.sites;
-  context.placed.assign(sites.size(), 0);
-  context.measured.assign(sites.size(), 0);
-  for (vertex_index v = 0; v < sites.size(); ++v) {
-    const metric_tensor& m = sites[v].metric;
-    context.placed[v] = finite(sites[v].position);
-    if (!context.placed[v])
-      context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
-    if (!finite(m))
-      context.found(finding_kind::not_finite, "the " + metric_text(context, v) + " is not finite");
-    else if (!context.kernel().is_positive_definite(m))
-      context.found(finding_kind::metric_not_positive_definite,
-                    "the " + metric_text(context, v) + " is not positive definite");
-    else
-      context.measured[v] = context.placed[v];
-  }
-}
-
 // Sorts copies of the points: the mesh has them in any order, and each access would read another
 // place of memory.
 void check_positions(audit_context& context) {
@@ -140,6 +121,25 @@ void check_repeated_triangles(audit_context& context) {
 }
 
 }  // namespace
+
+void check_sites(audit_context& context) {
+  const auto& sites = context.subject.sites;
+  context.placed.assign(sites.size(), 0);
+  context.measured.assign(sites.size(), 0);
+  for (vertex_index v = 0; v < sites.size(); ++v) {
+    const metric_tensor& m = sites[v].metric;
+    context.placed[v] = finite(sites[v].position);
+    if (!context.placed[v])
+      context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
+    if (!finite(m))
+      context.found(finding_kind::not_finite, "the " + metric_text(context, v) + " is not finite");
+    else if (!context.kernel().is_positive_definite(m))
+      context.found(finding_kind::metric_not_positive_definite,
+                    "the " + metric_text(context, v) + " is not positive definite");
+    else
+      context.measured[v] = context.placed[v];
+  }
+}
 
 void check_values(audit_context& context) {
   const mesh& m = context.subject;

@@ -26,12 +26,14 @@ void audited_mesh::take(const adapting::editable_mesh& m) {
 }
 
 void audited_mesh::take_changed(const adapting::editable_mesh& m) {
-  const star_memory before = std::move(memory_);
+  audit_memory before = std::move(memory_);
   std::vector<double> reaches(m.nodes().size(), std::numeric_limits<double>::infinity());
   for (vertex_index s = 0; s < before.reaches.size(); ++s) reaches[node_of_[s]] = before.reaches[s];
   take(m);
   for (const vertex_index v : node_of_) memory_.reaches.push_back(reaches[v]);
   memory_.power_of_squares = before.power_of_squares;
+  memory_.triangulation = before.triangulation;
+  memory_.angle_bounds = std::move(before.angle_bounds);
 }
 
 audit_options audited_mesh::question(std::size_t findings_kept) const {

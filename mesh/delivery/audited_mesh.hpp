@@ -77,7 +77,7 @@ class audited_mesh {
   node_list node_of_;  // of each site
   std::shared_ptr<audit_report> report_;
   std::size_t many_for_a_gap_ = 1000;
-  star_memory memory_;
+  audit_memory memory_;
 };
 
 }  // namespace asterism::internal
