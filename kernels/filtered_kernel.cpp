@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/kernels/filtered_kernel.hpp"
 
+#include <cmath>
+
 #include "asterism/core/integer.hpp"
 #include "asterism/kernels/direction_cover.hpp"
 #include "asterism/kernels/exact_kernel.hpp"
@@ -8,9 +10,12 @@
 #include "asterism/kernels/fixed_width.hpp"
 #include "asterism/kernels/interval_kernel.hpp"
 #include "asterism/kernels/predicate_kernel.hpp"
+#include "asterism/kernels/proposal.hpp"
 #include "asterism/kernels/segment_witness.hpp"
 #include "asterism/kernels/semi_static_filter.hpp"
 #include "asterism/kernels/star_gap.hpp"
+#include "asterism/kernels/turn_scale.hpp"
+#include "asterism/kernels/vertex_hints.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -87,10 +92,21 @@ uncertain_bool ask_directions(const site& v, const site& w, const site& x, const
   return refused ? uncertain_bool(false) : uncertain_bool();
 }
 
+// True if plain doubles propose a point that shows the edge: the intervals, which begin with that
+// point, then answer sooner than a cover of directions fails.
+bool has_likely_witness(const site& v, const site& w, const site& x, const site& y) {
+  return proposal([&] {
+    const double turn = std::ldexp(1.0, turn_scale_exponent(v.metric));
+    const auto hints = numeric::find_quick_hints(insertion_question<double>(v, w, x, y, turn));
+    return hints && hints->witness;
+  });
+}
+
 uncertain_bool ask_doubles(const site& v, const site& w, const site& x, const site& y) {
   if (segment_shows_edge(v, w, x, y)) return true;
   const uncertain_bool by_gaps = ask_gaps(v, w, x, y);
-  return by_gaps.certain() ? by_gaps : ask_directions(v, w, x, y);
+  if (by_gaps.certain() || has_likely_witness(v, w, x, y)) return by_gaps;
+  return ask_directions(v, w, x, y);
 }
 
 }  // namespace
