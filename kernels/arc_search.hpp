@@ -73,18 +73,31 @@ class arc_search {
     const parameter_range over{low, high};
     const uncertain_bool inside = on_arc(middle);
     if (inside.certainly(true)) {
-      const PointOnArc p(question_.arc, Number(middle));
-      const auto at_x = question_.at_x.examine(p.from_v, p.weight);
-      const auto at_y = question_.at_y.examine(p.from_v, p.weight);
-      if ((at_x.holds() & at_y.holds()).certainly(true)) {
-        witness_ = true;
-        return false;
-      }
-      if (at_x_.fail_throughout(at_x, over) || at_y_.fail_throughout(at_y, over)) return true;
+      if (refutes_from(middle, over)) return true;
+      if (witness_) return false;
     } else if (inside.certain() && off_arc_throughout(over)) {
       return true;
     }
     return refute(low, middle) && refute(middle, high);
+  }
+
+  // True if the condition of one neighbour, which fails at the point `middle` of the arc, fails on
+  // the whole range. Begins with the neighbour that refuted the range before. Notes a witness where
+  // both conditions hold.
+  bool refutes_from(double middle, const parameter_range& over) {
+    const PointOnArc p(question_.arc, Number(middle));
+    bool holds = true;
+    for (const bool other : {false, true}) {
+      const bool of_y = begins_with_y_ != other;
+      const auto verdict = (of_y ? question_.at_y : question_.at_x).examine(p.from_v, p.weight);
+      if ((of_y ? at_y_ : at_x_).fail_throughout(verdict, over)) {
+        begins_with_y_ = of_y;
+        return true;
+      }
+      holds = holds && verdict.holds().certainly(true);
+    }
+    witness_ = holds;
+    return false;
   }
 
   double sample(double low, double high) const {
@@ -125,7 +138,7 @@ class arc_search {
   std::optional<double> witness_hint_;
   numeric::arc_extent extent_;
   int budget_;
-  bool witness_ = false;
+  bool witness_ = false, begins_with_y_ = false;
   lasting_reasons<Number, Source> at_x_, at_y_;
 };
 
