@@ -5,11 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "asterism/core/elementary.hpp"
 
 namespace asterism::internal {
+
+// Returns the number of vertices to aim at for this factor of the metric, within the limit on
+// sites.
+inline std::size_t count_aimed_at(std::size_t wanted, double factor, std::size_t max_sites) {
+  constexpr double fewest = 3;
+  const double aim = std::round(factor * static_cast<double>(wanted));
+  return static_cast<std::size_t>(std::clamp(aim, fewest, static_cast<double>(max_sites)));
+}
 
 // Searches for the factor of the metric with which a mesh has the number of vertices wanted.
 //

@@ -36,6 +36,12 @@ bool fitting_goal::domain_has_many_vertices() const {
   return part * domain_.vertices.size() > count_;
 }
 
+bool fitting_goal::may_want_room() const {
+  if (!domain_has_many_vertices()) return false;
+  const std::vector<double> factors = room_factors();
+  return std::any_of(factors.begin(), factors.end(), [](double f) { return f > 1; });
+}
+
 void fitting_goal::leave_out_noise(const cancellation& stop) {
   fitted_.set_tensors(adapting::without_noise(fitted_, stop));
   is_other_ = true;
@@ -47,7 +53,7 @@ void fitting_goal::make_room_where_needed(const cancellation& stop) {
     return make_room_for_segments(0, stop);
   }
   constexpr std::size_t many = 100;  // a few vertices are no coast
-  if (!domain_has_many_vertices() || domain_.vertices.size() < many) return;
+  if (domain_.vertices.size() < many || !may_want_room()) return;
   background_metric finer = fitted_;
   finer.set_tensors(with_room(stop));
   const double with_all = finer.complexity();

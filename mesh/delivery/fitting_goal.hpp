@@ -32,8 +32,10 @@ class fitting_goal {
   void set_count(std::size_t count) { count_ = count; }
   // True if the vertices are too few to resolve the metric.
   bool wants_few() const;
-  // True if at least one vertex in ten is a vertex of the domain.
-  bool domain_has_many_vertices() const;
+  // True if at least one vertex in ten is a vertex of the domain, and some segments are short. No
+  // segment counts as short unless its ends are nodes of the background: room elsewhere would be
+  // nothing but a stricter gradation.
+  bool may_want_room() const;
   // True once the metric was refined at short segments.
   bool has_room() const { return has_room_; }
 
@@ -63,6 +65,7 @@ class fitting_goal {
   background_metric graded(double distortion, const cancellation& stop) const;
 
  private:
+  bool domain_has_many_vertices() const;
   bool raise_count(double part, const cancellation& stop);
   std::vector<double> room_factors() const;
   std::vector<metric_tensor> with_room(const cancellation& stop) const;

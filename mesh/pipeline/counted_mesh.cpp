@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -12,20 +11,13 @@
 namespace asterism {
 namespace {
 
-// Returns the number of vertices to ask for at this density, within the limit on sites.
-std::size_t count_aimed_at(std::size_t wanted, double density, std::size_t max_sites) {
-  constexpr double fewest = 3;
-  const double aim = std::round(density * static_cast<double>(wanted));
-  return static_cast<std::size_t>(std::clamp(aim, fewest, static_cast<double>(max_sites)));
-}
-
 result<counted_mesh> make_at(double density, const mesh_source& source, const mesh_options& options,
                              const mesh_maker& make) {
   auto input = prepare_mesh_input(source, options, density);
   if (!input) return input.failure();
   mesh_options aiming = options;
   if (options.vertices)
-    aiming.vertices = count_aimed_at(*options.vertices, density, options.max_sites);
+    aiming.vertices = internal::count_aimed_at(*options.vertices, density, options.max_sites);
   auto made = make(input.value(), aiming);
   if (!made) return made.failure();
   return counted_mesh{std::move(input).value(), std::move(made).value()};

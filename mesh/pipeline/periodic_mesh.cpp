@@ -54,17 +54,17 @@ result<all_sides> find_sides(const domain& d, const std::vector<periodic_pair>& 
   return all;
 }
 
-// Returns the metric length of edges with which the domain takes the number of vertices wanted;
-// none where no number is wanted, or the metric is not given at the nodes of a mesh. A mesh is
-// fitted to the number by edges of another length than 1: sides divided in lengths of 1 would leave
-// too few vertices for the inside. If unit edges take A vertices for the area and B for half the
-// boundary, edges of length t take A / t^2 + B / t vertices, 2 B / t of them on the boundary.
+// Returns the metric length of edges with which the domain takes this number of vertices; none
+// where no number is wanted, or the metric is not given at the nodes of a mesh. A mesh is fitted to
+// the number by edges of another length than 1: sides divided in lengths of 1 would leave too few
+// vertices for the inside. If unit edges take A vertices for the area and B for half the boundary,
+// edges of length t take A / t^2 + B / t vertices, 2 B / t of them on the boundary.
 std::optional<double> edge_length_for_count(const domain& d, const metric_field& field,
-                                            const mesh_options& options) {
-  const mesh* const given = options.vertices ? background_of_domain(d, field) : nullptr;
+                                            std::optional<std::size_t> vertices) {
+  const mesh* const given = vertices ? background_of_domain(d, field) : nullptr;
   if (given == nullptr) return std::nullopt;
   const unit_counts counts = vertices_of_unit_edges(*given);
-  const auto wanted = static_cast<double>(*options.vertices);
+  const auto wanted = static_cast<double>(*vertices);
   const double area = counts.inside, half_boundary = std::max(0.0, counts.all - counts.inside);
   const double length =
       (half_boundary + std::sqrt(half_boundary * half_boundary + 4 * area * wanted)) / (2 * wanted);
@@ -86,25 +86,26 @@ class periodic_mesher {
         pairs_(pairs),
         progress_(progress),
         no_split_across_(no_split_across),
-        unit_(edge_length_for_count(d, field, options)) {}
+        is_fitted_(edge_length_for_count(d, field, options.vertices).has_value()) {}
 
-  // Makes the mesh and judges it. Where it has more or fewer vertices than wanted, and many of them
-  // on the sides, divides these anew in longer or shorter edges, with 0.3 of the work of a run;
-  // returns the certified mesh nearest to the number.
+  // Makes the mesh and judges it. Where the number of vertices is not near the one wanted, aims at
+  // other numbers, with 0.3 of the work of a run: sides are divided in other lengths, and the
+  // inside is fitted to the rest. What stars split on one side is added on the other, so the number
+  // aimed at is not the number that comes. Returns the certified mesh nearest to the one wanted.
   result<certified_mesh> run(star_confirmation confirmed, bool may_deliver) {
-    constexpr int most_times = 4;
+    constexpr int most_times = 6;
     constexpr double part_of_run = 0.3, slowest_growth = 0.25;  // as meet_vertices()
-    const double unit = unit_.value_or(1);
-    auto nearest = attempt(confirmed, may_deliver, unit, options_);
-    if (!unit_ || !nearest || !nearest.value().certified()) return nearest;
-    mesh_options bounded = options_;
-    bounded.stop =
+    auto nearest = attempt(confirmed, may_deliver, options_);
+    if (!is_fitted_ || !nearest || !nearest.value().certified()) return nearest;
+    mesh_options aiming = options_;
+    aiming.stop =
         options_.stop.with_work(part_of_run * units_for_run, part_of_run * run_units_for_site);
     count_search search(static_cast<double>(*options_.vertices), slowest_growth);
     search.take(static_cast<double>(unsplit_));
-    for (int times = 0; times < most_times && !bounded.stop.is_requested(); ++times) {
-      if (is_count_near(*options_.vertices, unsplit_) || are_few_on_sides()) break;
-      auto other = attempt(confirmed, may_deliver, unit / search.factor(), bounded);
+    for (int times = 0; times < most_times && !aiming.stop.is_requested(); ++times) {
+      if (is_count_near(*options_.vertices, unsplit_)) break;
+      aiming.vertices = count_aimed_at(*options_.vertices, search.factor(), options_.max_sites);
+      auto other = attempt(confirmed, may_deliver, aiming);
       if (!other || !other.value().certified()) break;
       if (search.take(static_cast<double>(unsplit_))) nearest = std::move(other);
     }
@@ -112,14 +113,10 @@ class periodic_mesher {
   }
 
  private:
-  // True if less than a fifth of the vertices of the last mesh are on the sides.
-  bool are_few_on_sides() const {
-    constexpr std::size_t part = 5;
-    return part * on_sides_ < unsplit_;
-  }
-
-  result<certified_mesh> attempt(star_confirmation confirmed, bool may_deliver, double length,
+  // Makes the mesh for the number of vertices in the options.
+  result<certified_mesh> attempt(star_confirmation confirmed, bool may_deliver,
                                  const mesh_options& options) {
+    const double length = edge_length_for_count(domain_, field_, options.vertices).value_or(1);
     auto sides = find_sides(domain_, pairs_);
     if (!sides) return sides.failure();
     constexpr std::size_t part = 4;  // of the sites there may be: more leaves few for the inside
@@ -129,8 +126,6 @@ class periodic_mesher {
           return *failed;
     auto made = make_in_rounds(sides.value(), confirmed, may_deliver, options);
     if (!made) return made.failure();
-    on_sides_ = 0;
-    for (const periodic_sides& one : sides.value()) on_sides_ += 2 * one.stations().size();
     if (progress_) progress_({.phase = mesh_phase::auditing, .sites = made.value().sites});
     certified_mesh judged = judge_outcome(std::move(made).value(), domain_, options);
     if (why_not_split_) judged.claim.reason = *why_not_split_;
@@ -175,9 +170,8 @@ class periodic_mesher {
   const std::vector<periodic_pair>& pairs_;
   const progress_listener& progress_;
   const bool no_split_across_;
-  const std::optional<double> unit_;          // length of edges; none where none is to be found
+  const bool is_fitted_;                      // to a number of vertices, by edges of any length
   std::size_t unsplit_ = 0;                   // vertices of the last mesh, before edges were split
-  std::size_t on_sides_ = 0;                  // of them, corners twice
   std::optional<std::string> why_not_split_;  // of the last mesh
 };
 
