@@ -11,6 +11,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
+#include "asterism/mesh/audit/periodic_partners.hpp"
 #include "asterism/mesh/audit/split_edges.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
@@ -92,21 +93,49 @@ bool straighten(domain& shape, const std::set<int>& markers) {
   return std::erase_if(shape.curves, is_on_side) > 0;
 }
 
+// Adds the vertices that the outline keeps on periodic sides, and their partners, to the required
+// ones. Returns whether any of these was not kept.
+bool require_partners(const mesh& m, const mesh_outline& outline,
+                      const std::vector<periodic_pair>& pairs, mesh_marks& marks) {
+  std::vector<point> kept = outline.shape.vertices;
+  std::sort(kept.begin(), kept.end(), lexicographically_less);
+  const auto is_kept = [&](vertex_index v) {
+    return std::binary_search(kept.begin(), kept.end(), m.sites[v].position,
+                              lexicographically_less);
+  };
+  bool any = false;
+  for (const periodic_pair& one : pairs) {
+    const auto partners = periodic_partners(m, one.first, one.second);
+    if (!partners) continue;
+    for (const auto& [a, b] : partners.value()) {
+      const bool is_first = is_kept(a), is_second = is_kept(b);
+      if (is_first || is_second)
+        marks.required_vertices.insert(marks.required_vertices.end(), {a, b});
+      any = any || is_first != is_second;
+    }
+  }
+  return any;
+}
+
 // Finds the domain of the mesh. Removes the curves of periodic sides, on which a new vertex would
 // have no partner on the other side: a side that bends by rounding alone becomes straight, and any
-// other side becomes the polygon of its remaining vertices. If two sides then do not match, since
-// the outline dropped vertices of only one of them, keeps all vertices of the periodic sides, and
-// returns their markers in `kept_sides`.
+// other side becomes the polygon of its remaining vertices. Where the outline keeps a vertex on one
+// side alone, keeps its partner, too. If two sides still do not match, keeps all vertices of the
+// periodic sides, and returns their markers in `kept_sides`.
 result<mesh_outline> outline_for(const mesh& m, mesh_marks marks,
                                  const mesh_adaptation_options& options,
                                  std::vector<int>& kept_sides) {
+  constexpr int most_times = 8;
   const outline_options how{options.corner_angle, options.largest_boundary_distance};
-  auto found = outline_of_mesh(m, marks, how);
   std::set<int> markers;
   for (const periodic_pair& one : options.periodic) markers.insert({one.first, one.second});
-  if (!found || !straighten(found.value().shape, markers) ||
-      !check_periodic(found.value().shape, options.periodic))
-    return found;
+  for (int times = 0; times < most_times; ++times) {
+    auto found = outline_of_mesh(m, marks, how);
+    if (!found || !straighten(found.value().shape, markers) ||
+        !check_periodic(found.value().shape, options.periodic))
+      return found;
+    if (!require_partners(m, found.value(), options.periodic, marks)) break;
+  }
   for (const boundary_edge& e : m.boundary)
     if (markers.contains(e.marker)) marks.required_edges.push_back({e.a, e.b});
   kept_sides.assign(markers.begin(), markers.end());

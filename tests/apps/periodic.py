@@ -263,8 +263,8 @@ class Periodic(command.CommandTest):
                 self.assertAlmostEqual(float(b[1] - a[1]), 0, delta=1e-12)
             self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
 
-    def test_the_note_on_sides_whose_vertices_stay(self):
-        """Of a front that leaves one side, with few vertices: one side would keep other vertices than its partner."""
+    def bent_front(self):
+        """A front that leaves one bent side of two, and a region inside."""
         bend = lambda y: math.sin(2 * math.pi * y) / 40  # noqa: E731
         self.torus(40, lambda x, y: math.tanh(20 * (x + bend(y) - 0.1 - 0.3 * y)) + (x + bend(y)) ** 2)
         self.bend_torus(bend)
@@ -275,6 +275,42 @@ class Periodic(command.CommandTest):
             if all(48 < sum(c[axis] for c in corners) < 72 for axis in (0, 1)):
                 lines[k] = lines[k][:-1] + "2"
         self.write("t.mesh", "\n".join(lines))
+
+    def halve_an_edge(self, cells):
+        """Puts a vertex in the middle of an edge of side 2."""
+        text = (self.folder / "t.mesh").read_text()
+        low, high = (cells // 2 + 1) * (cells + 1), (cells // 2 + 2) * (cells + 1)
+        new = (cells + 1) ** 2 + 1
+        lines = text.split("\n")
+        places = [[float(x) for x in lines[3 + k].split()[:2]] for k in (low, high)]
+        for old, parts in ((f"{low - 1} {low} {high} 1", (f"{low - 1} {low} {new} 1", f"{low - 1} {new} {high} 1")),
+                           (f"{low} {high} 2", (f"{low} {new} 2", f"{new} {high} 2"))):
+            lines[lines.index(old):lines.index(old) + 1] = parts
+        middle = [(places[0][k] + places[1][k]) / 2 for k in (0, 1)]
+        lines.insert(lines.index("Triangles"), f"{middle[0]!r} {middle[1]!r} 0")
+        for name, more in ("Vertices", 1), ("Triangles", 1), ("Edges", 1):
+            at = lines.index(name) + 1
+            lines[at] = str(int(lines[at]) + more)
+        self.write("t.mesh", "\n".join(lines))
+        lines = (self.folder / "t.u.sol").read_text().split("\n")
+        lines[3] = str(new)
+        lines.insert(lines.index("End"), lines[4 + low])
+        self.write("t.u.sol", "\n".join(lines))
+
+    def test_a_vertex_that_one_side_keeps_stays_on_both(self):
+        self.bent_front()
+        for frozen in (), ("--frozen", "2"):
+            with self.subTest(frozen=frozen):
+                done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", "300", "--periodic",
+                                        "4,2", *frozen, "-o", "n.mesh")
+                self.assertNotIn("keep all their vertices", done.stderr)
+                self.assertIn("periodic: 4 and 2: matched by lengths", done.stdout)
+                self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+
+    def test_the_note_on_sides_whose_vertices_stay(self):
+        """One side has a vertex more than its partner, and both bend."""
+        self.bent_front()
+        self.halve_an_edge(40)
         for frozen in (), ("--frozen", "2"):
             with self.subTest(frozen=frozen):
                 done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", "80", "--periodic", "4,2",
