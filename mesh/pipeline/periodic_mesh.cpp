@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/pipeline/periodic_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +15,7 @@
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
 #include "asterism/mesh/pipeline/kept_mesh.hpp"
 #include "asterism/mesh/pipeline/mesh_attempts.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 #include "asterism/mesh/pipeline/periodic_division.hpp"
 #include "asterism/mesh/pipeline/periodic_sides.hpp"
 #include "asterism/mesh/pipeline/split_across.hpp"
@@ -73,6 +76,15 @@ std::optional<double> edge_length_for_count(const domain& d, const metric_field&
   return std::max(length, for_boundary);
 }
 
+// Explains sides that differ after this many meshes, none of them with the points that both want.
+std::string differing_text(int meshes, const std::string& why) {
+  return fmt::format(
+      "each of {} meshes splits one side where its partner has no vertex, and a mesh with the "
+      "vertices of both was not made ({}): more vertices, or a stricter gradation, leave fewer "
+      "edges to split",
+      meshes, why);
+}
+
 // Makes meshes with periodic sides of one domain, once for each way in which stars are confirmed.
 class periodic_mesher {
  public:
@@ -95,11 +107,10 @@ class periodic_mesher {
   result<certified_mesh> run(star_confirmation confirmed, bool may_deliver) {
     constexpr int most_times = 6;
     constexpr double part_of_run = 0.3, slowest_growth = 0.25;  // as meet_vertices()
-    auto nearest = attempt(confirmed, may_deliver, options_);
+    constexpr double runs_for_rounds = 2;
+    auto nearest = attempt(confirmed, may_deliver, with_runs(runs_for_rounds));
     if (!is_fitted_ || !nearest || !nearest.value().certified()) return nearest;
-    mesh_options aiming = options_;
-    aiming.stop =
-        options_.stop.with_work(part_of_run * units_for_run, part_of_run * run_units_for_site);
+    mesh_options aiming = with_runs(part_of_run);
     count_search search(static_cast<double>(*options_.vertices), slowest_growth);
     search.take(static_cast<double>(unsplit_));
     for (int times = 0; times < most_times && !aiming.stop.is_requested(); ++times) {
@@ -113,6 +124,13 @@ class periodic_mesher {
   }
 
  private:
+  // Returns the options with this multiple of the work limit of a run.
+  mesh_options with_runs(double times) const {
+    mesh_options limited = options_;
+    limited.stop = options_.stop.with_work(times * units_for_run, times * run_units_for_site);
+    return limited;
+  }
+
   // Makes the mesh for the number of vertices in the options.
   result<certified_mesh> attempt(star_confirmation confirmed, bool may_deliver,
                                  const mesh_options& options) {
@@ -127,29 +145,50 @@ class periodic_mesher {
     auto made = make_in_rounds(sides.value(), confirmed, may_deliver, options);
     if (!made) return made.failure();
     if (progress_) progress_({.phase = mesh_phase::auditing, .sites = made.value().sites});
-    certified_mesh judged = judge_outcome(std::move(made).value(), domain_, options);
+    certified_mesh judged = judge_outcome(std::move(made).value(), domain_, options_);
     if (why_not_split_) judged.claim.reason = *why_not_split_;
     claim_periodic(pairs_, judged);
+    if (why_sides_differ_) judged.claim.reason = *why_sides_differ_;
     return judged;
   }
 
-  // Makes meshes until one splits no segment between stations, or is not complete.
+  // Makes meshes until one splits no segment between stations. Returns the last complete one, whose
+  // sides differ, if the next is not complete or the work is done.
   result<mesh_outcome> make_in_rounds(all_sides& sides, star_confirmation confirmed,
                                       bool may_deliver, const mesh_options& options) {
+    why_sides_differ_.reset();
+    std::optional<mesh_outcome> before;
     for (int round = 1;; ++round) {
       const periodic_division divided(domain_, sides);
-      result<mesh_outcome> made =
-          make_by_attempts(divided.shape(), field_, options, progress_, confirmed, may_deliver);
+      result<mesh_outcome> made = make_round(divided.shape(), confirmed, may_deliver, options);
       if (!made) return made;
-      unsplit_ = made.value().sites;
-      if (no_split_across_)
-        made = without_edges_across(std::move(made).value(), divided.shape(), options);
-      const bool is_last = !made.value().complete || round == most_rounds ||
-                           divided.take_splits(made.value().result, sides) == 0;
-      if (!is_last) continue;
-      divided.restore(made.value());
-      return made;
+      mesh_outcome& one = made.value();
+      if (!one.complete && before) {
+        why_sides_differ_ = differing_text(round - 1, why_not_split_.value_or(ending_text(one)));
+        return *std::move(before);
+      }
+      const std::size_t added = one.complete ? divided.take_splits(one.result, sides) : 0;
+      divided.restore(one);
+      if (added == 0) return made;
+      const auto why = options.stop.poll();
+      if (why || round == most_rounds) {
+        why_sides_differ_ = differing_text(round, why.value_or("no more are made"));
+        return made;
+      }
+      before = std::move(made).value();
     }
+  }
+
+  // Makes one mesh of the divided domain, with the work of a run at most.
+  result<mesh_outcome> make_round(const domain& divided, star_confirmation confirmed,
+                                  bool may_deliver, const mesh_options& options) {
+    mesh_options limited = options;
+    limited.stop = options.stop.with_work(units_for_run, run_units_for_site);
+    auto made = make_by_attempts(divided, field_, limited, progress_, confirmed, may_deliver);
+    if (!made) return made;
+    unsplit_ = made.value().sites;
+    if (no_split_across_) made = without_edges_across(std::move(made).value(), divided, options);
+    return made;
   }
 
   // Splits the inner edges that join two vertices of the boundary. The splits that stars then need
@@ -173,6 +212,7 @@ class periodic_mesher {
   const bool is_fitted_;                      // to a number of vertices, by edges of any length
   std::size_t unsplit_ = 0;                   // vertices of the last mesh, before edges were split
   std::optional<std::string> why_not_split_;  // of the last mesh
+  std::optional<std::string> why_sides_differ_;
 };
 
 }  // namespace
