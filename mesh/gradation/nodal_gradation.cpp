@@ -2,7 +2,12 @@
 #include "asterism/mesh/gradation/nodal_gradation.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
@@ -33,14 +38,18 @@ bool are_surely_alike(const simultaneous_reduction& r, double most) {
   return is_within(r.high) && is_within(r.low);
 }
 
-// True only if no length in either tensor exceeds e^most times the other's: these multiples of each
-// tensor, less the other, are positive definite. Needs no eigenvalue, and decides nearly all pairs
-// that are within the limit.
-bool are_plainly_alike(const metric_tensor& a, const metric_tensor& b, double most) {
-  // Sums the beginning of the series of e^(2 most), which is less than it: by a part of 7e-8 where
-  // `most` is 0.05, more than quick_log and roundings err.
+// Returns a factor that is less than e^(2 most), the ratio of squared lengths at the limit: by a
+// part of 7e-8 where `most` is 0.05, more than quick_log and roundings err.
+double factor_below(double most) {
+  // Sums the beginning of the series.
   const double x = 2 * most;
-  const double factor = 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4)));
+  return 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4)));
+}
+
+// True only if no squared length in either tensor exceeds the other's by more than this factor:
+// these multiples of each tensor, less the other, are positive definite. Needs no eigenvalue, and
+// decides nearly all pairs that are within the limit.
+bool are_plainly_alike(const metric_tensor& a, const metric_tensor& b, double factor) {
   const auto covers = [factor](const metric_tensor& p, const metric_tensor& q) {
     // Rounding errors of the determinant are below 10 * 2^-53 times this product.
     constexpr double roundings = 1e-14;
@@ -101,6 +110,69 @@ bool clip_distortion(metric_tensor& a, metric_tensor& b, double most, double coa
 
 namespace {
 
+// A set of numbered edges, in words that several threads may fill.
+class edge_set {
+ public:
+  static constexpr std::size_t word_bits = 64;
+
+  explicit edge_set(std::size_t edges) : words_(chunk_count(edges, word_bits), 0) {}
+
+  void add(std::size_t i) { words_[i / word_bits] |= std::uint64_t{1} << i % word_bits; }
+  void remove(std::size_t i) { words_[i / word_bits] &= ~(std::uint64_t{1} << i % word_bits); }
+  bool has(std::size_t i) const { return (words_[i / word_bits] >> i % word_bits & 1U) != 0; }
+  void clear() { std::fill(words_.begin(), words_.end(), 0); }
+  // Adds the edges of which the number is below `edges`.
+  void fill(std::size_t edges) {
+    for (std::size_t i = 0; i < edges; ++i) add(i);
+  }
+  std::size_t count() const {
+    std::size_t sum = 0;
+    for (const std::uint64_t w : words_) sum += static_cast<std::size_t>(std::popcount(w));
+    return sum;
+  }
+  // Returns the least number in the set that is at least `from`, or `none` if there is none.
+  static constexpr std::size_t none = ~std::size_t{0};
+  std::size_t first_from(std::size_t from) const {
+    std::size_t w = from / word_bits;
+    if (w >= words_.size()) return none;
+    std::uint64_t bits = words_[w] & ~std::uint64_t{0} << from % word_bits;
+    while (bits == 0)
+      if (++w == words_.size())
+        return none;
+      else
+        bits = words_[w];
+    return w * word_bits + static_cast<std::size_t>(std::countr_zero(bits));
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+// Lists the edges at each node of a graph, ascending.
+class edges_of_nodes {
+ public:
+  edges_of_nodes(std::size_t nodes, const std::vector<graph_edge>& edges)
+      : first_(nodes + 1, 0), all_(2 * edges.size()) {
+    for (const graph_edge& e : edges) {
+      ++first_[e.a];
+      ++first_[e.b];
+    }
+    std::uint32_t end = 0;
+    for (std::uint32_t& f : first_) f = end += f;
+    for (std::size_t i = edges.size(); i-- > 0;) {
+      all_[--first_[edges[i].a]] = static_cast<std::uint32_t>(i);
+      all_[--first_[edges[i].b]] = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  std::span<const std::uint32_t> at(vertex_index v) const {
+    return {all_.data() + first_[v], all_.data() + first_[v + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> first_, all_;
+};
+
 // Clips the tensors along the edges of a graph, in rounds, until the ends of each edge are within
 // its limit.
 class graph_grading {
@@ -111,60 +183,79 @@ class graph_grading {
         edges_(edges),
         limit_(limit),
         at_unit_(elementary::log(limit.distortion)),
+        least_factor_(factor_below(most_at(0))),
         tensors_(tensors),
-        changed_in_(places.size(), 1),
-        is_alike_(edges.size(), 0) {}
+        due_(edges.size()),
+        unlike_(edges.size()),
+        open_(edges.size()) {
+    due_.fill(edges.size());
+  }
 
-  // Clips the tensors of each edge that exceeds its limit; returns true if any were changed. Adds
-  // the number of edges visited to `pairs`.
+  // Clips the tensors of each due edge that exceeds its limit; returns true if any were changed.
+  // All edges are due in the first round, and edges at a changed node from then on to the end of
+  // the next round. Adds the number of tests of edges to `pairs`.
   bool round(std::size_t number, std::size_t& pairs) {
-    find_alike(number);
     const double coarser_part = number <= limit_.uneven_rounds ? limit_.coarser_part : 0.5;
+    pairs += due_.count();
+    find_open();
+    due_.clear();
     bool any = false;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const graph_edge& e = edges_[i];
-      if (!is_due(e, number)) continue;
+    for (std::size_t i = open_.first_from(0); i != edge_set::none; i = open_.first_from(i + 1)) {
       ++pairs;
-      // Skips an edge that was within its limit before the round, unless an end has changed since.
-      if (is_alike_[i] != 0 && !is_due(e, number + 1)) continue;
-      if (!make_ends_alike(e, coarser_part)) continue;
-      changed_in_[e.a] = changed_in_[e.b] = number + 1;
+      const graph_edge& e = edges_[i];
+      if ((!unlike_.has(i) && is_surely_alike(e)) || !make_ends_alike(e, coarser_part)) {
+        due_.remove(i);
+        continue;
+      }
+      note_change(e.a, i);
+      note_change(e.b, i);
       any = true;
     }
     return any;
   }
 
  private:
-  bool is_due(const graph_edge& e, std::size_t number) const {
-    return changed_in_[e.a] >= number || changed_in_[e.b] >= number;
-  }
-
   double most_at(double mean) const {
     return at_unit_ * std::clamp(mean / limit_.unit, limit_.shortest, limit_.longest);
   }
 
-  // Marks the edges that are due and certainly within the limit: nearly all of them, and most of a
-  // round's work.
-  void find_alike(std::size_t number) {
-    constexpr std::size_t chunk = 4096;
+  // Finds the due edges that are not certainly within the limit. Nearly all are, and this is most
+  // of a round's work.
+  void find_open() {
+    constexpr std::size_t chunk = 64 * edge_set::word_bits;  // threads fill words of their own
+    open_.clear();
     parallel_chunks(edges_.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        is_alike_[i] = is_due(edges_[i], number) && is_surely_alike(edges_[i]) ? 1 : 0;
+      for (std::size_t i = due_.first_from(begin); i < end; i = due_.first_from(i + 1))
+        if (!is_surely_alike(edges_[i])) open_.add(i);
     });
+    unlike_ = open_;
   }
 
+  // Notes that the tensor of v was changed for edge i: all edges there are due in the next round,
+  // and those after i in this one, too.
+  void note_change(vertex_index v, std::size_t i) {
+    if (!edges_at_) edges_at_.emplace(places_.size(), edges_);
+    for (const std::uint32_t k : edges_at_->at(v)) {
+      due_.add(k);
+      unlike_.remove(k);
+      if (k > i) open_.add(k);
+    }
+  }
+
+  // Tries the least limit of any edge first, which does not depend on its length.
   bool is_surely_alike(const graph_edge& e) const {
+    const metric_tensor &a = tensors_[e.a], &b = tensors_[e.b];
+    if (are_plainly_alike(a, b, least_factor_)) return true;
     const point d{places_[e.b].x - places_[e.a].x, places_[e.b].y - places_[e.a].y};
     // Uses the geometric mean of both lengths, which is less than the logarithmic one.
-    const double mean = std::sqrt(plain_length(tensors_[e.a], d) * plain_length(tensors_[e.b], d));
-    return are_plainly_alike(tensors_[e.a], tensors_[e.b], most_at(mean));
+    const double mean = std::sqrt(plain_length(a, d) * plain_length(b, d));
+    return are_plainly_alike(a, b, factor_below(most_at(mean)));
   }
 
   bool make_ends_alike(const graph_edge& e, double coarser_part) {
     const point d{places_[e.b].x - places_[e.a].x, places_[e.b].y - places_[e.a].y};
     const double at_a = plain_length(tensors_[e.a], d), at_b = plain_length(tensors_[e.b], d);
     const simultaneous_reduction r = reduce(tensors_[e.a], tensors_[e.b]);
-    if (are_surely_alike(r, most_at(std::sqrt(at_a * at_b)))) return false;
     const double most = most_at(logarithmic_mean(at_a, at_b, quick_log));
     return clip_distortion_by(r, most, coarser_part, tensors_[e.a], tensors_[e.b]);
   }
@@ -173,10 +264,12 @@ class graph_grading {
   const std::vector<graph_edge>& edges_;
   const gradation_limit& limit_;
   double at_unit_;
+  double least_factor_;  // that the ends of an edge may differ by, whatever its length
   std::vector<metric_tensor>& tensors_;
-  // Round, by node, from which edges with this end must be tested again.
-  std::vector<std::size_t> changed_in_;
-  std::vector<char> is_alike_;  // edges, at the beginning of the round
+  std::optional<edges_of_nodes> edges_at_;  // made at the first change
+  edge_set due_;                            // edges to test in the next round
+  edge_set unlike_;                         // open edges that were tested, with the present tensors
+  edge_set open_;                           // edges to test that are not known to be alike
 };
 
 }  // namespace
