@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/gradation/nodal_gradation.hpp"
+#include "asterism/mesh/search/triangle_locator.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {
@@ -34,17 +37,35 @@ void grade_mesh(editable_mesh& m, double distortion, double unit, const cancella
 }
 
 background_metric field_of(editable_mesh& m) {
-  std::vector<vertex_index> renumbered;
-  background_metric made(m.triangulation(renumbered));
-  // Numbers the triangles of the field: every face turns left, so they are the existing faces in
-  // order.
-  vertex_index cell = 0;
-  for (const face& f : m.faces()) {
-    if (!f.exists()) continue;
-    for (const vertex_index v : f.v) m.at(v).hint = cell;
-    ++cell;
+  std::vector<vertex_index> node_number(m.nodes().size(), none),
+      cell(m.faces().size(), no_triangle);
+  std::vector<point> places;
+  std::vector<metric_tensor> tensors;
+  places.reserve(m.count());
+  tensors.reserve(m.count());
+  for (vertex_index v = 0; v < m.nodes().size(); ++v) {
+    if (m.at(v).kind == node_kind::gone) continue;
+    node_number[v] = static_cast<vertex_index>(places.size());
+    places.push_back(m.at(v).position);
+    tensors.push_back(m.at(v).metric);
   }
-  return made;
+  vertex_index cells = 0;
+  for (vertex_index t = 0; t < m.faces().size(); ++t)
+    if (m.faces()[t].exists()) cell[t] = cells++;
+  std::vector<triangle> triangles(cells);
+  triangle_locator::corner_links across(cells);
+  for (vertex_index t = 0; t < m.faces().size(); ++t) {
+    const face& f = m.faces()[t];
+    if (!f.exists()) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangles[cell[t]][i] = node_number[f.v[i]];
+      across[cell[t]][i] = f.next[i] == none ? no_triangle : cell[f.next[i]];
+      m.at(f.v[i]).hint = cell[t];
+    }
+  }
+  return {std::make_shared<const triangle_locator>(std::move(places), std::move(triangles),
+                                                   std::move(across)),
+          std::move(tensors)};
 }
 
 namespace {

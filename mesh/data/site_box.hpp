@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists the positions of sites, and finds the box around them.
+// Lists the positions of sites, and finds the box around them or around places.
 #pragma once
 
 #include <vector>
@@ -15,6 +15,14 @@ inline bounding_box box_of_sites(const std::vector<site>& sites) {
   if (sites.empty()) return {};
   bounding_box box{sites.front().position, sites.front().position};
   for (const site& s : sites) box.include(s.position);
+  return box;
+}
+
+// Returns the smallest box around all places; a box of the origin alone when there are none.
+inline bounding_box box_of_places(const std::vector<point>& places) {
+  if (places.empty()) return {};
+  bounding_box box{places.front(), places.front()};
+  for (const point& q : places) box.include(q);
   return box;
 }
 

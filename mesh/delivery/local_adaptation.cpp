@@ -169,6 +169,8 @@ class local_adaptation {
     const point& q = m.at(v).position;
     std::optional<site>& last = looked_up_[v];
     if (last && last->position == q) return last->metric;
+    // The field may search the same triangles.
+    wanted_.begin_near(q, m.at(v).hint);
     const auto there = wanted_at(q);
     if (there) last = site{q, *there};
     return there;

@@ -22,17 +22,25 @@ background_metric::background_metric(const mesh& background)
 background_metric::background_metric(const mesh& background, const bounding_box& box)
     : locator_(std::make_shared<const triangle_locator>(background, box)) {
   std::vector<metric_tensor> tensors;
+  tensors.reserve(background.sites.size());
   for (const site& s : background.sites) tensors.push_back(s.metric);
   set_tensors(std::move(tensors));
 }
 
+background_metric::background_metric(std::shared_ptr<const triangle_locator> locator,
+                                     std::vector<metric_tensor> tensors)
+    : locator_(std::move(locator)) {
+  set_tensors(std::move(tensors));
+}
+
 void background_metric::set_tensors(std::vector<metric_tensor> tensors) {
-  tensors_ = std::move(tensors);
+  const std::vector<metric_tensor> before = std::exchange(tensors_, std::move(tensors));
   logarithms_.resize(tensors_.size());
   parallel_chunks(tensors_.size(), nodes_at_once,
-                  [this](std::size_t, std::size_t begin, std::size_t end) {
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
                     for (std::size_t v = begin; v < end; ++v)
-                      logarithms_[v] = logarithm(tensors_[v]);
+                      if (v >= before.size() || !identical(tensors_[v], before[v]))
+                        logarithms_[v] = logarithm(tensors_[v]);
                   });
 }
 
@@ -46,12 +54,10 @@ tensor_logarithm background_metric::mean_logarithm(const triangle_locator::locat
   return l;
 }
 
-metric_tensor background_metric::at(const point& q) const {
-  return at_place(q, locator_->deepest(q));
-}
+metric_tensor background_metric::at(const point& q) const { return at_place(q, locator_->find(q)); }
 
 std::optional<metric_tensor> background_metric::at_within(const point& q, double reach) const {
-  const triangle_locator::located where = locator_->deepest(q);
+  const triangle_locator::located where = locator_->find(q);
   if (where.reach > reach) return std::nullopt;
   return at_place(q, where);
 }

@@ -23,6 +23,9 @@ class background_metric {
  public:
   // Leaves out flat and clockwise triangles; requires one that is neither.
   explicit background_metric(const mesh& background);
+  // Interpolates tensors at the places of triangles that are indexed already.
+  background_metric(std::shared_ptr<const triangle_locator> locator,
+                    std::vector<metric_tensor> tensors);
   // Interpolates a part of a larger mesh, whose box is given, as the background of the whole would.
   background_metric(const mesh& background, const bounding_box& box);
 
@@ -38,6 +41,8 @@ class background_metric {
   // Returns the tensor of at() with relative errors of 1e-13, faster near the last place: the walk
   // begins at `hint`, which is set to the triangle where it ends.
   metric_tensor at(const point& q, vertex_index& hint) const;
+  // Lets the next search near q without a hint, also of a copy, begin at this triangle.
+  void begin_near(const point& q, vertex_index hint) const { locator_->begin_near(q, hint); }
   // Returns the triangle in which at() with this hint interpolates.
   vertex_index triangle_near(const point& q, vertex_index hint) const {
     return nearby(q, hint).triangle;

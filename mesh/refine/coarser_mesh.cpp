@@ -32,7 +32,7 @@ double sites_on_segments(const mesh& m) {
 
 result<metric_tensor> coarser_field::at(const point& q) const {
   auto given = field_->at(q);
-  if (!given) return given;
+  if (!given || halvings_ == 0) return given;
   const metric_tensor m = times_power_of_two(given.value(), -halvings_);
   if (times_power_of_two(m, halvings_) == given.value()) return m;
   return error{fmt::format("the metric at ({}, {}) is ({}, {}, {}): with edges so much longer "

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/data/mesh.hpp"
@@ -37,6 +38,8 @@ class mesh_links {
 
   // Returns the triangle across from corner i of t, or no_triangle at the boundary.
   vertex_index across(vertex_index t, std::size_t i) const { return across_[t][i]; }
+  // Removes and returns what across() returns, for all triangles.
+  std::vector<std::array<vertex_index, 3>> take_across() && { return std::move(across_); }
   // Returns the triangles at v, ascending.
   std::span<const incidence> around(vertex_index v) const {
     return {corners_.data() + first_corner_[v], first_corner_[v + 1] - first_corner_[v]};

@@ -86,6 +86,46 @@ TEST_CASE("of triangles that share an edge the first one has its points") {
   }
 }
 
+TEST_CASE("a search from triangles found before ends where the search of all boxes does") {
+  const std::uint64_t seed = 92;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  mesh m = sheared_grid(9);
+  m.triangles.erase(m.triangles.begin() + 80, m.triangles.begin() + 83);  // walks meet a hole
+  const triangle_locator locator(m);
+  const auto check = [&locator](const point& q) {
+    CAPTURE(q.x, q.y);
+    const auto& places = locator.places();
+    if (std::find(places.begin(), places.end(), q) != places.end()) return;
+    const auto deepest = locator.deepest(q), found = locator.find(q);
+    CHECK(found.triangle == deepest.triangle);
+    CHECK(found.weights == deepest.weights);
+    CHECK(found.reach == deepest.reach);
+  };
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 3 == 0) locator.begin_near({0.5, 0.5}, static_cast<vertex_index>(random.bits() % 200));
+    check({random.real(-0.1, 1.4), random.real(-0.1, 1.1)});
+    const auto& places = locator.places();
+    const point &a = places[random.bits() % places.size()], &b = places[random.bits() % 10];
+    const double part = random.real(0, 1);
+    check({a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)});  // often on edges
+    check({a.x * (1 + 1e-15), a.y});                              // next to a place
+  }
+  for (const triangle& t : locator.triangles())
+    for (std::size_t i = 0; i < 3; ++i) {
+      const point &a = locator.places()[t[i]], &b = locator.places()[t[(i + 1) % 3]];
+      check({(a.x + b.x) / 2, (a.y + b.y) / 2});
+    }
+}
+
+TEST_CASE("at a place the search finds a triangle there") {
+  const triangle_locator locator(sheared_grid(6));
+  for (vertex_index v = 0; v < locator.places().size(); ++v) {
+    const triangle& t = locator.triangles()[locator.find(locator.places()[v]).triangle];
+    CHECK(std::count(t.begin(), t.end(), v) == 1);
+  }
+}
+
 TEST_CASE("each edge is listed once") {
   const triangle_locator locator(sheared_grid(5));
   std::vector<std::pair<vertex_index, vertex_index>> edges;
