@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numbers>
 
 #include "asterism/core/elementary.hpp"
@@ -26,6 +28,18 @@ constexpr double longest_edge = std::numbers::sqrt2;
 // Number of directions, evenly spread over a full turn, in which a node is tried elsewhere.
 constexpr std::size_t direction_count = 8;
 
+// Returns the first place from `from` on, before `end`, whose flag is set; else `end`. Passes over
+// eight flags at once: few faces are due in most rounds.
+std::size_t next_set(const std::vector<char>& flags, std::size_t from, std::size_t end) {
+  std::uint64_t eight = 0;
+  for (; from + sizeof eight <= end; from += sizeof eight) {
+    std::memcpy(&eight, flags.data() + from, sizeof eight);
+    if (eight != 0) break;
+  }
+  while (from < end && flags[from] == 0) ++from;
+  return from;
+}
+
 std::array<point, direction_count> find_directions() {
   std::array<point, direction_count> all;
   for (std::size_t k = 0; k < direction_count; ++k) {
@@ -46,6 +60,7 @@ consistency_repair::consistency_repair(editable_mesh& m, const repair_options& o
 }
 
 void consistency_repair::run() {
+  has_centre_.assign(m_.faces().size(), 0);
   for (std::size_t i = 0; i < options_.most_rounds; ++i) {
     if (options_.stop.is_requested()) return;
     const bool is_mended = !round();
@@ -66,15 +81,17 @@ bool consistency_repair::round() {
   report_.disagreeing = report_.low = 0;
   find_due_faces();
   find_clear_edges();
-  for (vertex_index t = 0; t < m_.faces().size(); ++t)
-    for (std::size_t i = 0; i < 3 && is_due_[t] != 0 && m_.faces()[t].exists(); ++i) {
+  visit_due(0, m_.faces().size(), [this](vertex_index t) {
+    for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) {
       const vertex_index s = m_.faces()[t].next[i];
       if (s == none || s < t || m_.faces()[t].segment[i] != none) continue;
       if (is_active(t) || is_active(s)) check_edge(t, i);
     }
+  });
   find_fine_faces();
-  for (vertex_index t = 0; t < m_.faces().size(); ++t)
-    if (is_due_[t] != 0 && m_.faces()[t].exists() && is_active(t)) check_angles(t);
+  visit_due(0, m_.faces().size(), [this](vertex_index t) {
+    if (is_active(t)) check_angles(t);
+  });
   active_ = next_;
   return report_.disagreeing + report_.low > 0;
 }
@@ -85,10 +102,30 @@ void consistency_repair::add_due_face(vertex_index t) {
     if (s != none) is_due_[s] = 1;
 }
 
+// Visits the faces around active nodes if these are few, else all faces.
 void consistency_repair::find_due_faces() {
+  constexpr std::ptrdiff_t few = 8;  // one node in this number
   is_due_.assign(m_.faces().size(), 0);
-  for (vertex_index t = 0; t < m_.faces().size(); ++t)
-    if (m_.faces()[t].exists() && is_active(t)) add_due_face(t);
+  const auto active = std::count(active_.begin(), active_.end(), 1);
+  if (few * active > static_cast<std::ptrdiff_t>(active_.size())) {
+    for (vertex_index t = 0; t < m_.faces().size(); ++t)
+      if (m_.faces()[t].exists() && is_active(t)) add_due_face(t);
+    return;
+  }
+  face_list at;
+  for (std::size_t v = 0; (v = next_set(active_, v, active_.size())) < active_.size(); ++v) {
+    if (m_.nodes()[v].kind == node_kind::gone) continue;
+    m_.around(static_cast<vertex_index>(v), at);
+    for (const vertex_index t : at) add_due_face(t);
+  }
+}
+
+// Calls visit(t) for each due face with an index from `begin` to before `end`, in order, those
+// included that become due meanwhile.
+template <class Visit>
+void consistency_repair::visit_due(std::size_t begin, std::size_t end, const Visit& visit) {
+  for (std::size_t t = begin; (t = next_set(is_due_, t, end)) < end; ++t)
+    if (m_.faces()[t].exists()) visit(static_cast<vertex_index>(t));
 }
 
 // Marks the edges that agree, which are nearly all edges and take most of a round's time. Works in
@@ -96,12 +133,14 @@ void consistency_repair::find_due_faces() {
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
   centres_.resize(m_.faces().size());
-  parallel_chunks(m_.faces().size(), faces_checked_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t)
-                      if (is_due_[t] != 0 && m_.faces()[t].exists())
-                        centres_[t] = tests_.centre_of(static_cast<vertex_index>(t));
-                  });
+  const auto find_centre = [this](vertex_index t) {
+    if (has_centre_[t] != 0 && !is_active(t)) return;
+    centres_[t] = tests_.centre_of(t);
+    has_centre_[t] = 1;
+  };
+  parallel_chunks(
+      m_.faces().size(), faces_checked_at_once,
+      [&](std::size_t, std::size_t begin, std::size_t end) { visit_due(begin, end, find_centre); });
   const auto is_clear = [this](vertex_index t, std::size_t i) {
     const face& f = m_.faces()[t];
     const vertex_index s = f.next[i];
@@ -111,28 +150,25 @@ void consistency_repair::find_clear_edges() {
     return clearance(centres_[t], m_.at(q.d)) > least_clearance &&
            clearance(centres_[s], m_.at(q.c)) > least_clearance;
   };
-  parallel_chunks(m_.faces().size(), faces_checked_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t)
-                      for (unsigned i = 0; i < 3 && is_due_[t] != 0 && m_.faces()[t].exists(); ++i)
-                        if (is_clear(static_cast<vertex_index>(t), i))
-                          clear_edges_[t] |= static_cast<unsigned char>(1U << i);
-                  });
+  const auto find_clear = [&](vertex_index t) {
+    for (unsigned i = 0; i < 3; ++i)
+      if (is_clear(t, i)) clear_edges_[t] |= static_cast<unsigned char>(1U << i);
+  };
+  parallel_chunks(
+      m_.faces().size(), faces_checked_at_once,
+      [&](std::size_t, std::size_t begin, std::size_t end) { visit_due(begin, end, find_clear); });
 }
 
 // Marks the faces whose angles meet the bound, with several threads.
 void consistency_repair::find_fine_faces() {
   is_fine_.assign(m_.faces().size(), 0);
   if (options_.angle_bound <= 0) return;
+  const auto find_fine = [this](vertex_index t) {
+    if (is_active(t) && !tests_.is_low(t)) is_fine_[t] = 1;
+  };
   parallel_chunks(
       m_.faces().size(), faces_checked_at_once,
-      [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const auto t = static_cast<vertex_index>(i);
-          if (is_due_[t] != 0 && m_.faces()[t].exists() && is_active(t) && !tests_.is_low(t))
-            is_fine_[t] = 1;
-        }
-      });
+      [&](std::size_t, std::size_t begin, std::size_t end) { visit_due(begin, end, find_fine); });
 }
 
 void consistency_repair::disagreed_at(const std::vector<vertex_index>& nodes) {

@@ -59,6 +59,8 @@ class consistency_repair {
   bool is_touched(vertex_index v) const { return next_[v] != 0; }
   void find_due_faces();
   void add_due_face(vertex_index t);
+  template <class Visit>
+  void visit_due(std::size_t begin, std::size_t end, const Visit& visit);
   void find_clear_edges();
   void find_fine_faces();
   void check_edge(vertex_index t, std::size_t i);
@@ -79,7 +81,10 @@ class consistency_repair {
   // Flags of the faces to be tested: faces with an active node, and the neighbours of these, those
   // that the round has made included.
   std::vector<char> is_due_;
-  std::vector<face_centre> centres_;  // of these, as they are when the round begins
+  // Voronoi vertices of these, as they are when the round begins. One that was computed in an
+  // earlier round of a run is kept while no node of its face is active.
+  std::vector<face_centre> centres_;
+  std::vector<char> has_centre_;
   // Test results of each face before the round changes it: one bit for each edge that agrees, and a
   // flag for angles that all meet the bound.
   std::vector<unsigned char> clear_edges_, is_fine_;
