@@ -18,13 +18,14 @@ namespace asterism::internal::adapting {
 class edges_around {
  public:
   // Refers to the mesh, the tests and the centres, which must outlive this object.
-  edges_around(const editable_mesh& m, const local_tests& tests, present_centres& present)
+  edges_around(editable_mesh& m, const local_tests& tests, present_centres& present)
       : m_(m), tests_(tests), present_(present) {}
 
   // Selects the node to be tried. Until the next call no other node may change.
   void turn_to(vertex_index v) {
     v_ = v;
     m_.around(v, at_);
+    first_ = 0;
   }
   // Accepts the node as it was tried: the known centres of its faces are no longer valid.
   void accept() { present_.forget(at_); }
@@ -42,23 +43,23 @@ class edges_around {
       if (!visit(present_.of(f.next[i]))) return;
     }
   }
-  // Stores the clearances of the edges for the node as the mesh has it, for a comparison with those
-  // of the node as it is tried.
-  void remember() {
-    clearances_.clear();
-    visit_clearances([this](std::size_t k) { return present_.of(at_[k]); },
-                     [this](double clear) {
-                       clearances_.push_back(clear);
-                       return true;
-                     });
-  }
-  // True if is_enough(now, then) for each edge: its present clearance, and the stored one.
+  // Stores the node as the mesh has it, for comparisons with the node as it is tried.
+  void remember() { before_ = m_.at(v_); }
+  // True if is_enough(now, before) for each edge: its clearance for the node as it is tried, and a
+  // function that computes the clearance for the stored node. Begins with the edges of the face
+  // that had one without enough in the last call: that edge often has too little again.
   template <class Enough>
   bool all_of(const Enough& is_enough) {
-    std::size_t edge = 0;
     own_.assign(at_.size(), {});
-    return visit_clearances([this](std::size_t k) { return own_centre(k); },
-                            [&](double now) { return is_enough(now, clearances_[edge++]); });
+    const auto tried = [this](std::size_t k) { return own_centre(k); };
+    for (std::size_t nth = 0, k = first_; nth < at_.size(); ++nth, k = following(k))
+      for (const edge_of_face edge : {edge_of_face::across, edge_of_face::beside}) {
+        if (is_enough(clearance_of(k, edge, tried), [&] { return clearance_before(k, edge); }))
+          continue;
+        first_ = k;
+        return false;
+      }
+    return true;
   }
 
  private:
@@ -67,12 +68,23 @@ class edges_around {
     bool is_known = false;
   };
 
-  // Calls visit(clearance) for each edge that has the node as an end or across from it, until a
-  // call returns false; returns the last result. Clearances are infinite at segments. An edge at
-  // the node, which two faces share, is visited once. `own(k)` returns the centre of the k-th face
-  // at the node.
-  template <class Own, class Visit>
-  bool visit_clearances(const Own& own, const Visit& visit);
+  // Edge of a face at the node: the one across from the node, or the one at it that belongs to this
+  // face and the next one.
+  enum class edge_of_face { across, beside };
+
+  std::size_t following(std::size_t k) const { return k + 1 < at_.size() ? k + 1 : 0; }
+  // Returns the clearance of an edge of the k-th face at the node; infinite at a segment. `own(k)`
+  // returns the centre of that face.
+  template <class Own>
+  double clearance_of(std::size_t k, edge_of_face edge, const Own& own);
+  double clearance_before(std::size_t k, edge_of_face edge) {
+    const node tried = m_.at(v_);
+    m_.at(v_) = before_;
+    const double clear =
+        clearance_of(k, edge, [this](std::size_t face) { return present_.of(at_[face]); });
+    m_.at(v_) = tried;
+    return clear;
+  }
 
   // Returns the centre of a face at the node as it is tried, computed once.
   const face_centre& own_centre(std::size_t k) {
@@ -84,38 +96,27 @@ class edges_around {
     return c.centre;
   }
 
-  const editable_mesh& m_;
+  editable_mesh& m_;
   const local_tests& tests_;
   present_centres& present_;
   vertex_index v_ = none;
   face_list at_;
+  std::size_t first_ = 0;          // of these, in all_of
   std::vector<known_centre> own_;  // of the faces around the node
-  std::vector<double> clearances_;
+  node before_;
 };
 
-template <class Own, class Visit>
-bool edges_around::visit_clearances(const Own& own, const Visit& visit) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto is_end = [](std::size_t i, const face& f) {
-    return f.next[i] == none || f.segment[i] != none;
-  };
-  for (std::size_t k = 0; k < at_.size(); ++k) {
-    const face& f = m_.faces()[at_[k]];
-    const std::size_t i = f.corner_of(v_), next = k + 1 < at_.size() ? k + 1 : 0;
-    double clear = infinity;
-    if (!is_end(i, f)) {
-      const node& d = m_.at(tests_.quad_at(at_[k], i).d);
-      clear = std::min(clearance(own(k), d), clearance(present_.of(f.next[i]), m_.at(v_)));
-    }
-    if (!visit(clear)) return false;
-    clear = infinity;
-    if (!is_end(after(i), f)) {
-      const edge_quad q = tests_.quad_at(at_[k], after(i));
-      clear = std::min(clearance(own(k), m_.at(q.d)), clearance(own(next), m_.at(q.c)));
-    }
-    if (!visit(clear)) return false;
-  }
-  return true;
+template <class Own>
+double edges_around::clearance_of(std::size_t k, edge_of_face edge, const Own& own) {
+  const face& f = m_.faces()[at_[k]];
+  const std::size_t corner = f.corner_of(v_);
+  const std::size_t i = edge == edge_of_face::across ? corner : after(corner);
+  if (f.next[i] == none || f.segment[i] != none) return std::numeric_limits<double>::infinity();
+  const edge_quad q = tests_.quad_at(at_[k], i);
+  const double by_own = clearance(own(k), m_.at(q.d));
+  if (edge == edge_of_face::across)
+    return std::min(by_own, clearance(present_.of(f.next[i]), m_.at(v_)));
+  return std::min(by_own, clearance(own(following(k)), m_.at(q.c)));
 }
 
 }  // namespace asterism::internal::adapting

@@ -16,8 +16,11 @@ namespace asterism::internal::adapting {
 namespace {
 
 // True if the clearance of an edge is at least the one to keep, or at least half of its former one.
-bool has_room(double now, double before) {
-  return now >= std::min(clearance_kept, before > 0 ? before / 2 : before);
+template <class Before>
+bool has_room(double now, const Before& clearance_before) {
+  if (now >= clearance_kept) return true;
+  const double before = clearance_before();
+  return now >= (before > 0 ? before / 2 : before);
 }
 
 // The way from one tensor to another, interpolated by logarithms.
@@ -106,26 +109,21 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
   const metric_tensor now = m_.at(v).metric;
   // Tries only the whole step where less than a hundredth of the way is left.
   constexpr double short_way = 0.01;
-  const bool is_short = whole_alone || !(log_distortion(now, wanted_[v]) > short_way);
-  bool is_measured = false;
+  const auto is_short = [&] { return !(log_distortion(now, wanted_[v]) > short_way); };
   std::optional<tensor_way> way;
+  edges_.turn_to(v);
+  edges_.remember();
   for (const double share : {1.0, 0.5, 0.2}) {
-    if (share < 1 && is_short) break;
+    if (share < 1 && !way && (whole_alone || is_short())) break;
     if (share < 1 && !way) way.emplace(now, wanted_[v]);
     const metric_tensor tried = share < 1 ? way->at(share) : wanted_[v];
     if (!is_usable(tried)) continue;
     m_.set_metric(v, tried);
-    if (has_low_around(v)) continue;
     // Tests angles first: they exclude most nodes where few can change, and clearances cost
     // more.
-    if (!is_measured) {
-      m_.set_metric(v, now);
-      edges_.turn_to(v);
-      edges_.remember();
-      m_.set_metric(v, tried);
-      is_measured = true;
-    }
-    if (!edges_.all_of(has_room)) continue;
+    if (has_low_face(edges_.faces())) continue;
+    if (!edges_.all_of([](double clear, const auto& before) { return has_room(clear, before); }))
+      continue;
     edges_.accept();
     return true;
   }
@@ -133,13 +131,11 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
   return false;
 }
 
-// True if a face around v has an angle below the bound that is not exempt.
-bool tensor_restoration::has_low_around(vertex_index v) const {
-  if (!has_angles_) return false;
-  face_list at;
-  m_.around(v, at);
-  return std::any_of(at.begin(), at.end(),
-                     [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); });
+// True if a face has an angle below the bound that is not exempt.
+bool tensor_restoration::has_low_face(const face_list& faces) const {
+  return has_angles_ && std::any_of(faces.begin(), faces.end(), [this](vertex_index t) {
+           return tests_.is_low(t) && !tests_.is_exempt(t);
+         });
 }
 
 // Lists the nodes of edges around v that do not agree, and of faces there with low angles.

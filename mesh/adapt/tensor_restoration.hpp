@@ -40,7 +40,7 @@ class tensor_restoration {
   bool give_once(bool whole_alone);
   bool give(vertex_index v, bool whole_alone);
   std::size_t wanted_count() const;
-  bool has_low_around(vertex_index v) const;
+  bool has_low_face(const face_list& faces) const;
   void list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
   void wake_around(vertex_index v);
 

@@ -282,9 +282,10 @@ bool vertex_smoothing::may_be_at(vertex_index v, const place& there) {
   m_.move(v, there.at);
   const face_list& at = edges_.faces();
   const auto is_low = [this](vertex_index t) { return tests_.is_low(t) && !tests_.is_exempt(t); };
-  return std::none_of(at.begin(), at.end(), is_low) && edges_.all_of([](double now, double before) {
-    return now >= std::min(clearance_kept, before);
-  });
+  const auto has_room = [](double now, const auto& before) {
+    return now >= clearance_kept || now >= before();
+  };
+  return std::none_of(at.begin(), at.end(), is_low) && edges_.all_of(has_room);
 }
 
 // Moves v to a better place, if there is one where all edges and angles pass their tests.

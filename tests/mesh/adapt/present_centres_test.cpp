@@ -4,6 +4,7 @@
 #include "asterism/mesh/adapt/present_centres.hpp"
 
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "asterism/mesh/adapt/edges_around.hpp"
 #include "asterism/mesh/mesher.hpp"
@@ -66,6 +67,36 @@ TEST_CASE("clearances do not change where a node is tried as it is") {
     if (m.at(v).kind == node_kind::gone) continue;
     edges.turn_to(v);
     edges.remember();
-    CHECK(edges.all_of([](double now, double before) { return now == before; }));
+    CHECK(edges.all_of([](double now, const auto& before) { return now == before(); }));
   }
+}
+
+TEST_CASE("clearances before are those of the node as it was remembered") {
+  const domain d = square();
+  editable_mesh m = even_mesh(d);
+  const local_tests tests(m, 20);
+  present_centres present(m, tests);
+  edges_around edges(m, tests, present);
+  const vertex_index v = free_node(m);
+  REQUIRE(v != none);
+  const metric_tensor as_it_was = m.at(v).metric, tried{20, 1, 30};
+  edges.turn_to(v);
+  edges.remember();
+  std::vector<double> expected, found;
+  CHECK(edges.all_of([&](double now, const auto&) {
+    expected.push_back(now);
+    return true;
+  }));
+  m.set_metric(v, tried);
+  std::size_t others = 0;
+  CHECK(edges.all_of([&](double now, const auto& before) {
+    found.push_back(before());
+    others += now != found.back();
+    return true;
+  }));
+  CHECK(found == expected);
+  CHECK(others > 3);
+  CHECK(identical(m.at(v).metric, tried));
+  m.set_metric(v, as_it_was);
+  for (const vertex_index t : edges.faces()) CHECK(are_same(present.of(t), tests.centre_of(t)));
 }
