@@ -319,10 +319,9 @@ class local_adaptation {
     consistency_repair agreeing(m, agree);
     agreeing.run();
     constexpr std::size_t very_few = 100;  // one node in this number
-    wants_room_ =
-        !goal_.has_room() &&
-        very_few * (agreeing.report().disagreeing + agreeing.report().low) > m.count() &&
-        goal_.may_want_room();
+    wants_room_ = !goal_.has_room() &&
+                  very_few * (agreeing.report().disagreeing + agreeing.report().low) > m.count() &&
+                  goal_.may_want_room();
     if (wants_room_) return;
     if (!stop_reason() && !are_many_given(m)) {
       agreeing.changed_at(maker.split_outliers(field_by(wanted_, m)));

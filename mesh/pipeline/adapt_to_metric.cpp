@@ -93,10 +93,11 @@ bool straighten(domain& shape, const std::set<int>& markers) {
   return std::erase_if(shape.curves, is_on_side) > 0;
 }
 
-// Adds the vertices that the outline keeps on periodic sides, and their partners, to the required
-// ones. Returns whether any of these was not kept.
+// Adds the vertices that the outline keeps on the first sides of the pairs, or on both sides, and
+// their partners, to the required ones. Returns whether any vertex was kept without its partner.
 bool require_partners(const mesh& m, const mesh_outline& outline,
-                      const std::vector<periodic_pair>& pairs, mesh_marks& marks) {
+                      const std::vector<periodic_pair>& pairs, bool first_alone,
+                      mesh_marks& marks) {
   std::vector<point> kept = outline.shape.vertices;
   std::sort(kept.begin(), kept.end(), lexicographically_less);
   const auto is_kept = [&](vertex_index v) {
@@ -109,7 +110,7 @@ bool require_partners(const mesh& m, const mesh_outline& outline,
     if (!partners) continue;
     for (const auto& [a, b] : partners.value()) {
       const bool is_first = is_kept(a), is_second = is_kept(b);
-      if (is_first || is_second)
+      if (is_first || (is_second && !first_alone))
         marks.required_vertices.insert(marks.required_vertices.end(), {a, b});
       any = any || is_first != is_second;
     }
@@ -119,9 +120,11 @@ bool require_partners(const mesh& m, const mesh_outline& outline,
 
 // Finds the domain of the mesh. Removes the curves of periodic sides, on which a new vertex would
 // have no partner on the other side: a side that bends by rounding alone becomes straight, and any
-// other side becomes the polygon of its remaining vertices. Where the outline keeps a vertex on one
-// side alone, keeps its partner, too. If two sides still do not match, keeps all vertices of the
-// periodic sides, and returns their markers in `kept_sides`.
+// other side becomes the polygon of its remaining vertices. The outline of a side begins at its
+// start, which is the partner of the other side's end, so that partners are dropped one without the
+// other even where the metric of both sides is the same. So the vertices that the first side keeps
+// are kept on the second; then those that either keeps, on both. If two sides still do not match,
+// keeps all vertices of the periodic sides, and returns their markers in `kept_sides`.
 result<mesh_outline> outline_for(const mesh& m, mesh_marks marks,
                                  const mesh_adaptation_options& options,
                                  std::vector<int>& kept_sides) {
@@ -134,7 +137,7 @@ result<mesh_outline> outline_for(const mesh& m, mesh_marks marks,
     if (!found || !straighten(found.value().shape, markers) ||
         !check_periodic(found.value().shape, options.periodic))
       return found;
-    if (!require_partners(m, found.value(), options.periodic, marks)) break;
+    if (!require_partners(m, found.value(), options.periodic, times == 0, marks)) break;
   }
   for (const boundary_edge& e : m.boundary)
     if (markers.contains(e.marker)) marks.required_edges.push_back({e.a, e.b});
