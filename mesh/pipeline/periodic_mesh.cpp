@@ -148,28 +148,31 @@ class periodic_mesher {
     certified_mesh judged = judge_outcome(std::move(made).value(), domain_, options_);
     if (why_not_split_) judged.claim.reason = *why_not_split_;
     claim_periodic(pairs_, judged);
-    if (why_sides_differ_) judged.claim.reason = *why_sides_differ_;
+    if (why_sides_differ_ && !judged.claim.complete) judged.claim.reason = *why_sides_differ_;
     return judged;
   }
 
-  // Makes meshes until one splits no segment between stations. Returns the last complete one, whose
-  // sides differ, if the next is not complete or the work is done.
+  // Makes meshes until the sides of one agree. Returns the last complete one, whose sides differ,
+  // if the next is not complete or the work is done.
   result<mesh_outcome> make_in_rounds(all_sides& sides, star_confirmation confirmed,
                                       bool may_deliver, const mesh_options& options) {
     why_sides_differ_.reset();
     std::optional<mesh_outcome> before;
     for (int round = 1;; ++round) {
       const periodic_division divided(domain_, sides);
+      const std::size_t unsplit_before = unsplit_;
       result<mesh_outcome> made = make_round(divided.shape(), confirmed, may_deliver, options);
       if (!made) return made;
       mesh_outcome& one = made.value();
       if (!one.complete && before) {
         why_sides_differ_ = differing_text(round - 1, why_not_split_.value_or(ending_text(one)));
+        unsplit_ = unsplit_before;
         return *std::move(before);
       }
-      const std::size_t added = one.complete ? divided.take_splits(one.result, sides) : 0;
+      const bool is_last =
+          !one.complete || agree(one.result, sides) || divided.take_splits(one.result, sides) == 0;
       divided.restore(one);
-      if (added == 0) return made;
+      if (is_last) return made;
       const auto why = options.stop.poll();
       if (why || round == most_rounds) {
         why_sides_differ_ = differing_text(round, why.value_or("no more are made"));
@@ -177,6 +180,21 @@ class periodic_mesher {
       }
       before = std::move(made).value();
     }
+  }
+
+  // True if the mesh itself has the same points on both sides of all pairs: exactly where the
+  // stations are exact, else up to roundings.
+  bool agree(const mesh& m, const all_sides& sides) const {
+    constexpr double rounding = 0x1p-44;  // part of the largest coordinate
+    const bounding_box box = domain_.box();
+    const double size = std::max(
+        {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const auto match = match_periodic(m, pairs_[i]);
+      if (!match || !(match.value().greatest_offset <= rounding * size)) return false;
+      if (match.value().kind == periodic_kind::matched && sides[i].map().is_exact) return false;
+    }
+    return true;
   }
 
   // Makes one mesh of the divided domain, with the work of a run at most.

@@ -313,10 +313,10 @@ class Periodic(command.CommandTest):
         self.halve_an_edge(40)
         for frozen in (), ("--frozen", "2"):
             with self.subTest(frozen=frozen):
-                done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", "80", "--periodic", "4,2",
-                                        *frozen, "-o", "n.mesh")
-                self.assertEqual(done.stderr.count("the periodic sides with the markers 2, 4 keep all their vertices"), 1,
-                                 done.stderr)
+                done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", "80", "--periodic",
+                                        "4,2", *frozen, "-o", "n.mesh")
+                note = "the periodic sides with the markers 2, 4 keep all their vertices"
+                self.assertEqual(done.stderr.count(note), 1, done.stderr)
 
     def adapt_torus(self, wanted, *more):
         """The new mesh's status and number of vertices; its sides match."""

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -128,6 +129,40 @@ TEST_CASE("in the next mesh partners are nearer to each other than where sides a
       m, make_glued_metric(m, *continued_across(m, torus), {u}, wishes).value().tensors);
   CAPTURE(graded);
   CHECK(graded < alone / 2);
+}
+
+TEST_CASE(
+    "sides that do not agree within the work of a run are no complete mesh, and why is said") {
+  constexpr double least = 4000, most = 1e6, step = 1.25;
+  const mesh m = grid();
+  // A front along the diagonals wants edges across the whole torus, and splits its sides.
+  nodal_values u{"u", {}};
+  for (const site& s : m.sites)
+    u.values.push_back(std::tanh(8 * std::sin(6.283185307179586 * (s.position.x - s.position.y))));
+  const auto tensors = metric_of(m, u, hessian_method::green);
+  std::size_t differing = 0, certified = 0;
+  for (double units = least; units < most && certified == 0; units *= step) {
+    mesh background = m;
+    for (std::size_t v = 0; v < background.sites.size(); ++v)
+      background.sites[v].metric = tensors[v];
+    mesh_adaptation_options options;
+    options.refinement.vertices = 500;
+    options.refinement.stop = cancellation().with_work(units);
+    options.periodic = torus;
+    const auto next = adapt_to_metric({std::move(background), {}}, options);
+    REQUIRE(next.ok());
+    const certified_mesh& made = next.value().made;
+    certified += made.certified() ? 1 : 0;
+    if (made.claim.reason.find("splits one side where its partner has no vertex") ==
+        std::string::npos)
+      continue;
+    ++differing;
+    CHECK_FALSE(made.certified());
+    CHECK(made.claim.periodic.size() < torus.size());
+    CHECK(made.claim.reason.find("more vertices, or a stricter gradation") != std::string::npos);
+  }
+  CHECK(differing > 0);
+  CHECK(certified > 0);
 }
 
 TEST_CASE(
