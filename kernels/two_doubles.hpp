@@ -36,6 +36,30 @@ inline bool both_less(two_doubles a, two_doubles b) {
   return (a[0] < b[0]) & (a[1] < b[1]);
 #endif
 }
+// Returns the greater number in each lane; that of b if either is a NaN.
+inline two_doubles greatest(two_doubles a, two_doubles b) {
+#if defined(__SSE2__)
+  return _mm_max_pd(a, b);
+#else
+  return two_doubles{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+#endif
+}
+// True if some lane of x is less than that of `least`, or greater than that of `most`.
+inline bool any_outside(two_doubles x, two_doubles least, two_doubles most) {
+#if defined(__SSE2__)
+  return _mm_movemask_pd(_mm_or_pd(_mm_cmplt_pd(x, least), _mm_cmplt_pd(most, x))) != 0;
+#else
+  return (x[0] < least[0]) | (x[0] > most[0]) | (x[1] < least[1]) | (x[1] > most[1]);
+#endif
+}
+// True if some lane of a is less than that of b.
+inline bool any_less(two_doubles a, two_doubles b) {
+#if defined(__SSE2__)
+  return _mm_movemask_pd(_mm_cmplt_pd(a, b)) != 0;
+#else
+  return (a[0] < b[0]) | (a[1] < b[1]);
+#endif
+}
 // Returns a number whose bit k is lane k's sign bit.
 inline unsigned sign_bits(two_doubles x) {
 #if defined(__SSE2__)

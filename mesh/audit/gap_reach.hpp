@@ -22,6 +22,9 @@ struct measured_ray {
   double on_way = 0;   // how far that is at most
   double on_edge = 0;  // the greater of that and half the way
   bool is_known = false;
+
+  // Returns the point up to which the way belongs to the kites on both sides of it.
+  outline_point on_bisector() const { return {{share * way.x, share * way.y}, on_way}; }
 };
 
 // Bounds the points by which a gap may accept a site: all are within `reach` of v, and in the kite

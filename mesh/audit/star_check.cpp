@@ -6,6 +6,7 @@
 
 #include "asterism/kernels/filtered_edge_test.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit/distant_site.hpp"
 
 namespace asterism::internal::audit_detail {
 
@@ -27,73 +28,44 @@ void star_check::run(const vertex_index* begin, const vertex_index* end, const v
   for (const prepared_fan& p : fans)
     if (p.has_others)
       around_.changed_sites.visit_near(
-          {at(p.v), p.reach, outline_of(p, false, outlines_.front())},
-          [&](vertex_index nth) { look(p, (*context_.changed)[nth], 0, false); });
+          extent_of(p, false, outlines_.front()),
+          [&](vertex_index nth) { look(p, (*context_.changed)[nth], false); });
 }
 
 void star_check::hold_all(std::span<const prepared_fan> fans) {
-  reaching_.clear();
-  for (const prepared_fan& p : fans)
-    if (p.has_concerned && is_finite(p.reach_concerned))
-      reaching_.push_back({at(p.v), p.reach_concerned});
-  // Least number of stars for which one common search pays: it visits three times as many nodes as
-  // the search for one star.
-  constexpr std::size_t least_shared = 4;
-  const bool are_many = reaching_.size() >= least_shared;
-  const bool gathered = are_many && around_.sites->gather(reaching_, nearby_);
-  if (!gathered && are_many && !around_.sites->has_covectors()) {
-    hold_all(fans.first(fans.size() / 2));
-    hold_all(fans.last(fans.size() - fans.size() / 2));
-    return;
-  }
-  if (!gathered) return hold_all_outlined(fans);
-  for (const prepared_fan& p : fans) {
-    if (!p.has_concerned) continue;
-    const double reach = p.reach_concerned;
-    const auto look_at = [&](vertex_index w, double squared) { look(p, w, squared, true); };
-    const auto look_at_any = [&](vertex_index w) { look_at(w, 0); };
-    if (!is_finite(reach))
-      around_.sites->visit_near(at(p.v), reach, look_at_any);
-    else if (!around_.sites->visit_near(nearby_, at(p.v), reach, look_at))
-      around_.sites->visit_near(nearby_.leaves, at(p.v), reach, look_at_any);
-  }
-}
-
-void star_check::hold_all_outlined(std::span<const prepared_fan> fans) {
-  reaching_.clear();
+  extents_.clear();
   if (outlines_.size() < fans.size()) outlines_.resize(fans.size());
   for (const prepared_fan& p : fans)
     if (p.has_concerned && is_finite(p.reach_concerned))
-      reaching_.push_back(
-          {at(p.v), p.reach_concerned, outline_of(p, true, outlines_[reaching_.size()])});
-  const bool gathered = around_.sites->gather(reaching_, leaves_);
+      extents_.push_back(extent_of(p, true, outlines_[extents_.size()]));
+  around_.sites->gather(extents_, leaves_);
   std::size_t nth = 0;
   for (const prepared_fan& p : fans) {
     if (!p.has_concerned) continue;
-    const auto look_at = [&](vertex_index w) { look(p, w, 0, true); };
-    if (!is_finite(p.reach_concerned))
-      around_.sites->visit_near({at(p.v), p.reach_concerned}, look_at);
-    else if (gathered)
-      around_.sites->visit_near(leaves_, nth++, look_at);
+    const auto look_at = [&](vertex_index w) { look(p, w, true); };
+    if (is_finite(p.reach_concerned))
+      around_.sites->visit_near(leaves_, extents_[nth++], look_at);
     else
-      around_.sites->visit_near(reaching_[nth++], look_at);
+      around_.sites->visit_near({at(p.v), p.reach_concerned}, look_at);
   }
 }
 
-const star_outline* star_check::outline_of(const prepared_fan& p, bool of_concerned,
-                                           star_outline& outline) {
+star_extent star_check::extent_of(const prepared_fan& p, bool of_concerned,
+                                  std::vector<outline_point>& outline) const {
   outline.clear();
   const auto is_in = [&](std::size_t i) {
     return i < p.gaps.size() && !p.gaps[i].is_skipped && p.gaps[i].is_concerned == of_concerned;
   };
   for (std::size_t i = 0; i < p.rays.size(); ++i) {
     const bool is_after = is_in(i);
-    if (is_after && !p.gaps[i].has_kite) return nullptr;
-    if (is_after) outline.add_vertex(p.gaps[i].vertex);
-    if (is_after || is_in(i == 0 ? p.rays.size() - 1 : i - 1))
-      outline.add_neighbour({p.rays[i].x, p.rays[i].y}, p.on_rays[i]);
+    if (is_after && !p.gaps[i].has_kite)
+      return {at(p.v), of_concerned ? p.reach_concerned : p.reach};
+    if (is_after) outline.push_back(p.gaps[i].vertex);
+    if (!is_after && !is_in(i == 0 ? p.rays.size() - 1 : i - 1)) continue;
+    outline.push_back(p.on_rays[i]);
+    outline.push_back({{p.rays[i].x, p.rays[i].y}});
   }
-  return &outline;
+  return {at(p.v), std::span<const outline_point>(outline)};
 }
 
 void star_check::check_neighbours(vertex_index v, const vertex_fan& fan) {
@@ -152,7 +124,10 @@ bool star_check::concerns(vertex_index v, const vertex_fan& fan) const {
 bool star_check::is_reached(vertex_index v, double reach) {
   guard_.count(unit_of_look);
   bool any = false;
-  around_.changed_sites.visit_near(at(v), reach, [&any](vertex_index) { any = true; });
+  around_.changed_sites.visit_near({at(v), reach}, [&any](vertex_index) {
+    any = true;
+    return false;
+  });
   return any;
 }
 
@@ -170,8 +145,7 @@ void star_check::prepare(vertex_index v, const vertex_fan& fan) {
   measured_.clear();
   for (const vertex_index r : fan.link) {
     p.rays.push_back(to(v, r));
-    const measured_ray& ray = measured_.emplace_back(reaches.ray_to(at(r)));
-    p.on_rays.push_back({{ray.share * ray.way.x, ray.share * ray.way.y}, ray.on_way});
+    p.on_rays.push_back(measured_.emplace_back(reaches.ray_to(at(r))).on_bisector());
   }
   p.gaps.clear();
   const std::size_t n = fan.link.size();
@@ -224,7 +198,7 @@ bool star_check::is_outside(const prepared_fan& p, const fan_gap& gap, vertex_in
   const auto &ray = p.rays[i], &next = p.rays[j];
   const std::array<outline_point, 4> others{outline_point{{ray.x, ray.y}}, p.on_rays[i],
                                             outline_point{{next.x, next.y}}, p.on_rays[j]};
-  return are_outside({{x, y}, {x, y}}, {at(w).metric}, {&gap.vertex, 1}, others);
+  return is_outside_kite({x, y}, at(w).metric, gap.vertex, others);
 }
 
 const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
@@ -239,16 +213,11 @@ const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
   return nullptr;
 }
 
-void star_check::check_other(const prepared_fan& p, vertex_index w, double squared,
-                             bool at_concerned) {
+void star_check::check_other(const prepared_fan& p, vertex_index w, bool at_concerned) {
   const fan_gap* gap = gap_of(p, w);
   if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
-  if (site_tree::is_too_far_by(squared, gap->reach)) return;
   if (gap->has_kite && is_outside(p, *gap, w)) return;
-  // Skips the distance test by w's own metric if the tree has made it with the same reach: it has
-  // if `squared` is 0 and the gap's reach is that of the fan.
-  const bool is_known = squared == 0 && !(gap->reach < p.reach);
-  if (!is_known && site_tree::is_too_far(at(p.v), gap->reach, at(w))) return;
+  if (is_too_far(at(p.v), gap->reach, at(w))) return;
   ++tally_.part.star_pairs;
   if (!is_accepted(p.v, w, *gap) || !sight_.clear(p.v, w)) return;
   tally_.found(finding_kind::star_site_missing,

@@ -24,6 +24,7 @@
 #include "asterism/mesh/audit/gap_reach.hpp"
 #include "asterism/mesh/audit/site_tree.hpp"
 #include "asterism/mesh/audit/site_visibility.hpp"
+#include "asterism/mesh/audit/star_extent.hpp"
 #include "asterism/mesh/audit/star_filter.hpp"
 #include "asterism/mesh/audit/star_outline.hpp"
 #include "asterism/mesh/audit/star_surroundings.hpp"
@@ -84,18 +85,13 @@ class star_check {
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
 
-  // Tests all sites within the reaches of the fans against their gaps. Descends the tree once for
-  // all fans: by their reaches if their vertices' metrics are much alike and they reach few sites,
-  // else by their outlines. In a large tree, which has no bounds for outlines of several stars,
-  // descends once for each half, and in the end for each fan.
+  // Tests all sites within the extents of the fans against their gaps. Descends the tree once for
+  // all fans.
   void hold_all(std::span<const prepared_fan> fans);
-  void hold_all_outlined(std::span<const prepared_fan> fans);
-  // Tests w against one fan; `squared` is the lower bound of its squared distance that the tree
-  // measured, or 0 if the tree measured none.
-  void look(const prepared_fan& p, vertex_index w, double squared, bool at_concerned) {
+  // Tests w against one fan.
+  void look(const prepared_fan& p, vertex_index w, bool at_concerned) {
     guard_.count(unit_of_look + unit_of_gap * static_cast<double>(p.gaps.size()));
-    if (w != p.v && !is_neighbour(p, w) && !guard_.is_over())
-      check_other(p, w, squared, at_concerned);
+    if (w != p.v && !is_neighbour(p, w) && !guard_.is_over()) check_other(p, w, at_concerned);
   }
   // True if w is a neighbour in this fan. Neighbours in other fans of v, of which there may be
   // thousands, are in none of its gaps.
@@ -120,10 +116,11 @@ class star_check {
   // True if a changed site is within this reach of v, and may matter to its star.
   bool is_reached(vertex_index v, double reach);
   void prepare(vertex_index v, const vertex_fan& fan);
-  // Sets `outline` to the outline of those gaps of the fan that are tested and whose is_concerned
-  // equals `of_concerned`. Returns its address; null where the kite of such a gap is not known.
-  static const star_outline* outline_of(const prepared_fan& p, bool of_concerned,
-                                        star_outline& outline);
+  // Returns the extent of those gaps of the fan that are tested and whose is_concerned equals
+  // `of_concerned`: by their outline, to which `outline` is set, or by their reach where the kite
+  // of such a gap is not known.
+  star_extent extent_of(const prepared_fan& p, bool of_concerned,
+                        std::vector<outline_point>& outline) const;
   // True if w is certainly outside of the gap's kite, in the sense of its outline.
   bool is_outside(const prepared_fan& p, const fan_gap& gap, vertex_index w) const;
   bool is_left_open(const fan_gap& gap) const;
@@ -165,7 +162,7 @@ class star_check {
   // open fan.
   const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const;
   // Tests w against the gap that contains it, if that gap is among those to be tested.
-  void check_other(const prepared_fan& p, vertex_index w, double squared, bool at_concerned);
+  void check_other(const prepared_fan& p, vertex_index w, bool at_concerned);
   bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap);
   // Returns whether the star accepts the neighbour w. Where that is left open, notes the question
   // and returns true.
@@ -184,10 +181,9 @@ class star_check {
   // Scratch vectors for the present vertices; members, so that they are not allocated each time.
   std::vector<prepared_fan> prepared_;  // the first used_
   std::size_t used_ = 0;
-  std::vector<site_tree::reaching> reaching_;
-  site_tree::nearby_sites nearby_;
-  site_tree::nearby_leaves leaves_;
-  std::vector<star_outline> outlines_;  // the first of `reaching_`
+  std::vector<std::vector<outline_point>> outlines_;
+  std::vector<star_extent> extents_;
+  std::vector<std::size_t> leaves_;
   std::vector<measured_ray> measured_;
 };
 

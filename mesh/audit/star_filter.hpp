@@ -44,7 +44,7 @@ class star_gap_filter {
   // True only if edge_test(v, w, x, y) is certainly false, ties included. Requires w strictly
   // between the rays from v through x and y.
   bool excludes(const site& w) const;
-  // Returns R of lemma 4.3, as site_tree uses it: at least 1 / s in the middle direction, the
+  // Returns R of lemma 4.3, as star_extent uses it: at least 1 / s in the middle direction, the
   // distances to the bisectors of x and y along their edges, and half of both edges.
   double reach() const;
 

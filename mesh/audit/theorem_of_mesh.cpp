@@ -169,10 +169,10 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
                         std::size_t last, double radius, audit_work_guard& guard,
                         measured_part& part) {
   const std::vector<vertex_index>& order = sites.tree.order();
-  std::vector<site_tree::reaching> centres;
-  for (std::size_t i = first; i < last; ++i) centres.push_back({m.sites[order[i]], radius});
+  std::vector<audit_detail::star_extent> disks;
+  for (std::size_t i = first; i < last; ++i) disks.emplace_back(m.sites[order[i]], radius);
   std::vector<std::size_t> leaves;
-  const bool gathered = sites.tree.gather(centres, leaves, first);
+  sites.tree.gather(disks, leaves, first);
   for (std::size_t i = first; i < last; ++i) {
     const vertex_index v = order[i];
     const auto measure = [&](vertex_index w) {
@@ -182,10 +182,7 @@ void measure_near_pairs(const mesh& m, const ordered_sites& sites, std::size_t f
       return part.failure.empty();
     };
     if (!part.failure.empty()) return;
-    if (gathered)
-      sites.tree.visit_near(leaves, m.sites[v], radius, measure, i + 1);
-    else
-      sites.tree.visit_near(m.sites[v], radius, measure);
+    sites.tree.visit_near(leaves, disks[i - first], measure, i + 1);
   }
 }
 
@@ -222,7 +219,7 @@ void check_beside(const mesh& m, const boundary_edge& subsegment, vertex_index w
 // is descended once for the whole range.
 void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, std::size_t last,
                        audit_work_guard& guard, measured_part& part) {
-  std::vector<site_tree::reaching> starts;
+  std::vector<audit_detail::star_extent> starts;
   std::vector<double> farthest;
   for (std::size_t i = first; i < last; ++i) {
     const site &a = m.sites[m.boundary[i].a], &b = m.sites[m.boundary[i].b];
@@ -232,22 +229,18 @@ void check_subsegments(const mesh& m, const site_tree& tree, std::size_t first, 
     // Starts from the end in whose metric the subsegment is shorter, of length s. No point of the
     // subsegment is farther than s from that end; nor is it from its nearer end, as both metrics
     // are linear along the subsegment. For a site w that is as near to such a point, g . (w - end)
-    // is therefore at most (|g|_end + |g|_w) s (site_tree.hpp).
-    starts.push_back(by_b < by_a ? site_tree::reaching{b, by_b} : site_tree::reaching{a, by_a});
+    // is therefore at most (|g|_end + |g|_w) s (star_extent.hpp).
+    if (by_b < by_a)
+      starts.emplace_back(b, by_b);
+    else
+      starts.emplace_back(a, by_a);
   }
   std::vector<std::size_t> leaves;
-  const bool gathered = tree.gather(starts, leaves);
-  for (std::size_t i = first; i < last; ++i) {
-    const site& end = starts[i - first].v;
-    const double length = starts[i - first].reach;
-    const auto check = [&](vertex_index w) {
+  tree.gather(starts, leaves);
+  for (std::size_t i = first; i < last; ++i)
+    tree.visit_near(leaves, starts[i - first], [&](vertex_index w) {
       check_beside(m, m.boundary[i], w, farthest[i - first], guard, part);
-    };
-    if (gathered)
-      tree.visit_near(leaves, end, length, check);
-    else
-      tree.visit_near(end, length, check);
-  }
+    });
 }
 
 // Measures `count` items, `at_a_time` of them in each round, and joins the measures in order. Sets

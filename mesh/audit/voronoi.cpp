@@ -212,7 +212,7 @@ class cell_check {
       reach = greatest_bound(reach, arcs_.back().reach());
     }
     if (arcs_.empty()) return;
-    sites_.visit_near(context_.subject.sites[v], reach, [&](vertex_index w) {
+    sites_.visit_near({context_.subject.sites[v], reach}, [&](vertex_index w) {
       for (arc_check& arc : arcs_)
         if (!guard_.is_over()) arc.run(w);
     });

@@ -8,26 +8,14 @@
 #include <cmath>
 
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/audit/distant_site.hpp"
 #include "asterism/mesh/audit/gap_reach.hpp"
-#include "asterism/mesh/audit/site_tree.hpp"
 #include "fixtures/audit_meshes.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
 using namespace asterism::internal::audit_detail;
 using namespace asterism::test;
-
-namespace {
-
-// Returns a metric with lengths exp(+-strength) along orthogonal axes of random direction.
-metric_tensor random_metric(splitmix64& random, double strength) {
-  const double angle = random.real(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
-  const double l = std::exp(random.real(-strength, strength)),
-               k = std::exp(random.real(-strength, strength));
-  return {l * t * t + k * s * s, (l - k) * s * t, l * s * s + k * t * t};
-}
-
-}  // namespace
 
 TEST_CASE("a ball certainly misses only segments that are farther, and most of these") {
   const std::uint64_t seed = 80;
@@ -87,7 +75,7 @@ TEST_CASE("no accepted site is beyond the quick reach of its gap") {
     if (!std::isfinite(reach)) continue;
     CAPTURE(i);
     ++accepted;
-    REQUIRE_FALSE(site_tree::is_too_far(v, reach, w));
+    REQUIRE_FALSE(is_too_far(v, reach, w));
   }
   CHECK(accepted > 1000);
 }

@@ -106,13 +106,6 @@ mesh square_grid(int n, bool alternating, point origin = {0, 0}) {
   return make_mesh_of(points, triangles);
 }
 
-metric_tensor random_metric(splitmix64& random, double strength) {
-  const double angle = random.real(-3.2, 3.2), s = std::sin(angle), t = std::cos(angle);
-  const double l = std::exp(random.real(-strength, strength)),
-               k = std::exp(random.real(-strength, strength));
-  return {l * t * t + k * s * s, (l - k) * s * t, l * s * s + k * t * t};
-}
-
 constexpr std::array voronoi_kinds = {
     finding_kind::voronoi_vertex_missing, finding_kind::voronoi_arc_reversed,
     finding_kind::voronoi_site_nearer, finding_kind::voronoi_boundary_encroached};
