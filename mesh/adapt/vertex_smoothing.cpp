@@ -18,10 +18,6 @@ namespace {
 
 // Degrees above the angle bound from which an angle counts as no defect.
 constexpr double settled_degrees_above = 1;
-// Clearance at which moves aim: more than edges are to keep, since tensors around change
-// afterwards.
-constexpr double room_looked_for = 0.3;
-
 constexpr double slant = 1 / std::numbers::sqrt2;
 constexpr std::array<point, 8> directions = {{{1, 0},
                                               {slant, slant},
@@ -31,13 +27,6 @@ constexpr std::array<point, 8> directions = {{{1, 0},
                                               {-slant, -slant},
                                               {0, -1},
                                               {slant, -slant}}};
-
-// Returns the defect of a quantity that exceeds its limit by this amount. The defect is bounded:
-// moves do not help a quantity far beyond its limit.
-double defect(double beyond) {
-  constexpr double most = 1, of_any = 0.1;
-  return beyond > 0 ? std::min(most, beyond) + of_any : 0;
-}
 
 }  // namespace
 
@@ -61,8 +50,8 @@ vertex_smoothing::vertex_smoothing(editable_mesh& m, double angle_bound, double 
       tests_(m, angle_bound),
       present_(m, tests_),
       edges_(m, tests_, present_),
+      ring_(cotangent_of(angle_bound + settled_degrees_above)),
       angle_bound_(angle_bound),
-      cotangent_(cotangent_of(angle_bound + settled_degrees_above)),
       unit_(unit),
       field_(std::move(wanted)),
       awake_(m.nodes().size(), 1) {
@@ -70,8 +59,7 @@ vertex_smoothing::vertex_smoothing(editable_mesh& m, double angle_bound, double 
   m.each_node([&](vertex_index v) { wanted_[v] = look_up(m.at(v).position, m.at(v).hint); });
 }
 
-vertex_smoothing::wanted_tensor vertex_smoothing::look_up(const point& q,
-                                                          vertex_index& hint) const {
+wanted_tensor vertex_smoothing::look_up(const point& q, vertex_index& hint) const {
   const metric_tensor there = field_(q, hint);
   return {there, plain_root_of_determinant(there)};
 }
@@ -127,12 +115,14 @@ void vertex_smoothing::find_defect_free() {
   present_.find_all();
   parallel_chunks(count, nodes_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
     edges_around at(m_, tests_, present_);
+    ring_defect ring = ring_;
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<vertex_index>(i);
       const node_kind kind = m_.at(v).kind;
       if (kind != node_kind::free && kind != node_kind::sliding) continue;
       at.turn_to(v);
-      is_defect_free_[v] = present_defect(at, v) > 0 ? 0 : 1;
+      collect(at, v, ring);
+      is_defect_free_[v] = present_defect(ring, v) > 0 ? 0 : 1;
     }
   });
 }
@@ -163,49 +153,25 @@ vertex_smoothing::side_products vertex_smoothing::sides_of(vertex_index t) const
           across - back};
 }
 
-// Returns the defect of a face's angles in the wanted tensor of a node: of the excess of their
-// greatest cotangent over the one without defect. Most angles are above the aim by a wide margin,
-// which is decided without a division. Products and quotient have relative rounding errors of some
-// 1e-16.
-double vertex_smoothing::defect_of(const side_products& sides, vertex_index by) const {
-  constexpr double roundings = 1e-12;
-  const double greatest = sides.greatest(wanted_[by].metric), area = wanted_[by].root * sides.twice;
-  const bool is_surely_wide = greatest < (1 - roundings) * cotangent_ * area;
-  return is_surely_wide ? 0 : defect(greatest / area - cotangent_);
-}
-
-// Returns the defect of the faces around the node in the wanted tensors of their other nodes. Ends
-// once the sum reaches `most`.
-double vertex_smoothing::defect_of_others(const edges_around& at, vertex_index v,
-                                          double most) const {
-  double sum = 0;
+// Collects what the defect of v depends on, besides its place and its tensor.
+void vertex_smoothing::collect(edges_around& at, vertex_index v, ring_defect& ring) const {
+  ring.clear();
+  const auto add = [&](vertex_index u) { ring.add_neighbour(m_.at(u).position, wanted_[u]); };
   for (const vertex_index t : at.faces()) {
     const face& f = m_.faces()[t];
-    const std::size_t i = f.corner_of(v);
-    const side_products sides = sides_of(t);
-    sum += defect_of(sides, f.v[after(i)]) + defect_of(sides, f.v[before(i)]);
-    if (!(sum < most)) break;
+    add(f.v[after(f.corner_of(v))]);
   }
-  return sum;
-}
-
-// Returns the defect of the faces at the node plus that of the opposite faces towards it. Ends once
-// the sum reaches `most`.
-double vertex_smoothing::defect_of_own(edges_around& at, vertex_index v, double most) const {
-  constexpr double weight_of_clearance = 2;
-  double sum = 0;
-  for (const vertex_index t : at.faces()) sum += defect_of(sides_of(t), v);
-  node there = m_.at(v);
-  there.metric = wanted_[v].metric;
-  at.visit_centres_across([&](const face_centre& c) {
-    sum += weight_of_clearance * defect(room_looked_for - clearance(c, there));
-    return sum < most;
+  const face& last = m_.faces()[at.faces().back()];
+  add(last.v[before(last.corner_of(v))]);
+  at.visit_centres_across([&ring](const face_centre& c) {
+    ring.add_centre(c);
+    return true;
   });
-  return sum;
 }
 
-double vertex_smoothing::present_defect(edges_around& at, vertex_index v) const {
-  return defect_of_others(at, v, infinity) + defect_of_own(at, v, infinity);
+double vertex_smoothing::present_defect(ring_defect& ring, vertex_index v) const {
+  const double of_others = ring.of_others(m_.at(v).position, infinity);
+  return of_others + ring.of_own(wanted_[v], infinity);
 }
 
 // Returns the energy of the faces around the node: the one to which the mesh was fitted.
@@ -224,11 +190,11 @@ double vertex_smoothing::energy() const {
 void vertex_smoothing::find_better_places(vertex_index v) {
   constexpr double weight_of_energy = 4;
   better_.clear();
-  const double now = present_defect(edges_, v);
+  collect(edges_, v, ring_);
+  const double now = present_defect(ring_, v);
   if (!(now > 0)) return;
   const double energy_now = energy();
   const node here = m_.at(v);
-  const wanted_tensor wanted_here = wanted_[v];
   const unit_displacements unit = unit_circle(here.metric);
   m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
   m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
@@ -237,21 +203,22 @@ void vertex_smoothing::find_better_places(vertex_index v) {
       const double x = unit_ * step * d.x, y = unit_ * step * d.y;
       point to{here.position.x + x * unit.first.x + y * unit.second.x,
                here.position.y + x * unit.first.y + y * unit.second.y};
-      m_.move(v, here.position);
-      if (here.kind == node_kind::sliding) to = m_.on_segment(v, to);
-      m_.move(v, to);
-      double then = defect_of_others(edges_, v, now);
+      if (here.kind == node_kind::sliding) {
+        m_.move(v, here.position);
+        to = m_.on_segment(v, to);
+      }
+      double then = ring_.of_others(to, now);
       if (!(then < now)) continue;
       vertex_index hint = here.hint;
-      wanted_[v] = look_up(to, hint);
-      then += defect_of_own(edges_, v, now - then);
+      const wanted_tensor wanted = look_up(to, hint);
+      then += ring_.of_own(wanted, now - then);
       if (!(then < now)) continue;
+      m_.move(v, to);
       // The energy is infinite where a face turns over, though its defect is finite.
       then += weight_of_energy * (energy() - energy_now);
-      if (then < now) better_.push_back({to, wanted_[v], hint, then});
+      if (then < now) better_.push_back({to, wanted, hint, then});
     }
   m_.move(v, here.position);
-  wanted_[v] = wanted_here;
   std::stable_sort(better_.begin(), better_.end(),
                    [](const place& p, const place& q) { return p.defect < q.defect; });
 }

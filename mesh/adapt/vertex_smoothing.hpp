@@ -18,6 +18,7 @@
 #include "asterism/mesh/adapt/edges_around.hpp"
 #include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/adapt/ring_defect.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
@@ -37,11 +38,6 @@ class vertex_smoothing {
   void run(const cancellation& stop);
 
  private:
-  // The wanted tensor of a node.
-  struct wanted_tensor {
-    metric_tensor metric;
-    double root = 0;  // of its determinant
-  };
   // A place of a node with a smaller defect.
   struct place {
     point at;
@@ -57,10 +53,8 @@ class vertex_smoothing {
   // on.
   struct side_products;
   side_products sides_of(vertex_index t) const;
-  double defect_of(const side_products& sides, vertex_index by) const;
-  double defect_of_others(const edges_around& at, vertex_index v, double most) const;
-  double defect_of_own(edges_around& at, vertex_index v, double most) const;
-  double present_defect(edges_around& at, vertex_index v) const;
+  void collect(edges_around& at, vertex_index v, ring_defect& ring) const;
+  double present_defect(ring_defect& ring, vertex_index v) const;
   double energy() const;
   void find_better_places(vertex_index v);
   bool stretches_edge(vertex_index v, const point& here, const place& there) const;
@@ -71,7 +65,8 @@ class vertex_smoothing {
   local_tests tests_;
   present_centres present_;
   edges_around edges_;
-  double angle_bound_, cotangent_, unit_;
+  ring_defect ring_;  // of the node at hand
+  double angle_bound_, unit_;
   wanted_at field_;
   std::vector<wanted_tensor> wanted_;  // of each node
   std::vector<char> awake_;
