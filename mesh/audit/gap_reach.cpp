@@ -131,4 +131,38 @@ gap_bound quick_reaches::along(const point& u, const measured_ray& x, const meas
   return {std::max({length, x.on_edge, y.on_edge}), {{u.x / bound, u.y / bound}, length}};
 }
 
+namespace {
+
+// True only if bound_beside() is positive in the direction u, for the ray `way` to z: the factors
+// of the ray are not divided.
+bool is_bounded_beside(const site& v, double determinant, const site& z, const point& way,
+                       const measured_direction& to) {
+  const point& u = to.u;
+  const sized_value own = sized_square_norm(v.metric, way), c = sized_square_norm(z.metric, way),
+                    other = sized_determinant(z.metric);
+  if (!(is_known(own) && is_known(c) && is_known(other))) return false;
+  const double extent = std::abs(way.x) + std::abs(way.y);
+  const auto is_ahead = [&](const metric_tensor& m) {
+    return inner_product(u, apply(m, way), extent, m.m11 + m.m22).below() > 0;
+  };
+  if (!(is_ahead(v.metric) && is_ahead(z.metric))) return false;
+  const double turned =
+      std::abs(cross(u, way)) + cross_error * (std::abs(u.x * way.y) + std::abs(u.y * way.x));
+  // Narrows by more than `narrowed` and the two `widened` of the radicand do.
+  const double squared = to.squared.value * (1 - 0x1p-18), bent = turned * turned;
+  return squared * c.value > other.value * bent && squared * own.value > determinant * bent;
+}
+
+}  // namespace
+
+bool has_quick_reach(const site& v, const site& x, const site& y) {
+  const point to_x = minus(x.position, v.position), to_y = minus(y.position, v.position);
+  const sized_value determinant = sized_determinant(v.metric);
+  if (!is_known(determinant) || !(cross(to_x, to_y) > 0)) return false;
+  const point u = towards_vertex(v, x, y, to_x, to_y);
+  const measured_direction to{u, sized_square_norm(v.metric, u)};
+  return is_known(to.squared) && is_bounded_beside(v, determinant.value, x, to_x, to) &&
+         is_bounded_beside(v, determinant.value, y, to_y, to);
+}
+
 }  // namespace asterism::internal::audit_detail

@@ -29,6 +29,7 @@ bool has_unknown_reach(const adapting::editable_mesh& m, const adapting::face& f
   if (f.segment[i] != adapting::none) return false;
   const auto at = [&m](vertex_index v) { return site{m.at(v).position, m.at(v).metric}; };
   const site v = at(f.v[i]), x = at(f.v[adapting::after(i)]), y = at(f.v[adapting::before(i)]);
+  if (audit_detail::has_quick_reach(v, x, y)) return false;
   if (std::isfinite(audit_detail::quick_reach(v, x, y))) return false;
   return !std::isfinite(star_gap(v, x, y).reach());
 }

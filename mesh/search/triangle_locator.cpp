@@ -48,9 +48,8 @@ double find_weights(const std::vector<point>& places, const triangle& t, const p
   return std::min({weights[0], weights[1], weights[2]});
 }
 
-triangle_locator::located without_negative_weights(triangle_locator::located found) {
+void raise_negative_weights(triangle_locator::located& found) {
   for (double& w : found.weights) w = std::max(0.0, w);
-  return found;
 }
 
 }  // namespace
@@ -133,7 +132,8 @@ triangle_locator::located triangle_locator::deepest(const point& q) const {
     half = half == 0 ? std::ldexp(extent, -50) : 2 * half;
   }
   if (depth == no_depth) best.weights = {1, 0, 0};
-  return without_negative_weights(best);
+  raise_negative_weights(best);
+  return best;
 }
 
 bool triangle_locator::walk(const point& q, located& at) const {
@@ -161,7 +161,9 @@ bool triangle_locator::walk(const point& q, located& at) const {
 triangle_locator::located triangle_locator::nearby(const point& q, vertex_index hint) const {
   located at;
   at.triangle = hint < triangles_.size() ? hint : 0;
-  return walk(q, at) ? without_negative_weights(at) : deepest(q);
+  if (!walk(q, at)) return deepest(q);
+  raise_negative_weights(at);
+  return at;
 }
 
 bool triangle_locator::is_corner(const point& q, vertex_index t) const {
@@ -222,7 +224,8 @@ triangle_locator::located triangle_locator::find(const point& q) const {
     at = beside ? *beside : deepest(q);
   }
   last.store(at.triangle, std::memory_order_relaxed);
-  return without_negative_weights(at);
+  raise_negative_weights(at);
+  return at;
 }
 
 std::vector<graph_edge> triangle_locator::edges() const {

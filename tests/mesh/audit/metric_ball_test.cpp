@@ -79,3 +79,24 @@ TEST_CASE("no accepted site is beyond the quick reach of its gap") {
   }
   CHECK(accepted > 1000);
 }
+
+TEST_CASE("a gap that is said to have a quick reach has one, and most are said to") {
+  const std::uint64_t seed = 83;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  std::size_t said = 0, finite = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const double strength = i % 2 == 0 ? 0.3 : 3.0;
+    const auto somewhere = [&] {
+      return site{{random.real(-1, 1), random.real(-1, 1)}, random_metric(random, strength)};
+    };
+    const site v = somewhere(), x = somewhere(), y = somewhere();
+    CAPTURE(i);
+    const bool is_finite = std::isfinite(quick_reach(v, x, y)), is_said = has_quick_reach(v, x, y);
+    if (is_said) REQUIRE(is_finite);
+    said += is_said ? 1 : 0;
+    finite += is_finite ? 1 : 0;
+  }
+  CHECK(finite > 10'000);
+  CHECK(said > 8 * finite / 10);
+}
