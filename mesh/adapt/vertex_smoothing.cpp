@@ -184,40 +184,35 @@ double vertex_smoothing::energy() const {
   return sum;
 }
 
-// Lists the places around v, of several tried, with a smaller defect, the best first. The increase
-// of the mesh's energy at a place counts as part of its defect: without that, errors of
-// interpolation grow by 5 %.
-void vertex_smoothing::find_better_places(vertex_index v) {
+// Lists the places at this distance from v, in units, with a smaller defect than `now`, the best
+// first. The increase of the mesh's energy at a place counts as part of its defect: without that,
+// errors of interpolation grow by 5 %.
+void vertex_smoothing::find_better_places(vertex_index v, double step, double now,
+                                          double energy_now) {
   constexpr double weight_of_energy = 4;
   better_.clear();
-  collect(edges_, v, ring_);
-  const double now = present_defect(ring_, v);
-  if (!(now > 0)) return;
-  const double energy_now = energy();
   const node here = m_.at(v);
   const unit_displacements unit = unit_circle(here.metric);
-  m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
-  m_.note_looked_at(work_weights::faces_for_place * 2 * directions.size() * edges_.faces().size());
-  for (const double step : {0.15, 0.05})
-    for (const point& d : directions) {
-      const double x = unit_ * step * d.x, y = unit_ * step * d.y;
-      point to{here.position.x + x * unit.first.x + y * unit.second.x,
-               here.position.y + x * unit.first.y + y * unit.second.y};
-      if (here.kind == node_kind::sliding) {
-        m_.move(v, here.position);
-        to = m_.on_segment(v, to);
-      }
-      double then = ring_.of_others(to, now);
-      if (!(then < now)) continue;
-      vertex_index hint = here.hint;
-      const wanted_tensor wanted = look_up(to, hint);
-      then += ring_.of_own(wanted, now - then);
-      if (!(then < now)) continue;
-      m_.move(v, to);
-      // The energy is infinite where a face turns over, though its defect is finite.
-      then += weight_of_energy * (energy() - energy_now);
-      if (then < now) better_.push_back({to, wanted, hint, then});
+  m_.note_looked_at(2 * work_weights::faces_for_place * directions.size() * edges_.faces().size());
+  for (const point& d : directions) {
+    const double x = unit_ * step * d.x, y = unit_ * step * d.y;
+    point to{here.position.x + x * unit.first.x + y * unit.second.x,
+             here.position.y + x * unit.first.y + y * unit.second.y};
+    if (here.kind == node_kind::sliding) {
+      m_.move(v, here.position);
+      to = m_.on_segment(v, to);
     }
+    double then = ring_.of_others(to, now);
+    if (!(then < now)) continue;
+    vertex_index hint = here.hint;
+    const wanted_tensor wanted = look_up(to, hint);
+    then += ring_.of_own(wanted, now - then);
+    if (!(then < now)) continue;
+    m_.move(v, to);
+    // The energy is infinite where a face turns over, though its defect is finite.
+    then += weight_of_energy * (energy() - energy_now);
+    if (then < now) better_.push_back({to, wanted, hint, then});
+  }
   m_.move(v, here.position);
   std::stable_sort(better_.begin(), better_.end(),
                    [](const place& p, const place& q) { return p.defect < q.defect; });
@@ -255,10 +250,9 @@ bool vertex_smoothing::may_be_at(vertex_index v, const place& there) {
   return std::none_of(at.begin(), at.end(), is_low) && edges_.all_of(has_room);
 }
 
-// Moves v to a better place, if there is one where all edges and angles pass their tests.
-bool vertex_smoothing::settle(vertex_index v) {
-  edges_.turn_to(v);
-  find_better_places(v);
+// Moves v to the best of the places found where all edges and angles pass their tests, if there is
+// one.
+bool vertex_smoothing::take_place(vertex_index v) {
   if (better_.empty()) return false;
   edges_.remember();
   const point here = m_.at(v).position;
@@ -267,6 +261,23 @@ bool vertex_smoothing::settle(vertex_index v) {
     wanted_[v] = there.wanted;
     m_.at(v).hint = there.hint;
     edges_.accept();
+    return true;
+  }
+  m_.move(v, here);
+  return false;
+}
+
+// Moves v to a better place, if one is found; tries nearer places only where no farther one is
+// taken.
+bool vertex_smoothing::settle(vertex_index v) {
+  edges_.turn_to(v);
+  collect(edges_, v, ring_);
+  const double now = present_defect(ring_, v);
+  if (!(now > 0)) return false;
+  const double energy_now = energy();
+  for (const double step : {0.15, 0.05}) {
+    find_better_places(v, step, now, energy_now);
+    if (!take_place(v)) continue;
     face_list ring;
     m_.neighbours(v, ring);
     unmark_around(v);
@@ -274,7 +285,6 @@ bool vertex_smoothing::settle(vertex_index v) {
     awake_[v] = 1;
     return true;
   }
-  m_.move(v, here);
   return false;
 }
 

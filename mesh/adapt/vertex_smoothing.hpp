@@ -56,9 +56,10 @@ class vertex_smoothing {
   void collect(edges_around& at, vertex_index v, ring_defect& ring) const;
   double present_defect(ring_defect& ring, vertex_index v) const;
   double energy() const;
-  void find_better_places(vertex_index v);
+  void find_better_places(vertex_index v, double step, double now, double energy_now);
   bool stretches_edge(vertex_index v, const point& here, const place& there) const;
   bool may_be_at(vertex_index v, const place& there);
+  bool take_place(vertex_index v);
   bool settle(vertex_index v);
 
   editable_mesh& m_;
