@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <numbers>
+#include <utility>
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
@@ -80,6 +81,16 @@ bool consistency_repair::round() {
   next_.assign(m_.nodes().size(), 0);
   report_.disagreeing = report_.low = 0;
   find_due_faces();
+  if (!std::exchange(edges_agree_, false)) mend_edges();
+  find_fine_faces();
+  visit_due(0, m_.faces().size(), [this](vertex_index t) {
+    if (is_active(t)) check_angles(t);
+  });
+  active_ = next_;
+  return report_.disagreeing + report_.low > 0;
+}
+
+void consistency_repair::mend_edges() {
   find_clear_edges();
   visit_due(0, m_.faces().size(), [this](vertex_index t) {
     for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) {
@@ -88,12 +99,6 @@ bool consistency_repair::round() {
       if (is_active(t) || is_active(s)) check_edge(t, i);
     }
   });
-  find_fine_faces();
-  visit_due(0, m_.faces().size(), [this](vertex_index t) {
-    if (is_active(t)) check_angles(t);
-  });
-  active_ = next_;
-  return report_.disagreeing + report_.low > 0;
 }
 
 void consistency_repair::add_due_face(vertex_index t) {

@@ -47,6 +47,9 @@ class consistency_repair {
   void run();
   // Clips the tensors of these nodes, whose stars disagree in a way that run() does not detect.
   void disagreed_at(const std::vector<vertex_index>& nodes);
+  // Leaves edges out of the next round: they all agree, as another repair of the mesh found, since
+  // when nothing has changed.
+  void edges_agree() { edges_agree_ = true; }
   // Adds the triangles of these new nodes to those that run() examines.
   void changed_at(const std::vector<vertex_index>& nodes);
   // Returns the report of all rounds so far.
@@ -54,6 +57,7 @@ class consistency_repair {
 
  private:
   bool round();
+  void mend_edges();
   bool is_active(vertex_index t) const;
   // True if the node, or a neighbour of it, was changed in this round.
   bool is_touched(vertex_index v) const { return next_[v] != 0; }
@@ -76,7 +80,8 @@ class consistency_repair {
   editable_mesh& m_;
   const repair_options& options_;
   local_tests tests_;
-  double aim_;  // cotangent of the angle aimed at
+  double aim_;                // cotangent of the angle aimed at
+  bool edges_agree_ = false;  // until the next round
   std::vector<char> active_, next_;
   // Flags of the faces to be tested: faces with an active node, and the neighbours of these, those
   // that the round has made included.

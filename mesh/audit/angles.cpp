@@ -29,7 +29,7 @@ struct plain_triangle {
     for (std::size_t i = 0; i < 3; ++i) {
       const point &from = context.at(t[i]), &to = context.at(t[(i + 1) % 3]);
       edge[i] = {to.x - from.x, to.y - from.y};
-      extent = std::fmax(extent, std::abs(edge[i].x) + std::abs(edge[i].y));
+      extent = std::max(extent, std::abs(edge[i].x) + std::abs(edge[i].y));
     }
     if (const double power = power_to_unit(extent); power != 1) {
       for (vector2<double>& e : edge) e = {power * e.x, power * e.y};

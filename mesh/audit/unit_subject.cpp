@@ -36,7 +36,7 @@ sizes sizes_of(const mesh& subject) {
 
 }  // namespace
 
-double power_to_unit(double size) {
+double power_of_extreme(double size) {
   constexpr int most = 1000;  // a power that is a normal double, and so is its inverse
   if (!(size > 0 && std::isfinite(size))) return 1;
   const int exponent = std::ilogb(size);

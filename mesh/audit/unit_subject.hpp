@@ -19,8 +19,11 @@ struct unit_subject {
 // would lose bits. Requires finite coordinates and positive definite metrics.
 std::optional<unit_subject> unit_subject_of(const mesh& subject);
 
-// Returns the exponent of the power of two that brings a positive number to about 1, for numbers
-// that are very large or very small; the exponent 0 for all others.
-double power_to_unit(double size);
+// Returns the power of two that brings a positive number to about 1, for numbers that are very
+// large or very small; 1 for all others.
+double power_of_extreme(double size);
+inline double power_to_unit(double size) {
+  return 0x1p-100 < size && size < 0x1p100 ? 1 : power_of_extreme(size);
+}
 
 }  // namespace asterism::internal::audit_detail

@@ -208,6 +208,7 @@ class local_adaptation {
   // Makes the mesh and its audit in made_. Returns false where the mesh cannot be made within the
   // work that is left.
   bool attempt(const mesh& start, const strictness& how) {
+    edges_agree_ = false;
     auto built = editable_mesh::build(domain_, start);
     if (!built) return false;
     editable_mesh m = std::move(built).value();
@@ -229,6 +230,7 @@ class local_adaptation {
     constexpr double tolerable = 0.015;
     if (!fit_to_own(m, maker, how, making.most_nodes)) return false;
     if (off_count(m.count(), goal_.count()) > tolerable && !stop_reason() && !are_many_given(m)) {
+      edges_agree_ = false;
       const background_metric own = field_of(m);
       maker.meet_count(field_by(own, m));
       if (is_overworked()) return false;
@@ -295,7 +297,7 @@ class local_adaptation {
   }
 
   // Splits edges that are still too long for stars to agree, which the unit mesh left.
-  void split_left_long(editable_mesh& m, unit_mesh_remesher& maker, std::size_t most_nodes) const {
+  void split_left_long(editable_mesh& m, unit_mesh_remesher& maker, std::size_t most_nodes) {
     repair_options agree = asked_of_agreement(maker.unit());
     // Bounds the rounds: these are enough to find the edges that stars need. Stars that still
     // disagree are repaired when the mesh is delivered.
@@ -306,8 +308,11 @@ class local_adaptation {
       return wanted_.at(q, hint);
     };
     for (int i = 0; i < rounds && !stop_reason(); ++i) {
-      consistency_repair(m, agree).run();
-      if (maker.split_left_long(wanted, most_nodes) == 0) return;
+      consistency_repair agreeing(m, agree);
+      agreeing.run();
+      if (maker.split_left_long(wanted, most_nodes) > 0) continue;
+      edges_agree_ = agreeing.report().disagreeing == 0;
+      return;
     }
   }
 
@@ -317,6 +322,7 @@ class local_adaptation {
   void deliver(editable_mesh& m, unit_mesh_remesher& maker) {
     const repair_options agree = asked_of_agreement(length_factor_);
     consistency_repair agreeing(m, agree);
+    if (std::exchange(edges_agree_, false)) agreeing.edges_agree();
     agreeing.run();
     constexpr std::size_t very_few = 100;  // one node in this number
     wants_room_ = !goal_.has_room() &&
@@ -457,6 +463,7 @@ class local_adaptation {
   std::vector<point> seeds_;
   std::vector<std::optional<site>> looked_up_;  // metric wanted of each node, where it was
   double length_factor_ = 1;
+  bool edges_agree_ = false;     // of the mesh that is being made
   bool wants_room_ = false;      // angles beside short segments were low
   bool repair_gave_up_ = false;  // mending of the last mesh was given up
   audited_mesh made_;            // the last mesh
