@@ -121,6 +121,13 @@ metric_tensor intersection(const metric_tensor& a, const metric_tensor& b) {
                             exponent);
 }
 
+metric_tensor turned(const metric_tensor& t, double cosine, double sine) {
+  const double c = cosine, s = sine;
+  return {c * c * t.m11 - 2 * (c * s) * t.m12 + s * s * t.m22,
+          c * s * (t.m11 - t.m22) + (c * c - s * s) * t.m12,
+          s * s * t.m11 + 2 * (c * s) * t.m12 + c * c * t.m22};
+}
+
 double density_ratio(const metric_tensor& b, const metric_tensor& a) {
   const int p = exponent_of(b), q = exponent_of(a);
   const double ratio =

@@ -51,6 +51,10 @@ bool exceeds(const metric_tensor& b, const metric_tensor& a, double slack);
 // and repeated it shrinks without bound.)
 metric_tensor intersection(const metric_tensor& a, const metric_tensor& b);
 
+// Returns the tensor turned by the angle with this cosine and sine: R t R^T for the turn R. Exact
+// for turns by quarters.
+metric_tensor turned(const metric_tensor& t, double cosine, double sine);
+
 // Returns sqrt(det b / det a), the ratio of the densities of sites: b's to a's.
 double density_ratio(const metric_tensor& b, const metric_tensor& a);
 

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <numeric>
+#include <set>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/periodic_partners.hpp"
 
 namespace asterism::internal {
@@ -20,6 +24,34 @@ using partner_list = std::vector<std::array<vertex_index, 2>>;
 // each of which is fitted to four rings at most.
 constexpr int rings = 5;
 
+// A turn, by its cosine and sine, then a shift.
+struct rigid_map {
+  double cosine = 1, sine = 0;
+  point shift;
+
+  point image(const point& q) const {
+    return {cosine * q.x - sine * q.y + shift.x, sine * q.x + cosine * q.y + shift.y};
+  }
+  rigid_map inverse() const {
+    return {cosine,
+            -sine,
+            {-(cosine * shift.x + sine * shift.y), -(cosine * shift.y - sine * shift.x)}};
+  }
+};
+
+// Returns the map of two sides that match. The cosine and the sine of turns by quarters are exact.
+rigid_map map_of(const periodic_match& match) {
+  constexpr double quarter = 90, half = 180;
+  const double quarters = std::nearbyint(match.turn / quarter);
+  if (match.turn == quarter * quarters) {
+    constexpr std::array<double, 4> sines = {0, 1, 0, -1};
+    const auto k = static_cast<std::size_t>(static_cast<int>(quarters) & 3);
+    return {sines[(k + 1) % 4], sines[k], match.shift};
+  }
+  const double angle = match.turn / half * std::numbers::pi;
+  return {elementary::cos(angle), elementary::sin(angle), match.shift};
+}
+
 class continuation {
  public:
   explicit continuation(const mesh& m) : which_(m.sites.size(), 0) {
@@ -29,21 +61,21 @@ class continuation {
     std::iota(made_.origin.begin(), made_.origin.end(), vertex_index{0});
   }
 
-  // Copies the mesh across both sides of a pair whose second side is the first one shifted.
-  void across(const partner_list& partners, const point& shift) {
+  // Copies the mesh across both sides of a pair whose second side is the image of the first.
+  void across(const partner_list& partners, const rigid_map& map) {
     std::map<vertex_index, vertex_index> to_second, to_first;
     for (const auto& [a, b] : partners) {
       to_second[a] = b;
       to_first[b] = a;
-      made_.partners.push_back({a, b});
+      made_.partners.push_back({a, b, map.cosine, map.sine});
     }
     const auto at_first = near(to_second), at_second = near(to_first);
     for (std::uint64_t& which : which_) which *= 3;
     places_.clear();
     for (std::size_t v = 0; v < which_.size(); ++v)
       places_[{made_.origin[v], which_[v]}] = static_cast<vertex_index>(v);
-    copy(at_first, to_second, shift, 1);
-    copy(at_second, to_first, {-shift.x, -shift.y}, 2);
+    copy(at_first, to_second, map, 1);
+    copy(at_second, to_first, map.inverse(), 2);
   }
 
   glued_mesh take() && { return std::move(made_); }
@@ -67,7 +99,7 @@ class continuation {
   }
 
   void copy(const std::vector<triangle>& strip, const std::map<vertex_index, vertex_index>& partner,
-            const point& by, std::uint64_t digit) {
+            const rigid_map& by, std::uint64_t digit) {
     for (const triangle& t : strip)
       made_.continued.triangles.push_back({image(t[0], partner, by, digit),
                                            image(t[1], partner, by, digit),
@@ -76,7 +108,7 @@ class continuation {
 
   // Returns the vertex that is the copy of another: its partner where that exists, or a new one.
   vertex_index image(vertex_index v, const std::map<vertex_index, vertex_index>& partner,
-                     const point& by, std::uint64_t digit) {
+                     const rigid_map& by, std::uint64_t digit) {
     const vertex_index own = made_.origin[v];
     if (const auto other = partner.find(own); other != partner.end())
       if (const auto there = places_.find({other->second, which_[v]}); there != places_.end())
@@ -85,7 +117,7 @@ class continuation {
     const auto [place, is_new] = places_.try_emplace({own, which_[v] + digit}, next);
     if (!is_new) return place->second;
     site moved = made_.continued.sites[v];
-    moved.position = {moved.position.x + by.x, moved.position.y + by.y};
+    moved.position = by.image(moved.position);
     made_.continued.sites.push_back(moved);
     made_.origin.push_back(own);
     which_.push_back(which_[v] + digit);
@@ -99,6 +131,14 @@ class continuation {
   std::map<std::pair<vertex_index, std::uint64_t>, vertex_index> places_;
 };
 
+// True if two sides have a vertex in common, where copies may lie one above the other.
+bool meet(const partner_list& partners) {
+  std::set<vertex_index> first;
+  for (const auto& [a, b] : partners) first.insert(a);
+  return std::any_of(partners.begin(), partners.end(),
+                     [&first](const auto& pair) { return first.contains(pair[1]); });
+}
+
 }  // namespace
 
 std::optional<glued_mesh> continued_across(const mesh& m, const std::vector<periodic_pair>& pairs) {
@@ -107,8 +147,8 @@ std::optional<glued_mesh> continued_across(const mesh& m, const std::vector<peri
   for (const periodic_pair& sides : pairs) {
     const auto match = match_periodic(m, sides);
     const auto partners = periodic_partners(m, sides.first, sides.second);
-    if (!match || !partners || match.value().turn != 0) continue;
-    made.across(partners.value(), match.value().shift);
+    if (!match || !partners || (match.value().turn != 0 && meet(partners.value()))) continue;
+    made.across(partners.value(), map_of(match.value()));
     any = true;
   }
   if (!any) return std::nullopt;

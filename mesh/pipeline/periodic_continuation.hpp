@@ -13,9 +13,9 @@
 
 namespace asterism::internal {
 
-// Copies, beyond each side, the triangles near its partner, shifted. Of several pairs the later
-// ones copy the copies, too, so that the corners of a torus are inside. Returns nothing where no
-// pair matches by a shift: sides that do not match yet, and those that are turned, stay boundary.
+// Copies, beyond each side, the triangles near its partner, shifted or turned. Of several pairs the
+// later ones copy the copies, too, so that the corners of a torus are inside. Returns nothing where
+// no pair matches: sides that do not match yet stay boundary, and turned sides that meet do.
 std::optional<glued_mesh> continued_across(const mesh& m, const std::vector<periodic_pair>& pairs);
 
 }  // namespace asterism::internal

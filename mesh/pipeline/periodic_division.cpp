@@ -21,11 +21,7 @@ class finer_of_sides final : public metric_field {
     const auto here = field_.at(q), there = field_.at(map_.image(q));
     if (!here) return here;
     if (!there) return there;
-    const metric_tensor& t = there.value();
-    const double c = map_.cosine, s = map_.sine;
-    const metric_tensor back{c * c * t.m11 + 2 * (c * s) * t.m12 + s * s * t.m22,
-                             c * s * (t.m22 - t.m11) + (c * c - s * s) * t.m12,
-                             s * s * t.m11 - 2 * (c * s) * t.m12 + c * c * t.m22};
+    const metric_tensor back = turned(there.value(), map_.cosine, -map_.sine);
     return identical(here.value(), back) ? here : intersection(here.value(), back);
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/solution/computed_field.hpp"
 #include "asterism/mesh/solution/mean_moduli.hpp"
 #include "asterism/mesh/solution/relative_error.hpp"
@@ -61,11 +62,12 @@ result<one_field> derivatives_of(const mesh& m, const mesh_links& links,
   return made;
 }
 
-// Keeps the values of the mesh's own vertices, equal for periodic partners.
+// Keeps the values of the mesh's own vertices, equal for periodic partners but for the turn.
 void take_own(const glued_mesh& glued, std::size_t own, one_field& found) {
   for (auto* tensors : {&found.recovered.at, &found.moduli}) {
     tensors->resize(own);
-    for (const auto& [first, second] : glued.partners) (*tensors)[second] = (*tensors)[first];
+    for (const glued_vertices& one : glued.partners)
+      (*tensors)[one.second] = turned((*tensors)[one.first], one.cosine, one.sine);
   }
   const auto& at = found.recovered.at;
   found.recovered.noise =

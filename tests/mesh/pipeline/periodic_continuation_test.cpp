@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "asterism/mesh/data/solution.hpp"
+#include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
@@ -185,7 +186,41 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("sides that do not match, or are turned, stay boundary") {
+TEST_CASE("across turned sides second derivatives are turned, and know nothing of the seam") {
+  const double quarter = 1.5707963267948966;
+  mesh m;
+  for (vertex_index j = 0; j <= n; ++j)
+    for (vertex_index i = 0; i <= n; ++i) {
+      const double r = 1 + static_cast<double>(i) / n, angle = quarter * j / n;
+      m.sites.push_back({{r * std::cos(angle), r * std::sin(angle)}, {1, 0, 1}});
+    }
+  // The sides on the axes are images of each other, exactly.
+  for (vertex_index i = 0; i <= n; ++i) m.sites[(n + 1) * n + i].position = {0, 1 + 1.0 * i / n};
+  tests::add_cells(
+      n, [](vertex_index i, vertex_index j) { return (n + 1) * j + i; }, m);
+  const auto tensors_of = [&](double phase) {
+    nodal_values u{"u", {}};
+    for (const site& s : m.sites) {
+      const double r = std::hypot(s.position.x, s.position.y),
+                   angle = std::atan2(s.position.y, s.position.x);
+      u.values.push_back(std::tanh(4 * (r - 1.5 - 0.1 * std::sin(4 * angle + phase))));
+    }
+    const auto glued = continued_across(m, {{1, 3}});
+    REQUIRE(glued);
+    solution_metric_options wishes;
+    wishes.vertices = 500;
+    return make_glued_metric(m, *glued, {u}, wishes).value().tensors;
+  };
+  const auto at_seam = tensors_of(0), inside = tensors_of(2 * quarter);
+  const double half = std::sqrt(0.5);
+  for (vertex_index i = 0; i <= n; ++i) {
+    const metric_tensor& t = at_seam[i];
+    CHECK(identical(at_seam[(n + 1) * n + i], {t.m22, -t.m12, t.m11}));
+    CHECK(apart(turned(t, half, half), inside[(n + 1) * (n / 2) + i]) < 1e-6);
+  }
+}
+
+TEST_CASE("sides that do not match, or are turned and meet, stay boundary") {
   mesh m = grid();
   CHECK_FALSE(continued_across(m, {}));
   CHECK_FALSE(continued_across(m, {{1, 2}}));
