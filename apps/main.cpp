@@ -66,7 +66,8 @@ bool is_read_by_one(CLI::App& program, const std::vector<std::string>& words, co
                   [](const std::string& word) { return find_command(word) != nullptr; }))
     return false;
   named->add(program, chosen);
-  if (empty_file_name(words) || misread_help(program, words) || misused_stream(words)) return false;
+  if (empty_file_name(words) || misread_option(program, words) || misused_stream(words))
+    return false;
   try {
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError&) {
@@ -101,7 +102,7 @@ int run_with_all(const std::vector<std::string>& words) {
   for (const known_command& known : known_commands) known.add(program, chosen);
   group_options(program);
   auto message = empty_file_name(words);
-  if (!message) message = misread_help(program, words);
+  if (!message) message = misread_option(program, words);
   if (!message && !words.empty() && takes_files(find_command(words[0])))
     message = misused_stream(words);
   if (message) {

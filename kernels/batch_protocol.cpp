@@ -7,8 +7,10 @@
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "asterism/core/number_text.hpp"
+#include "asterism/core/similar_name.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -34,12 +36,17 @@ struct named_predicate {
   std::size_t implied = 0;  // numbers that the name stands for
 };
 
+error unknown_predicate(std::string_view name) {
+  std::vector<std::string> known = {"orient2d", "incircle"};
+  known.insert(known.end(), predicate_names.begin(), predicate_names.end());
+  return error{"field 1: unknown predicate " + quoted_token(name) + did_you_mean(name, known)};
+}
+
 result<named_predicate> parse_name(std::string_view name) {
   if (name == "orient2d") return named_predicate{predicate::orientation};
   if (name == "incircle") return named_predicate{predicate::in_circle, 3};
   const auto found = std::find(predicate_names.begin(), predicate_names.end(), name);
-  if (found == predicate_names.end())
-    return error{"field 1: unknown predicate " + quoted_token(name)};
+  if (found == predicate_names.end()) return unknown_predicate(name);
   return named_predicate{static_cast<predicate>(found - predicate_names.begin())};
 }
 

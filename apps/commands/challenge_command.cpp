@@ -11,11 +11,14 @@
 
 #include "asterism/apps/base/commands.hpp"
 #include "asterism/apps/base/complain.hpp"
+#include "asterism/apps/base/notes.hpp"
 #include "asterism/apps/options/option_values.hpp"
 #include "asterism/challenge/report.hpp"
 #include "asterism/core/number_text.hpp"
+#include "asterism/core/similar_name.hpp"
 #include "asterism/core/version.h"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/similar_file.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -24,6 +27,7 @@ using namespace challenge;
 
 struct challenge_options {
   std::vector<std::string> predicates, classes, command;
+  std::vector<std::string> own;  // names of the options of challenge
   record_choice records;
   challenge::run_limits limits;
   std::filesystem::path report, record_file;
@@ -33,7 +37,8 @@ struct challenge_options {
 constexpr real_range waits = {0.01, 86400, true, true, "from 0.01 to 86400 seconds"};
 
 constexpr const char* challenge_examples =
-    R"(asterism challenge [OPTIONS] COMMAND [ARGUMENTS...]: what follows COMMAND is its own.
+    R"(asterism challenge [OPTIONS] COMMAND [ARGUMENTS...]: what follows COMMAND is its own,
+-o too; a note names an option of challenge there.
 COMMAND reads records of the batch protocol from standard input, one a line (asterism eval --help),
 and answers each with one line: an integer, '?' if undecided, or 'error: ...'. It ends at the end of
 its input. Without --predicate each name is tried first, and those it knows are asked.
@@ -47,6 +52,18 @@ Examples:
   asterism challenge --classes cocircular,one-ulp,hard_cases.txt asterism eval --kernel double
   asterism challenge --count 1000 --records corpus.txt)";
 
+std::vector<std::string> names_of(const auto& named) {
+  std::vector<std::string> names;
+  for (const auto& one : named) names.emplace_back(one.name);
+  return names;
+}
+
+// Returns a clause about a class with a similar name, or else a file; empty if there is none.
+std::string similar_source(const std::string& name) {
+  const std::string meant = internal::did_you_mean(name, names_of(input_classes()));
+  return meant.empty() ? internal::similar_file(name) : meant;
+}
+
 result<std::vector<question>> chosen_questions(const challenge_options& options) {
   std::vector<question> chosen;
   if (options.predicates.empty()) {
@@ -55,7 +72,9 @@ result<std::vector<question>> chosen_questions(const challenge_options& options)
   }
   for (const std::string& name : options.predicates) {
     const auto found = question_named(name);
-    if (!found) return error{"--predicate: unknown predicate " + internal::quoted_token(name)};
+    if (!found)
+      return error{"--predicate: unknown predicate " + internal::quoted_token(name) +
+                   internal::did_you_mean(name, names_of(questions()))};
     chosen.push_back(*found);
   }
   return chosen;
@@ -73,7 +92,7 @@ result<std::vector<record_source>> chosen_sources(const challenge_options& optio
     std::error_code ignored;
     if (!std::filesystem::exists(name, ignored))
       return error{"--classes: " + internal::quoted_token(name) +
-                   " is neither a class (--list) nor a file"};
+                   " is neither a class (--list) nor a file" + similar_source(name)};
     auto read = read_records(name);
     if (!read) return read.failure();
     for (record_source& source : read.value()) chosen.push_back(std::move(source));
@@ -129,6 +148,21 @@ int challenge_and_report(const challenge_options& options, const challenge_plan&
   return outcome.value().all_right(options.undecided_passes) ? done : not_reached;
 }
 
+// Notes the first word behind the program's name that is an option of challenge: the program gets
+// it.
+void warn_of_own_options(const challenge_options& options) {
+  for (const std::string& word : options.command) {
+    const std::string name = word.substr(0, word.find('='));
+    if (std::find(options.own.begin(), options.own.end(), name) == options.own.end()) continue;
+    say_notes({name + " goes to " + internal::quoted_token(options.command.front()) +
+               ", since it is behind it; options of challenge go before the program, as in "
+               "asterism challenge " +
+               name + " ... " + options.command.front()},
+              {});
+    return;
+  }
+}
+
 int run_challenge(const challenge_options& options) {
   if (options.list) return list_classes();
   const bool writes = !options.record_file.empty();
@@ -146,6 +180,7 @@ int run_challenge(const challenge_options& options) {
          "; 'asterism challenge --help' lists those there are, and options of COMMAND stand behind "
          "it"},
         refused);
+  warn_of_own_options(options);
   auto asked = chosen_questions(options);
   if (!asked) return complain(asked.failure(), refused);
   auto sources = chosen_sources(options);
@@ -216,6 +251,10 @@ void add_challenge_command(CLI::App& program, command& chosen) {
       ->type_name("FILE");
   app->add_flag("--allow-undecided", options->undecided_passes,
                 "'?' passes for right in the exit status");
+  for (const CLI::Option* const option : app->get_options()) {
+    for (const std::string& name : option->get_snames()) options->own.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) options->own.push_back("--" + name);
+  }
   app->footer(challenge_examples);
   app->prefix_command();
   app->callback([app, options, &chosen] {

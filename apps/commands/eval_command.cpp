@@ -11,6 +11,7 @@
 #include "asterism/apps/base/commands.hpp"
 #include "asterism/apps/base/complain.hpp"
 #include "asterism/kernels/batch_protocol.hpp"
+#include "asterism/mesh/io/similar_file.hpp"
 
 namespace asterism::apps {
 namespace {
@@ -77,7 +78,9 @@ int run_eval(const eval_options& options) {
     if (std::filesystem::is_directory(file, ignored))
       return complain({file + ": is a directory, not a file of records"}, refused);
     streams.emplace_back(file, std::ios::binary);
-    if (!streams.back()) return complain({file + ": cannot be opened for reading"}, refused);
+    if (!streams.back())
+      return complain({file + ": cannot be opened for reading" + internal::similar_file(file)},
+                      refused);
     if (!std::filesystem::is_regular_file(file, ignored)) continue;
     if (const auto failed = refuse_other_kind(file, streams.back()))
       return complain(*failed, refused);

@@ -18,7 +18,7 @@ struct foreign_option {
 };
 
 // Names of options in other meshers, and the options here that mean the same.
-inline constexpr std::array<foreign_option, 89> foreign_options = {{
+inline constexpr std::array<foreign_option, 90> foreign_options = {{
     {"hmax", "--size", "the length of an edge of metric length 1"},
     {"hsiz", "--size", "the length of an edge of metric length 1"},
     {"clmax", "--size", "the length of an edge of metric length 1"},
@@ -31,6 +31,7 @@ inline constexpr std::array<foreign_option, 89> foreign_options = {{
     {"nr", "--corner-angle", "of 180 degrees keeps no corner by its angle"},
     {"ar", "--repair-domain", "none is needed: every corner of the domain is kept", false},
     {"nr", "--repair-domain", "every corner of the domain is kept", false},
+    {"optim", "--implied", "the metric that the mesh's edges imply"},
     {"nbvx", "--max-sites", "the greatest number of vertices"},
     {"err", "--error", "the interpolation error wanted"},
     {"out", "-o", "the file to write"},

@@ -6,70 +6,18 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <numeric>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "asterism/apps/help/foreign_names.hpp"
+#include "asterism/core/similar_name.hpp"
 #include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::apps {
+using internal::did_you_mean;
 using internal::one_line;
 namespace {
-
-// Returns the number of letters that must be changed, added, removed or exchanged with their
-// neighbour to turn one word into the other (optimal string alignment).
-std::size_t distance(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  std::iota(rows[0].begin(), rows[0].end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    rows[i][0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      rows[i][j] = std::min({rows[i - 1][j] + 1, rows[i][j - 1] + 1,
-                             rows[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      const bool is_exchanged = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (is_exchanged) rows[i][j] = std::min(rows[i][j], rows[i - 2][j - 2] + 1);
-    }
-  }
-  return rows[a.size()][b.size()];
-}
-
-// Returns the name that the word begins: the shortest, if all others that begin with the word begin
-// with that name; empty where there is none.
-std::string completed(const std::string& word, const std::vector<std::string>& names) {
-  // Least number of letters that can be completed, dashes of options included.
-  constexpr std::size_t least = 3;
-  std::string shortest;
-  const auto begins = [](const std::string& name, const std::string& with) {
-    return name.compare(0, with.size(), with) == 0;
-  };
-  for (const std::string& name : names)
-    if (begins(name, word) && (shortest.empty() || name.size() < shortest.size())) shortest = name;
-  const bool is_one = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    return !begins(name, word) || begins(name, shortest);
-  });
-  return word.size() >= least && is_one ? shortest : "";
-}
-
-std::string in_small_letters(std::string word) {
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word;
-}
-
-// Returns a clause such as "; did you mean --size?" if a name was begun, or differs in at most two
-// letters and less than half of them.
-std::string meant(const std::string& word, const std::vector<std::string>& names) {
-  const std::string whole = completed(word, names);
-  if (!whole.empty()) return "; did you mean " + whole + "?";
-  const std::string small = in_small_letters(word);
-  const auto nearest = std::min_element(
-      names.begin(), names.end(),
-      [&](const auto& a, const auto& b) { return distance(small, a) < distance(small, b); });
-  if (nearest == names.end()) return "";
-  const std::size_t off = distance(small, *nearest);
-  return off <= 2 && 2 * off < word.size() ? "; did you mean " + *nearest + "?" : "";
-}
 
 std::vector<std::string> options_of(const CLI::App& app) {
   std::vector<std::string> names;
@@ -108,7 +56,7 @@ std::string meant_value(const std::string& message) {
     values.emplace_back(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  return meant(message.substr(begin + 2, at - begin - 2), values);
+  return did_you_mean(message.substr(begin + 2, at - begin - 2), values);
 }
 
 // Returns the parser's objection to a value, in the form of the other messages.
@@ -169,6 +117,23 @@ std::string unknown_option(const std::vector<std::string>& words,
   return "";
 }
 
+// True if a word with one dash begins with a short option and is the name of another one: -hmax,
+// which would be read as -h max, and -output, as -o utput. No word but -help begins with -h.
+bool is_misread(const std::string& word, const std::vector<std::string>& known) {
+  if (word.size() < 3 || word[0] != '-' || word[1] == '-' || word == "-help") return false;
+  if (word[1] == 'h') return true;
+  const bool begins_short = std::find(known.begin(), known.end(), word.substr(0, 2)) != known.end();
+  const std::string name = word.substr(1, word.find('=') - 1);
+  const auto is_known = [&known](const std::string& option) {
+    return std::find(known.begin(), known.end(), option) != known.end();
+  };
+  return begins_short &&
+         (is_known("--" + name) ||
+          std::any_of(foreign_options.begin(), foreign_options.end(), [&](const auto& other) {
+            return other.name == name && is_known(std::string(other.ours));
+          }));
+}
+
 // Returns the shortest usage, with required arguments alone: "usage: asterism check MESH PROOF
 // --angle-bound B --metric SOL".
 std::string shortest_use(const CLI::App& app) {
@@ -216,6 +181,35 @@ std::string once_for_each(const CLI::App& app, const std::vector<std::string>& w
   return "";
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + one_line(words[i]);
+  return text;
+}
+
+// Returns a message about the first word for which a command has no place: what the command takes,
+// and what it took for that. Empty if all words have a place.
+std::string one_too_many(const CLI::App& app) {
+  const std::vector<std::string> left = app.remaining();
+  if (left.empty()) return "";
+  std::vector<std::string> names, taken;
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() || option->results().empty()) continue;
+    names.push_back(option->get_name(true));
+    taken.push_back(option->results().front());
+  }
+  std::string text = "there is no place for " + one_line(left.front()) + ": " + app.get_name();
+  text += names.empty() ? " takes no such argument"
+                        : " takes " + listed(names) + " alone, and has " + listed(taken) + " for " +
+                              (names.size() == 1 ? "it" : "them");
+  const bool is_file = !std::filesystem::path(left.front()).extension().empty();
+  const CLI::Option* const output = app.get_option_no_throw("-o");
+  if (is_file && output != nullptr && output->results().empty())
+    text += "; a file to write follows -o";
+  return text;
+}
+
 // Returns the first option that was given another option for its value; empty if there is none.
 std::string without_value(const CLI::App& app, const std::vector<std::string>& words) {
   for (std::size_t i = 1; i + 1 < words.size(); ++i) {
@@ -246,7 +240,7 @@ std::string no_such_option(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> known = options_of(app);
   std::string hint = hint_for(word, known);
   if (hint.empty()) hint = is_positional(app, word);
-  const std::string instead = hint.empty() ? meant(word, known) : hint;
+  const std::string instead = hint.empty() ? did_you_mean(word, known) : hint;
   return app.get_name() + " has no option " + one_line(word) + instead +
          (instead.empty() ? "\n" + shortest_use(app) + "; '" : "\n'") + "asterism " +
          app.get_name() + " --help' lists the options.";
@@ -284,8 +278,9 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
   if (!may_be_name) return one_line(plain_text(*app, words, failure)) + help;
   const std::string begun = unknown.empty() ? without_value(*app, words) : "";
   if (!begun.empty()) return begun + help;
+  const std::string many = unknown.empty() ? one_too_many(*app) : "";
   if (unknown.empty())
-    return one_line(failure.what() + flag_with_value(*app, words, failure) +
+    return one_line((many.empty() ? failure.what() : many) + flag_with_value(*app, words, failure) +
                     once_for_each(*app, words, failure)) +
            "\n" + shortest_use(*app) + "; " + help.substr(1);
   return no_such_option(*app, unknown);
@@ -308,18 +303,17 @@ std::string no_such_command(const CLI::App& program, const std::string& word) {
     commands.push_back(one->get_name());
   const std::string instead = meant_instead(word);
   return "there is no command '" + one_line(word) + "'" +
-         (instead.empty() ? meant(word, commands) : instead) +
+         (instead.empty() ? did_you_mean(word, commands) : instead) +
          "\n'asterism --help' lists the commands.";
 }
 
-std::optional<std::string> misread_help(const CLI::App& program,
-                                        const std::vector<std::string>& words) {
+std::optional<std::string> misread_option(const CLI::App& program,
+                                          const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "challenge") return std::nullopt;
   for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; })) {
     if (app->get_name() != words[0]) continue;
     for (const std::string& word : words)
-      if (word.size() > 2 && word.compare(0, 2, "-h") == 0 && word != "-help")
-        return no_such_option(*app, word);
+      if (is_misread(word, options_of(*app))) return no_such_option(*app, word);
   }
   return std::nullopt;
 }

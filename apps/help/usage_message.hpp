@@ -22,11 +22,11 @@ std::string usage_message(const CLI::App& program, const std::vector<std::string
 // Returns the message for a first word that is no command.
 std::string no_such_command(const CLI::App& program, const std::string& word);
 
-// Returns the message for a word like -hmax, in which the parser would read -h and ignore the rest;
-// none where there is no such word. Words behind `challenge` are not examined: some belong to
-// another program.
-std::optional<std::string> misread_help(const CLI::App& program,
-                                        const std::vector<std::string>& words);
+// Returns the message for a word like -hmax or -output, in which the parser would read a short
+// option, -h or -o, and take the rest for its value; none where there is no such word. Words behind
+// `challenge` are not examined: some belong to another program.
+std::optional<std::string> misread_option(const CLI::App& program,
+                                          const std::vector<std::string>& words);
 
 // Returns the message for an empty word in the place of a file's name or a command; none where
 // there is no such word, or behind `challenge`. Options have messages for their own values.

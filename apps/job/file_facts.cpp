@@ -18,6 +18,7 @@
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/io/similar_file.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 
@@ -240,7 +241,7 @@ result<file_facts> facts_of_file(const fs::path& path) {
                  endings_of(is_mesh_kind, "and") +
                  "), solutions (.sol, .solb, .bb, .vtu), metrics (.sol, .solb, .mtr), certificates "
                  "(.certificate.json)" +
-                 what_it_is(name)};
+                 what_it_is(name) + similar_file(path)};
   const auto loaded = load_domain(name);
   if (loaded) return facts_of(loaded.value());
   // Tries a certificate, which may have any name; if the file is none either, the message about

@@ -5,11 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "asterism/core/similar_name.hpp"
 #include "asterism/mesh/domain/built_in_domains.hpp"
 #include "asterism/mesh/io/edges_domain.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/other_kind.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
+#include "asterism/mesh/io/similar_file.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -25,6 +27,17 @@ result<domain> load_edges(const std::string& name) {
                error_code::bad_option};
 }
 
+// Returns a clause about a built-in domain with a similar name, or a file that a domain can be read
+// of; empty if there is none.
+std::string similar_domain(std::string_view what) {
+  const std::string built_in = did_you_mean(what, {"square", "airfoil"});
+  if (!built_in.empty()) return built_in;
+  return similar_file(std::filesystem::path(what), [](std::string_view name) {
+    const file_kind* const kind = kind_of_file(name);
+    return kind != nullptr && (is_domain_kind(*kind) || is_mesh_kind(*kind));
+  });
+}
+
 }  // namespace
 
 result<domain> load_domain(std::string_view what) {
@@ -34,6 +47,8 @@ result<domain> load_domain(std::string_view what) {
   if (kind != nullptr && kind->read_domain != nullptr)
     return kind->read_domain(std::filesystem::path(what));
   if (kind != nullptr && kind->read != nullptr) return load_edges(std::string(what));
+  if (const std::string meant = similar_domain(what); !meant.empty())
+    return error{"unknown domain '" + std::string(what) + "'" + meant, error_code::bad_option};
   return error{"unknown domain '" + std::string(what) +
                    "': square, airfoil, or a file whose name ends in " +
                    endings_of(is_domain_kind, "or") + ", or as those of meshes do, " +

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "asterism/mesh/io/similar_file.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism::internal {
@@ -12,7 +13,8 @@ namespace asterism::internal {
 result<std::string> read_text_file(const std::filesystem::path& path) {
   std::error_code status;
   if (!std::filesystem::exists(path, status))
-    return error{path.string() + ": no such file", error_code::unreadable_file};
+    return error{path.string() + ": no such file" + similar_file(path),
+                 error_code::unreadable_file};
   // Accepts regular files only: a directory opens like a file and fails later, and a pipe may never
   // end.
   if (!std::filesystem::is_regular_file(path, status))

@@ -356,6 +356,9 @@ class Challenge(command.CommandTest):
         done = self.challenge("--count", "3", "--classes", "grid", program, "--count", "-o")
         self.assertEqual(done.returncode, 0, done.stdout)
         self.assertEqual(self.counts(done)["records"], "39")
+        self.assertIn(f"note: --count goes to '{program}', since it is behind it", done.stderr)
+        done = self.ask_ten(self.faulty("pass"), "-o", "report.md")
+        self.assertEqual(done.stderr, "")
 
     def test_the_classes_are_listed(self):
         names = [line.split(":")[0] for line in self.challenge("--list").stdout.splitlines()]

@@ -280,6 +280,7 @@ class Mistakes(command.CommandTest):
         self.write("plain.mesh", text)
         count = command.section(text.split("\n"), "Vertices")[1]
         self.write("u.sol", f"{NO_MESH}SolAtVertices {count}\n1 1\n" + "0.5\n1.5\n" * (count // 2) + "1\n" * (count % 2) + "End\n")
+        self.write("none.sol", f"{NO_MESH}SolAtVertices {count}\n0\n\nEnd\n")
         self.write("nan.sol", f"{NO_MESH}SolAtVertices {count}\n1 1\n" + "nan\n" * count + "End\n")
         self.write("key.mesh", text.replace("Triangles", "Trianglez"))
         self.write("cut.mesh", text[:300])
