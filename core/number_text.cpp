@@ -64,6 +64,12 @@ std::string number_text(double value) {
       [value](char* first, char* last) { return std::to_chars(first, last, value); });
 }
 
+std::array<std::string, 2> numbers_apart(double a, double b) {
+  std::array<std::string, 2> texts = {format_number(a), format_number(b)};
+  if (a != b && texts[0] == texts[1]) texts = {number_text(a), number_text(b)};
+  return texts;
+}
+
 result<double> parse_number(std::string_view token) {
   const auto no_number = [token] {
     return error{quoted_token(token) + " is not a number", error_code::bad_number};

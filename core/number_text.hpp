@@ -3,6 +3,7 @@
 // Reads and writes doubles as text, correctly rounded and independent of the locale.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -24,5 +25,9 @@ std::string number_text(double value);
 
 // Returns the number with six significant digits, as printf's %.6g in the C locale: for messages.
 std::string format_number(double value);
+
+// Returns the two numbers with six significant digits; with as many as the doubles need where two
+// that differ would look alike.
+std::array<std::string, 2> numbers_apart(double a, double b);
 
 }  // namespace asterism::internal

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "asterism/mesh/audit/checks.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -19,8 +20,7 @@ bool finite(const metric_tensor& m) {
 
 std::string metric_text(const audit_context& context, vertex_index v) {
   const metric_tensor& m = context.subject.sites[v].metric;
-  return "metric tensor " + number_text(m.m11) + " " + number_text(m.m12) + " " +
-         number_text(m.m22) + " of " + vertex_text(context, v);
+  return "metric tensor " + tensor_text(m) + " of " + vertex_text(context, v);
 }
 
 // Sorts copies of the points: the mesh has them in any order, and each access would read another

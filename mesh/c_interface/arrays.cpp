@@ -2,9 +2,7 @@
 #include "asterism/mesh/c_interface/arrays.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -18,19 +16,10 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal {
 namespace {
-
-std::string text_of(std::initializer_list<double> numbers) {
-  std::string text;
-  for (const double x : numbers) {
-    if (!text.empty()) text.append(" ");
-    std::array<char, 32> buffer{};
-    text.append(buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), x).ptr);
-  }
-  return text;
-}
 
 // A metric field that calls a function of the caller. One call at a time: the caller may be an
 // interpreter.
@@ -50,13 +39,13 @@ class called_field final : public metric_field {
       if (known != remembered_.end())
         m = known->second;
       else if (!ask(q, m))
-        return error{"the metric's function failed at " + text_of({q.x, q.y})};
+        return error{"the metric's function failed at " + point_text(q)};
     }
     const metric_tensor tensor = {m[0] / divisor_, m[1] / divisor_, m[2] / divisor_};
     const bool finite =
         std::isfinite(tensor.m11) && std::isfinite(tensor.m12) && std::isfinite(tensor.m22);
     if (!finite || !filtered_kernel().is_positive_definite(tensor))
-      return error{"the metric at " + text_of({q.x, q.y}) + " is " + text_of({m[0], m[1], m[2]}) +
+      return error{"the metric at " + point_text(q) + " is " + tensor_text({m[0], m[1], m[2]}) +
                    ", which is not positive definite"};
     return tensor;
   }

@@ -327,11 +327,12 @@ failure find_curved_sides(listed_mesh& from) {
   std::size_t kept = 0;
   for (const side_node& s : from.curved) {
     if (kept > 0 && key(from.curved[kept - 1]) == key(s)) {
-      if (from.curved[kept - 1].at == s.at) continue;
-      return error{fmt::format("{}: the side from {} to {} has nodes at ({:.17g}, {:.17g}) and at "
-                               "({:.17g}, {:.17g}): elements at one side have to share it",
-                               from.file, place(m, s.a), place(m, s.b), from.curved[kept - 1].at.x,
-                               from.curved[kept - 1].at.y, s.at.x, s.at.y),
+      const point& other = from.curved[kept - 1].at;
+      if (other == s.at) continue;
+      const auto x = numbers_apart(other.x, s.at.x), y = numbers_apart(other.y, s.at.y);
+      return error{fmt::format("{}: the side from {} to {} has nodes at ({}, {}) and at ({}, {}): "
+                               "elements at one side have to share it",
+                               from.file, place(m, s.a), place(m, s.b), x[0], y[0], x[1], y[1]),
                    error_code::invalid_mesh};
     }
     from.curved[kept++] = s;

@@ -13,6 +13,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal {
 
@@ -24,9 +25,9 @@ failure take_tensor(const text_scanner& source, std::size_t line, const metric_t
                     std::size_t v, mesh& m) {
   m.sites[v].metric = metric;
   if (filtered_kernel().is_positive_definite(metric)) return {};
-  return source.failure(line, fmt::format("the metric tensor {} {} {} of vertex {} is not positive "
-                                          "definite",
-                                          metric.m11, metric.m12, metric.m22, v + 1));
+  return source.failure(line,
+                        fmt::format("the metric tensor {} of vertex {} is not positive definite",
+                                    tensor_text(metric), v + 1));
 }
 
 // Reads a length h, which stands for the tensor I/h^2.

@@ -16,6 +16,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/vtk_cells.hpp"
 #include "asterism/mesh/io/vtu_file.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -217,9 +218,8 @@ failure vtu_mesh_reader::read_metric() {
     const metric_tensor m{t[0], t[1], t[2]};
     if (!std::isfinite(t[0]) || !std::isfinite(t[1]) || !std::isfinite(t[2]) ||
         !kernel.is_positive_definite(m))
-      return refuse(
-          *a, fmt::format("the tensor {:g} {:g} {:g} of point {} is not positive definite", t[0],
-                          t[1], t[2], v + 1));
+      return refuse(*a, fmt::format("the tensor {} of point {} is not positive definite",
+                                    tensor_text(m), v + 1));
     made_.content.sites[v].metric = m;
   }
   made_.has_metric = true;

@@ -12,6 +12,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/data/site_box.hpp"
 #include "asterism/mesh/metric/background_field.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -41,9 +42,9 @@ class part_field final : public sized_field {
     const double reach = margin_ - distance_outside(q, window_);
     if (metric_ && reach >= 0)
       if (const auto found = metric_->at_within(q, reach)) return *found;
-    return error{"the mesh of the metric has no triangle within " + number_text(margin_) + " of (" +
-                     number_text(q.x) + ", " + number_text(q.y) +
-                     "): pieces want a metric on a mesh that covers the domain",
+    return error{"the mesh of the metric has no triangle within " + format_number(margin_) +
+                     " of " + point_text(q) +
+                     ": pieces want a metric on a mesh that covers the domain",
                  error_code::invalid_metric};
   }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "asterism/core/number_text.hpp"
 #include "asterism/kernels/filtered_kernel.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -20,11 +20,6 @@ double half_of_longer_side(const bounding_box& box) {
   return std::max(box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2);
 }
 
-// Returns the number with 17 significant digits, or its word where it is infinite or NaN.
-std::string in_full(double x) {
-  return std::isfinite(x) ? fmt::format("{:.17g}", x) : format_number(x);
-}
-
 }  // namespace
 
 result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m) {
@@ -35,11 +30,9 @@ result<metric_tensor> checked_tensor(const point& q, const metric_tensor& m) {
         "the metric is needed at a point beyond the range of doubles: the domain's coordinates are "
         "too large for it; use another unit, in which they are smaller",
         error_code::invalid_metric};
-  return error{
-      fmt::format("the metric at ({:.17g}, {:.17g}) is not {}: m11 = {}, m12 = {}, m22 = {}", q.x,
-                  q.y, finite ? "positive definite" : "finite", in_full(m.m11), in_full(m.m12),
-                  in_full(m.m22)),
-      error_code::invalid_metric};
+  return error{fmt::format("the metric at {} is not {}: m11 m12 m22 = {}", point_text(q),
+                           finite ? "positive definite" : "finite", tensor_text(m)),
+               error_code::invalid_metric};
 }
 
 result<metric_tensor> sized_field::at(const point& q) const {

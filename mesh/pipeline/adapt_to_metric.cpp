@@ -203,9 +203,10 @@ void compare_boundaries(adapted_mesh& done) {
   done.boundary_distance = claim.former_distance.largest_distance;
   if (!done.former->allowed || done.boundary_distance <= *done.former->allowed) return;
   done.made.outcome.complete = claim.complete = false;
-  claim.reason = "the boundary is up to " + number_text(done.boundary_distance) +
-                 " away from the one that it took the place of, and " +
-                 number_text(*done.former->allowed) + " was asked for";
+  const auto numbers = numbers_apart(done.boundary_distance, *done.former->allowed);
+  claim.reason = "the boundary is up to " + numbers[0] +
+                 " away from the one that it took the place of, and " + numbers[1] +
+                 " was asked for";
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 #include "asterism/mesh/support/first_numbers.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -284,8 +285,9 @@ std::string difference_of_frozen(const mesh& together, const mesh& before,
   const auto& c = first.corners;
   return fmt::format(
       "{} frozen triangles are in one of the two meshes alone, the first of region {} "
-      "with the corners ({:.17g}, {:.17g}), ({:.17g}, {:.17g}) and ({:.17g}, {:.17g})",
-      apart.size(), first.region, c[0], c[1], c[2], c[3], c[4], c[5]);
+      "with the corners {}, {} and {}",
+      apart.size(), first.region, point_text({c[0], c[1]}), point_text({c[2], c[3]}),
+      point_text({c[4], c[5]}));
 }
 
 }  // namespace asterism

@@ -201,9 +201,7 @@ class side_finder {
   result<periodic_sides> find() {
     if (auto failed = find_lines()) return *failed;
     allowed_ = largest_periodic_offset * first_.at.back();
-    if (!(std::abs(first_.at.back() - second_.at.back()) <= allowed_))
-      return error{"their lengths are " + number_text(first_.at.back()) + " and " +
-                   number_text(second_.at.back())};
+    if (!(std::abs(first_.at.back() - second_.at.back()) <= allowed_)) return unlike_lengths();
     pairs_ = paired(first_, second_, allowed_);
     for (const side_map& turn : quarter_turns) {
       side_map map = shifted(turn);
@@ -231,6 +229,11 @@ class side_finder {
     measure(d_, first_);
     measure(d_, second_);
     return std::nullopt;
+  }
+
+  error unlike_lengths() const {
+    const auto lengths = numbers_apart(first_.at.back(), second_.at.back());
+    return {"their lengths are " + lengths[0] + " and " + lengths[1]};
   }
 
   side_map shifted(side_map turn) const {

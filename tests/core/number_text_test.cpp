@@ -3,6 +3,7 @@
 // parse_number against the C library's strtod (in the "C" locale, correctly rounded in glibc).
 #include "asterism/core/number_text.hpp"
 
+#include <array>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -121,6 +122,13 @@ TEST_CASE("the shortest decimal of a double is read back as it") {
     REQUIRE(read);
     CHECK(std::bit_cast<std::uint64_t>(read.value()) == std::bit_cast<std::uint64_t>(value));
   }
+}
+
+TEST_CASE("two numbers that differ never look alike") {
+  using both = std::array<std::string, 2>;
+  CHECK(numbers_apart(0.1, 0.25) == both{"0.1", "0.25"});
+  CHECK(numbers_apart(1 / 3.0, 1 / 3.0) == both{"0.333333", "0.333333"});
+  CHECK(numbers_apart(1, 1.0000001) == both{"1", "1.0000001"});
 }
 
 TEST_CASE("numbers in messages have six significant digits, as printf writes them") {

@@ -79,12 +79,14 @@ TEST_CASE("a tensor that is no metric is refused with point and numbers") {
   const auto field = make_metric_field("expr:x;0;1", unit_box).value()->at({-0.1, 0.3});
   REQUIRE_FALSE(field.ok());
   REQUIRE(field.failure().message ==
-          "the metric at (-0.10000000000000001, 0.29999999999999999) is not positive definite: "
-          "m11 = -0.10000000000000001, m12 = 0, m22 = 1");
+          "the metric at (-0.1, 0.3) is not positive definite: m11 m12 m22 = -0.1 0 1");
+  // Six digits of these numbers are a tensor that is positive definite.
+  const auto rounded = make_metric_field("expr:1;1.000004;1.000006", unit_box).value()->at({0, 0});
+  REQUIRE_THAT(rounded.failure().message, Catch::Contains("= 1 1.000004 1.000006"));
   const auto semidefinite = make_metric_field("expr:1;3;9", unit_box).value()->at({0, 0});
   REQUIRE_THAT(semidefinite.failure().message, Catch::Contains("not positive definite"));
   const auto infinite = make_metric_field("expr:1/x;0;1", unit_box).value()->at({0, 1});
-  REQUIRE_THAT(infinite.failure().message, Catch::Contains("not finite: m11 = too large"));
+  REQUIRE_THAT(infinite.failure().message, Catch::Contains("not finite: m11 m12 m22 = too large"));
   CHECK(infinite.failure().code == error_code::invalid_metric);
   const auto undefined = make_metric_field("expr:sqrt(x);0;1", unit_box).value()->at({-1, 1});
   REQUIRE_THAT(undefined.failure().message, Catch::Contains("not finite"));
