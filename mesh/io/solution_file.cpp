@@ -25,6 +25,10 @@ namespace {
 
 using failure = std::optional<error>;
 
+constexpr const char* sections_text =
+    "behind SolAtVertices stand the number of vertices, the number of fields, the type of each (1 "
+    "scalar, 2 vector, 3 tensor) and the values, vertex after vertex";
+
 // Returns the number of values that a field of this kind has in a file of this dimension.
 std::size_t numbers_of(field_kind kind, int dimension) {
   if (dimension == 2 || kind == field_kind::scalar) return components_of(kind);
@@ -53,12 +57,12 @@ class values_reader {
 
 failure values_reader::read_count() {
   const word w = source_.next();
-  const auto count = to_count(source_, w, "number of vertices");
+  const auto count = to_integer(source_, w, "number of vertices");
   if (!count) return count.failure();
-  if (count.value() != vertices_)
+  if (!std::cmp_equal(count.value(), vertices_))
     return source_.failure(w.line, fmt::format("values at {} vertices, and the mesh has {}",
                                                count.value(), vertices_));
-  made_.vertices = count.value();
+  made_.vertices = vertices_;
   return {};
 }
 
@@ -112,12 +116,18 @@ failure values_reader::read_medit() {
   if (!dimension) return dimension.failure();
   const word keyword = source_.next();
   if (keyword.text != "SolAtVertices")
-    return source_.failure(keyword.line, (keyword.empty() ? std::string("the file ends")
-                                                          : quoted_token(keyword.text)) +
-                                             " where the section SolAtVertices should be");
+    return source_.failure(
+        keyword.line,
+        (keyword.empty() ? std::string("the file ends") : quoted_token(keyword.text)) +
+            " where the section SolAtVertices should be: " + sections_text);
   if (auto failed = read_count()) return failed;
-  const auto fields = to_count(source_, source_.next(), "number of fields");
+  const word w = source_.next();
+  const auto fields = to_count(source_, w, "number of fields");
   if (!fields) return fields.failure();
+  if (fields.value() == 0)
+    return source_.failure(
+        w.line, std::string("SolAtVertices: there are no fields, and one or more are wanted: ") +
+                    sections_text);
   for (std::size_t i = 0; i < fields.value(); ++i)
     if (auto failed = read_kind()) return failed;
   if (auto failed = read_values(dimension.value())) return failed;
@@ -150,7 +160,8 @@ bool has_types(const std::filesystem::path& path) { return path.extension() == "
 
 failure check_fields(const solution& s, const std::string& file) {
   if (s.fields.empty())
-    return error{file + ": there is no field in it", error_code::malformed_file};
+    return error{file + ": there is no field in it, and values at the vertices are wanted",
+                 error_code::malformed_file};
   if (s.fields.size() == 1 && s.fields[0].kind == field_kind::tensor)
     return error{file +
                      ": one symmetric tensor a vertex is a metric, and a solution is wanted; "
@@ -193,9 +204,14 @@ nodal_values component_of(const solution_field& f, std::size_t component, std::s
   return made;
 }
 
+// Returns the names of fields, and those of the components of vectors.
 std::string names_of(const solution& s) {
   std::string all;
-  for (const solution_field& f : s.fields) all += (all.empty() ? "" : ", ") + quoted_token(f.name);
+  for (const solution_field& f : s.fields) {
+    all += (all.empty() ? "" : ", ") + quoted_token(f.name);
+    if (f.kind == field_kind::vector)
+      all += " with " + quoted_token(name_of(f, 0)) + " and " + quoted_token(name_of(f, 1));
+  }
   return all;
 }
 
