@@ -8,7 +8,6 @@
 #include <optional>
 #include <utility>
 
-#include "asterism/core/number_text.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/solution/computed_field.hpp"
 #include "asterism/mesh/solution/mean_moduli.hpp"
@@ -17,10 +16,34 @@
 namespace asterism::internal {
 namespace {
 
-constexpr double most_second_derivative = 1e150;  // products of two are finite
+// Returns the power of two by which a field is divided whose greatest modulus this is; 0 for
+// ordinary ones.
+int power_of(double greatest) {
+  constexpr int ordinary = 200;  // of 1023: room for squares, and for the sizes of triangles
+  const int power = greatest > 0 ? std::ilogb(greatest) : 0;
+  return std::abs(power) > ordinary ? power : 0;
+}
 
-bool are_below(const metric_tensor& h, double most) {
-  return std::abs(h.m11) < most && std::abs(h.m12) < most && std::abs(h.m22) < most;
+int power_of(const std::vector<double>& values) {
+  double greatest = 0;
+  for (const double u : values) greatest = std::max(greatest, std::abs(u));
+  return power_of(greatest);
+}
+
+int power_of(const std::vector<metric_tensor>& second) {
+  double greatest = 0;
+  for (const metric_tensor& h : second)
+    greatest = std::max({greatest, std::abs(h.m11), std::abs(h.m12), std::abs(h.m22)});
+  return power_of(greatest);
+}
+
+void divide(std::vector<double>& values, int power) {
+  for (double& u : values) u = std::scalbn(u, -power);
+}
+
+void divide(std::vector<metric_tensor>& second, int power) {
+  for (metric_tensor& h : second)
+    h = {std::scalbn(h.m11, -power), std::scalbn(h.m12, -power), std::scalbn(h.m22, -power)};
 }
 
 template <class Field>
@@ -103,12 +126,16 @@ result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links&
                          (options.hessian == hessian_method::green && !options.relative);
   field_derivatives found;
   for (const nodal_values* f : by_name(fields)) {
-    const bool is_whole = f->values.size() == m.sites.size();  // else its recovery says so
-    const auto bound = is_judged && is_whole ? aspect_bound(m, links, f->values) : std::nullopt;
+    found.powers.push_back(power_of(f->values));
+    std::vector<double> divided;
+    if (found.powers.back() != 0) divide(divided = f->values, found.powers.back());
+    const std::vector<double>& values = divided.empty() ? f->values : divided;
+    const bool is_whole = values.size() == m.sites.size();  // else its recovery says so
+    const auto bound = is_judged && is_whole ? aspect_bound(m, links, values) : std::nullopt;
     const bool is_computed = bound.has_value();
     auto one = beyond && is_whole
-                   ? glued_derivatives_of(*glued, *beyond, f->values, is_computed, options)
-                   : derivatives_of(m, links, f->values, is_computed, options);
+                   ? glued_derivatives_of(*glued, *beyond, values, is_computed, options)
+                   : derivatives_of(m, links, values, is_computed, options);
     if (!one) return one.failure().at("field " + f->name);
     if (options.aspect == no_aspect_named) found.aspects.push_back(bound);
     found.names.push_back(f->name);
@@ -116,7 +143,7 @@ result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links&
     found.at_boundary += one.value().recovered.at_boundary;
     found.moduli.push_back(std::move(one.value().moduli));
     found.recovered.push_back(std::move(one.value().recovered.at));
-    if (options.relative) found.scales.push_back(scales_of_error(f->values, options.cutoff));
+    if (options.relative) found.scales.push_back(scales_of_error(values, options.cutoff));
   }
   return found;
 }
@@ -128,16 +155,17 @@ result<field_derivatives> given_derivatives(const mesh& m,
     if (f->at.size() != m.sites.size())
       return error{fmt::format("field {}: {} tensors for {} vertices", f->name, f->at.size(),
                                m.sites.size())};
-    for (std::size_t v = 0; v < f->at.size(); ++v)
-      if (!are_below(f->at[v], most_second_derivative))
-        return error{
-            fmt::format("field {}: the second derivatives {} {} {} at vertex {} are "
-                        "beyond what can be computed with",
-                        f->name, format_number(f->at[v].m11), format_number(f->at[v].m12),
-                        format_number(f->at[v].m22), v + 1)};
+    std::vector<metric_tensor> second = f->at;
+    for (std::size_t v = 0; v < second.size(); ++v)
+      if (!std::isfinite(second[v].m11) || !std::isfinite(second[v].m12) ||
+          !std::isfinite(second[v].m22))
+        return error{fmt::format("field {}: the second derivatives at vertex {} are not finite",
+                                 f->name, v + 1)};
+    found.powers.push_back(power_of(second));
+    if (found.powers.back() != 0) divide(second, found.powers.back());
     found.names.push_back(f->name);
-    found.moduli.push_back(f->at);
-    found.recovered.push_back(f->at);
+    found.moduli.push_back(second);
+    found.recovered.push_back(std::move(second));
   }
   return found;
 }

@@ -23,6 +23,9 @@ namespace asterism::internal {
 struct field_derivatives {
   std::vector<std::string> names;
   std::vector<std::vector<metric_tensor>> recovered, moduli;
+  // Each field was divided by 2 to its power before: 0 but for values so large or so small that
+  // products of their second derivatives have no double.
+  std::vector<int> powers;
   std::vector<std::vector<double>> scales;  // of a relative error; none for one that is not
   std::size_t noise = 0, at_boundary = 0;
   // Bounds on aspects that fields ask for (mesh/solution/computed_field.hpp); none where second
@@ -38,7 +41,7 @@ result<field_derivatives> recovered_derivatives(const mesh& m, const mesh_links&
                                                 const glued_mesh* glued = nullptr);
 
 // Takes second derivatives as they are given. The optimum needs only their moduli. Fails for a
-// field of another number of vertices, and for numbers whose products are not finite.
+// field of another number of vertices.
 result<field_derivatives> given_derivatives(const mesh& m,
                                             const std::vector<nodal_hessian>& fields);
 

@@ -150,7 +150,7 @@ result<recovered_hessian> recover_hessian(const mesh& m, const std::vector<doubl
     const metric_tensor& h = made.at[v];
     if (std::abs(h.m11) < 1e150 && std::abs(h.m12) < 1e150 && std::abs(h.m22) < 1e150) continue;
     return error{"the second derivatives at vertex " + std::to_string(v + 1) +
-                 " are beyond what can be computed with"};
+                 " are beyond what can be computed with: give coordinates in another unit"};
   }
   return made;
 }

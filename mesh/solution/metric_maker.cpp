@@ -104,8 +104,10 @@ tensors metric_maker::graded(tensors t) {
 
 double metric_maker::error_of(const tensors& t) const {
   double greatest = 0;
-  for (const tensors& h : recovered_)
-    greatest = std::max(greatest, predicted_error(t, h, areas_, options_.norm));
+  for (std::size_t k = 0; k < recovered_.size(); ++k)
+    greatest =
+        std::max(greatest,
+                 std::scalbn(predicted_error(t, recovered_[k], areas_, options_.norm), powers_[k]));
   return greatest;
 }
 
@@ -182,11 +184,11 @@ void metric_maker::say(double target, double got) {
   add(report_.share_intersected, "metrics intersected");
   if (!too_few) add(report_.share_graded, "gradation");
   report_.reason = fmt::format(
-      "{} {:.6g} was wanted, and the bounds allow {} {:.6g}, for any factor: {} of the vertices",
+      "{} {:.6g} was wanted, and the bounds allow {} {:.6g}, for any factor{}",
       options_.error ? "an error of" : "a complexity of", options_.error ? 1 / target : target,
       options_.error == std::nullopt ? (too_few ? "no more than" : "no less than")
                                      : (too_few ? "no less than" : "no more than"),
-      options_.error ? 1 / got : got, limits.empty() ? "nothing bound" : limits);
+      options_.error ? 1 / got : got, limits.empty() ? "" : ": " + limits + " of the vertices");
 }
 
 result<solution_metric> metric_maker::run() {

@@ -48,8 +48,10 @@ class metric_maker {
     is_given_ = true;
   }
   void set_layers(std::optional<double> aspect) { layers_ = aspect; }
-  void set_recovered(std::vector<tensors> recovered, bool are_given) {
+  // Takes the second derivatives of fields that were divided by 2 to the powers.
+  void set_recovered(std::vector<tensors> recovered, std::vector<int> powers, bool are_given) {
     recovered_ = std::move(recovered);
+    powers_ = std::move(powers);
     hessians_given_ = are_given;
   }
   std::optional<error> set_implied();
@@ -74,6 +76,7 @@ class metric_maker {
   bool is_given_ = false, hessians_given_ = false;
   tensors raw_, implied_, made_;
   std::vector<tensors> recovered_;
+  std::vector<int> powers_;
   std::optional<double> layers_;  // bound on aspects of fields that were computed
   solution_metric_report report_;
 };

@@ -204,7 +204,7 @@ result<solution_metric> metric_of_values(const mesh& m, const glued_mesh* glued,
   metric_maker maker(m, wishes, intersected);
   const auto found = recovered_derivatives(m, maker.links(), fields, wishes, glued);
   if (!found) return found.failure();
-  maker.set_recovered(found.value().recovered, false);
+  maker.set_recovered(found.value().recovered, found.value().powers, false);
   maker.set_layers(least_aspect(found.value()));
   return wishes.relative ? relative_metric_of(found.value(), maker, wishes)
                          : metric_of(found.value(), maker, wishes);
@@ -239,7 +239,7 @@ result<solution_metric> make_hessian_metric(const mesh& m, const std::vector<nod
   metric_maker maker(m, options, intersected);
   const auto found = given_derivatives(m, fields);
   if (!found) return found.failure();
-  maker.set_recovered(found.value().recovered, true);
+  maker.set_recovered(found.value().recovered, found.value().powers, true);
   return metric_of(found.value(), maker, options);
 }
 

@@ -135,6 +135,31 @@ TEST_CASE("the error asked for is predicted of the metric") {
   }
 }
 
+TEST_CASE("values and second derivatives of any size have the metric of ordinary ones") {
+  const mesh m = sample_mesh(20);
+  const nodal_values u = field(m, "u", front);
+  solution_metric_options by_vertices, by_error;
+  by_vertices.vertices = 400;
+  by_error.error = 1e-3;
+  const nodal_hessian second{"u", recover_hessian(m, u.values, hessian_method::green).value().at};
+  for (const int power : {-900, -700, 700, 1000}) {
+    const double times = std::ldexp(1, power);
+    nodal_values v = u;
+    for (double& x : v.values) x *= times;
+    for (solution_metric_options options : {by_vertices, by_error}) {
+      const auto plain = made(m, {u}, options);
+      if (options.error) *options.error *= times;
+      const auto other = made(m, {v}, options);
+      CHECK(other.tensors == plain.tensors);
+      CHECK(other.report.error_predicted == Approx(times * plain.report.error_predicted));
+    }
+    nodal_hessian scaled = second;
+    for (metric_tensor& h : scaled.at) h = {times * h.m11, times * h.m12, times * h.m22};
+    CHECK(make_hessian_metric(m, {scaled}, by_vertices).value().tensors ==
+          make_hessian_metric(m, {second}, by_vertices).value().tensors);
+  }
+}
+
 TEST_CASE("constants of the error are those of an equilateral triangle") {
   // On the unit square, with the identity as Hessian and as metric, the error is the constant
   // itself: 1/8 in this norm, and so on.
