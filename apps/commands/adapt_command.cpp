@@ -199,6 +199,9 @@ result<adapted> adapt(const adapt_job& job, run_limits& limits) {
   if (made.border_split > 0) return made;
   if (job.values.empty() && job.carried.empty()) return made;
   const mesh& joined = made.written();
+  if (joined.triangles.empty())
+    return error{"the run ended before there was a triangle to bring values to: " +
+                 made.next.made.claim.reason};
   auto values = transfer_solution(made.wanted.background, made.wanted.values,
                                   part_cracks(joined, made.next.cracks).content, job.how);
   if (!values) return values.failure();

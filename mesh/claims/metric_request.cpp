@@ -7,6 +7,7 @@
 
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
+#include "asterism/mesh/io/solution_output.hpp"
 #include "asterism/mesh/pipeline/given_hessians.hpp"
 #include "asterism/mesh/pipeline/periodic_continuation.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
@@ -79,7 +80,10 @@ std::optional<error> add_carried(const metric_request& request,
                                  requested_metric& made) {
   made.own_fields = made.values.fields.size();
   if (request.carried.empty()) return std::nullopt;
-  auto read = read_solution(request.carried, made.background, left_out);
+  auto read = read_fields(request.carried, made.background, left_out);
+  if (read && read.value().fields.empty())
+    return error{request.carried + ": there is no field in it to carry",
+                 error_code::malformed_file};
   if (!read) return read.failure();
   made.values.vertices = read.value().vertices;
   for (solution_field& field : read.value().fields) {

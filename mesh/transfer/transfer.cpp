@@ -97,7 +97,8 @@ std::vector<std::vector<double>> projected(const mesh& to, const mesh_links& lin
 }
 
 std::optional<error> check(const mesh& from, const solution& values, const mesh& to) {
-  if (from.triangles.empty() || to.triangles.empty()) return error{"a mesh has no triangle"};
+  if (from.triangles.empty()) return error{"the mesh of the values has no triangle"};
+  if (to.triangles.empty()) return error{"the mesh that values are to go to has no triangle"};
   if (values.vertices != from.sites.size())
     return error{"the solution has values at " + std::to_string(values.vertices) +
                  " vertices, and the mesh has " + std::to_string(from.sites.size())};

@@ -134,6 +134,9 @@ result<adapt_answer> answer(const py_mesh& on, const adapt_request& asked, const
   made.missed =
       internal::what_is_missed(made.next, made.metric.report, options.refinement.vertices);
   if (!asked.carried.fields.empty()) {
+    if (made.next.made.outcome.result.triangles.empty())
+      return error{"the run ended before there was a triangle to bring values to: " +
+                   made.next.made.claim.reason};
     const mesh parted = part_cracks(made.next.made.outcome.result, made.next.cracks).content;
     auto values = transfer_solution(background, asked.carried, parted, asked.how);
     if (!values) return values.failure();
