@@ -2,6 +2,7 @@
 #include "asterism/apps/options/solution_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -28,6 +29,13 @@ constexpr real_range norms = {1, 1e6, true, true, "from 1 to 1e6, or inf"};
 constexpr real_range factors = {1, 1e100, false, true, "above 1, at most 1e100"};
 constexpr real_range cutoffs = {0, 1, false, true, "above 0, at most 1"};
 constexpr real_range targets = {0, 1e9, false, true, "positive, at most 1e9"};
+
+// Takes 1e5 as well as 100000.
+double whole_vertices(double n) {
+  if (n != std::floor(n))
+    throw CLI::ValidationError("--vertices", number_text(n) + " is not a whole number");
+  return n;
+}
 
 void add_source_options(CLI::App& app, metric_request& request) {
   app.add_option(
@@ -88,7 +96,7 @@ void add_target_options(CLI::App& app, metric_request& request) {
          "The P of the L^P norm in which the error is to be least (default 2)")
       ->type_name("P");
   add_real(
-      app, "--vertices", targets, [&wishes](double x) { wishes.vertices = x; },
+      app, "--vertices", targets, [&wishes](double x) { wishes.vertices = whole_vertices(x); },
       "Vertices wanted (default: as many as the mesh has)")
       ->type_name("N");
   add_real(
