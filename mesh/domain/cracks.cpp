@@ -18,6 +18,7 @@
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 #include "asterism/mesh/support/joined_sets.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism {
 namespace {
@@ -123,12 +124,10 @@ std::vector<crack_edge> find_edges(const mesh& m, const std::vector<vertex_index
 }
 
 error at_same_point(const mesh& m, vertex_index v, vertex_index w, const std::string& why) {
-  return {
-      fmt::format("vertex {} and vertex {} are at the same point ({:.17g}, {:.17g}), and {}: it "
-                  "is no slit. Join them, or take one of them out",
-                  std::min(v, w) + 1, std::max(v, w) + 1, m.sites[v].position.x,
-                  m.sites[v].position.y, why),
-      error_code::invalid_mesh};
+  return {fmt::format("vertex {} and vertex {} are at the same point {}, and {}: it "
+                      "is no slit. Join them, or take one of them out",
+                      std::min(v, w) + 1, std::max(v, w) + 1, point_text(m.sites[v].position), why),
+          error_code::invalid_mesh};
 }
 
 // Refuses vertices at one place that are of one triangle, or that no edge of a crack leads to.
@@ -237,6 +236,18 @@ void list_all_sides(mesh& m) {
           {s.ends[0], s.ends[1], static_cast<vertex_index>(m.boundary.size()), 0, false});
 }
 
+// True if each corner of each triangle is a vertex of its own, as where values jump from triangle
+// to triangle. All edges would be slits. Two triangles may be the two sides of a slit.
+bool are_all_apart(const mesh& m) {
+  constexpr std::size_t few = 2;
+  if (m.triangles.size() <= few) return false;
+  std::vector<char> is_corner(m.sites.size(), 0);
+  for (const triangle& t : m.triangles)
+    for (const vertex_index v : t)
+      if (std::exchange(is_corner[v], char{1}) != 0) return false;
+  return true;
+}
+
 }  // namespace
 
 result<joined_cracks> join_cracks(mesh& m) {
@@ -244,6 +255,11 @@ result<joined_cracks> join_cracks(mesh& m) {
   if (!are_in_range(m)) return made;
   const std::vector<vertex_index> first = first_at_place(m);
   if (first.empty()) return made;
+  if (are_all_apart(m))
+    return error{
+        "no two triangles have a vertex in common, and corners of several are at one place: "
+        "each triangle has vertices of its own; join those at one place",
+        error_code::invalid_mesh};
   if (auto refused = refuse_others(m, first, find_edges(m, first))) return *refused;
   list_all_sides(m);
   const std::vector<crack_edge> edges = find_edges(m, first);

@@ -72,6 +72,18 @@ TEST_CASE("the vertex of both sides has a metric as fine as both") {
   CHECK(m.sites[4].metric.m22 == Approx(9));
 }
 
+TEST_CASE("triangles with vertices of their own are no mesh with slits alone") {
+  mesh joined = two_squares(false, 1, 1), apart;
+  for (const triangle& t : joined.triangles) {
+    const auto first = static_cast<vertex_index>(apart.sites.size());
+    for (const vertex_index v : t) apart.sites.push_back(joined.sites[v]);
+    apart.triangles.push_back({first, first + 1, first + 2});
+  }
+  const auto refused = join_cracks(apart);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.failure().message.find("join those at one place") != std::string::npos);
+}
+
 TEST_CASE("vertices at one place are refused away from slits, and the mesh stays as it is") {
   mesh m;
   for (const point p :
