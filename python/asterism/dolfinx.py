@@ -364,7 +364,8 @@ def _counter_clockwise(points: Any, cells: Any) -> Any:
 
 def _check_tags(mesh: Any, tags: Any, dim: int, name: str) -> None:
     if getattr(tags, "dim", None) != dim:
-        raise InputError(f"{name}: MeshTags of dimension {dim} are wanted")
+        given = f"those of dimension {tags.dim}" if hasattr(tags, "dim") else type(tags).__name__
+        raise InputError(f"{name}: MeshTags of dimension {dim} are wanted, not {given}")
     if hasattr(tags, "mesh"):  # newer versions know their topology alone
         _check_mesh(name, tags.mesh, mesh)
 

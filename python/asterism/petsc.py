@@ -325,8 +325,20 @@ def _whole_labels(parts: Any, starts: Any, number: Any, cell_number: Any) -> Tup
             {pair: np.unique(np.concatenate(found)) for pair, found in sorted(of_vertices.items())})
 
 
+def _check_alike(parts: List[_Part]) -> None:
+    """Raises InputError where a process gives other fields than the first one, or of another kind."""
+    kinds = [{name: rows.shape[1:] for name, rows in part.rows.items() if len(rows)} for part in parts]
+    for rank, (part, kind) in enumerate(zip(parts, kinds)):
+        odd = sorted(set(part.rows) ^ set(parts[0].rows))
+        odd = odd or sorted(name for name in kind if kind[name] != kinds[0].get(name, kind[name]))
+        if odd:
+            raise InputError(f"{_said(*odd[0].split('/', 1))}: process {rank} and process 0 give different fields; "
+                             "every process gives its rows of the same ones")
+
+
 def _whole_rows(parts: List[_Part], order: Any, is_new: Any, number: Any) -> Dict[str, Any]:
     rows: Dict[str, Any] = {}
+    _check_alike(parts)
     for name in parts[0].rows:
         together = np.concatenate([part.rows[name] for part in parts])
         rows[name] = together[order][is_new]

@@ -142,6 +142,8 @@ def run_errors():
     for arguments in ({"metric": np.ones((2, 3))} if MPI.rank == last else {"metric": (1, 0, 1)},
                       {"values": front(at), "vertices": -1}, {"values": np.full(len(at), float(MPI.rank + 1)) + at[:, 0] * MPI.rank},
                       {"values": {"T": front(at) / (MPI.rank != last)}, "vertices": 300},
+                      {"values": {"b" if MPI.rank == last else "a": front(at)}},
+                      {"values": at if MPI.rank == last else front(at)},
                       {"values": front(at), "progress": lambda state: 1 / 0, "vertices": 3000, "keep": "never"}):
         try:
             asterism.petsc.adapt(dm, **arguments)

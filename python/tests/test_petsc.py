@@ -72,7 +72,9 @@ def test_edges_are_numbered_as_petsc_numbers_them():
 def test_an_error_on_one_process_is_one_on_all():
     told = run(3, "errors")["told"]
     assert told[0] == told[1] == told[2]
-    first, second, third, fourth, fifth = told[0]
+    first, second, third, fourth, named, wide, fifth = told[0]
+    assert "a: process 2 and process 0 give different fields" in named
+    assert "values: process 2 and process 0 give different fields" in wide
     assert first.startswith("InputError: metric") and "(process 2)" in first
     assert second.startswith("InputError: vertices") and "several values" in third
     assert fourth.startswith("InputError: T: row ") and "is not finite (process 2)" in fourth
