@@ -37,13 +37,19 @@ def _made_of(what: Any) -> str:
     return "; asterism.Mesh.from_meshio() makes one of meshio's" if hasattr(what, "cells_dict") else ""
 
 
-def _metrics(given: Sequence[npt.ArrayLike], count: int) -> List[Any]:
+def _metrics(given: Any, count: int) -> List[Any]:
+    """Returns the metrics of a list. An array is one metric, unless it is a stack of them."""
+    if isinstance(given, np.ndarray):
+        is_stack = given.ndim == 4 or (given.ndim == 3 and given.shape[1:] == (count, 3))
+        given = list(given) if is_stack else [given]
+    if not isinstance(given, (list, tuple)):
+        raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(given).__name__}")
     return [definite("intersect", tensor_rows("intersect", one, count)) for one in given]
 
 
 @told
 def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, str] = 2, complexity: Optional[float] = None,
-           vertices: Optional[float] = None, error: Optional[float] = None, gradation: Gradation = "default",
+           vertices: Optional[int] = None, error: Optional[float] = None, gradation: Gradation = "default",
            hmin: Optional[float] = None, hmax: Optional[float] = None, aspect: Optional[float] = None,
            intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
            gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
@@ -59,7 +65,7 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
     values that linear elements computed, what the layers' steepness allows).
     gradation: greatest factor by which lengths grow over a length of one; None: any factor. By default
     6 for fields, with which loops do best, and None for a metric.
-    intersect: metrics (n, 3) with which this one is intersected. step: greatest factor by which a
+    intersect: metrics (n, 3) with which this one is intersected, in a list. step: greatest factor by which a
     length may differ from the mesh's. hessian: 'l2', 'green' or 'lsq' (docs/manual/adaptation.md); or
     the second derivatives themselves, (n, 3) = xx xy yy or (n, 2, 2) of either sign, one or a dict of
     them; the metric is then made of these, without values.
@@ -159,7 +165,7 @@ class Adapted(_Pair):
 
 
 @told
-def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[float] = None,
+def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int] = None,
           complexity: Optional[float] = None, error: Optional[float] = None, carry: Optional[Fields] = None,
           how: str = "interpolate", metric: Optional[npt.ArrayLike] = None, implied: bool = False,
           norm: Union[float, str] = 2, gradation: Gradation = "default", hmin: Optional[float] = None,

@@ -55,7 +55,7 @@ def tensor_rows(name: str, values: Any, count: Optional[int] = None) -> Doubles:
 def _of_sizes(name: str, sizes: Doubles) -> Doubles:
     wrong = np.flatnonzero(~((sizes > 0) & np.isfinite(sizes)).reshape(-1))
     if len(wrong):
-        where = "" if sizes.ndim == 0 else f"number {wrong[0]}: "
+        where = "" if sizes.size == 1 else f"number {wrong[0]}: "
         raise InputError(f"{name}: {where}a size is positive and finite, not "
                          f"{sizes.reshape(-1)[wrong[0]]}")
     inverse = 1 / (sizes * sizes)
@@ -124,9 +124,9 @@ def definite(name: str, rows: Doubles) -> Doubles:
             raise InputError(f"{name}: row {int(np.argmin(finite))} is not finite")
         wrong = np.flatnonzero(np.atleast_1d(_asterism._is_positive_definite(rows)) == 0)
         if len(wrong):
-            m11, m12, m22 = np.atleast_2d(rows)[wrong[0]].tolist()
-            raise InputError(f"{name}: row {wrong[0]}, {m11} {m12} {m22}, is not positive definite: m11 and "
-                             "m11 m22 - m12^2 above 0 are wanted")
+            tensor = np.atleast_2d(rows)[wrong[0]]
+            raise InputError(f"{name}: row {wrong[0]}, {_asterism._tensor_text(*tensor)}, is not positive definite: m11 "
+                             "and m11 m22 - m12^2 above 0 are wanted")
     return rows
 
 
@@ -150,14 +150,20 @@ class CalledMetric:
         answer = self.function(points)
         if self.kind == "tensor":
             return answer
-        rows = doubles("the metric's answer", answer)
         count = len(points)
+        name = "the metric's answer" + (" at ({:.6g}, {:.6g})".format(*points[0]) if count == 1 else "")
+        rows = doubles(name, answer)
         shape = (count,) if self.kind == "size" else (count, 2, 2)
         if rows.size != math.prod(shape):
-            raise InputError(f"the metric's answer: an array of the shape {rows.shape} for {count} points")
+            raise InputError(f"{name}: an array of the shape {rows.shape} for {count} points")
         rows = rows.reshape(shape)
-        return _of_sizes("the metric's answer", rows) if self.kind == "size" else _of_matrices(
-            "the metric's answer", rows)
+        if self.kind != "size":
+            return _of_matrices(name, rows)
+        if not np.all((rows > 0) & np.isfinite(rows)):
+            wrong = rows[~((rows > 0) & np.isfinite(rows))][0]
+            raise InputError(f"{name}: {wrong:.6g} is no size; a callable returns for each point a size above 0, or a "
+                             "positive definite tensor, m11 m12 m22 or (2, 2)")
+        return _of_sizes(name, rows)
 
 
 def constant_text(tensor: Doubles) -> str:

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError, _Mesh
-from ._calls import told, told_methods
+from ._calls import told, told_methods, warn
 from ._certificate import Certificate
 from ._domain import Domain
 from ._forms import MESHIO_FILES, Fields, definite, doubles, named_fields, path_of, tensor_rows, whole
@@ -22,15 +22,28 @@ Wholes = npt.NDArray[np.int32]
 
 
 def _made_of(points: npt.ArrayLike, triangles: npt.ArrayLike, metric: npt.ArrayLike, more: Dict[str, Any]) -> _Mesh:
-    at = doubles("points", points)
+    at = _in_plane(doubles("points", points))
     return _Mesh.from_arrays(at, triangles, definite("metric", tensor_rows("metric", metric, len(at))), more)
+
+
+def _in_plane(at: Doubles) -> Doubles:
+    """Leaves out third coordinates that are all the same, with a warning where they are not 0."""
+    if at.ndim != 2 or at.shape[1] != 3 or len(at) == 0:
+        return at
+    height = at[0, 2]
+    if not np.all(at[:, 2] == height):
+        raise InputError("points: third coordinates differ, and a mesh of the plane is wanted; points[:, :2] leaves "
+                         "them out")
+    if height != 0:
+        warn(f"all points are at the height z = {height:.6g}, which is left out")
+    return at[:, :2]
 
 
 @told_methods
 class Mesh:
     """Triangles and the metric at their points.
 
-    From elsewhere: points (n, 2), triangles (t, 3); a metric in any form that tensors have, one for all
+    From elsewhere: points (n, 2), or (n, 3) at one height, triangles (t, 3); a metric in any form that tensors have, one for all
     or one a point; regions (t,); edges (b, 2) with their markers (b,), also called edge_markers; values:
     fields at the points, as asterism.adapt() takes them. Numbers are whole and of 32 bits. Without
     regions the region is 1; sides that are not among the edges get the marker 0, with a UserWarning.

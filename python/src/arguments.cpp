@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "asterism/core/number_text.hpp"
+
 namespace asterism::python {
 namespace {
 
@@ -75,7 +77,11 @@ py::array_t<double> doubles_of(const py::object& from, const char* name) {
 whole_array wholes_of(const py::object& from, const char* name) {
   const py::array given = array_of(from, name, "whole numbers");
   const char kind = given.dtype().kind();
-  if (kind == 'i' || kind == 'b' || given.size() == 0) return given.cast<whole_array>();
+  const auto as_wholes = [&given] {
+    return given.attr("astype")("int64", py::arg("order") = "C").cast<whole_array>();
+  };
+  if (given.size() == 0) return as_wholes();  // an empty list is an array of doubles
+  if (kind == 'i' || kind == 'b') return given.cast<whole_array>();
   if (kind != 'u' && kind != 'f' && kind != 'O')
     refuse(name, "an array of whole numbers is wanted, not " + shown(from));
   const auto numbers =
@@ -88,9 +94,9 @@ whole_array wholes_of(const py::object& from, const char* name) {
   constexpr double most = 4611686018427387904.0;
   for (py::ssize_t k = 0; k < numbers.size(); ++k)
     if (const double x = numbers.data()[k]; x != std::floor(x) || !(std::abs(x) <= most))
-      refuse(name, "number " + std::to_string(k) + " is " + std::to_string(x) +
+      refuse(name, "number " + std::to_string(k) + " is " + internal::format_number(x) +
                        ", and whole numbers are wanted");
-  return given.attr("astype")("int64", py::arg("order") = "C").cast<whole_array>();
+  return as_wholes();
 }
 
 number_table::number_table(const py::object& from, py::ssize_t width, const char* name)

@@ -122,9 +122,19 @@ vertex_index point_number(const whole_array& table, const char* name, py::ssize_
   return static_cast<vertex_index>(v);
 }
 
+// Refuses a mask, of which True and False would be the numbers 1 and 0.
+whole_array numbers_of_points(const py::object& given, const char* name) {
+  const auto array = py::array::ensure(given);
+  if (array && array.size() != 0 && array.dtype().kind() == 'b')
+    throw input_error(std::string(name) +
+                      ": numbers of points are wanted, not a mask; np.flatnonzero(mask) has them");
+  if (!array) PyErr_Clear();
+  return wholes_of(given, name);
+}
+
 // Returns a table of point numbers with `width` in a row.
 whole_array point_numbers(const py::object& given, const char* name, py::ssize_t width) {
-  whole_array table = wholes_of(given, name);
+  whole_array table = numbers_of_points(given, name);
   if (table.ndim() != 2 || table.shape(1) != width)
     throw input_error(std::string(name) + ": the shape (n, " + std::to_string(width) +
                       ") is wanted, not " + shape_text(table));
@@ -173,7 +183,7 @@ mesh_marks marks_of(const keywords& given, std::size_t points) {
   for (const auto& [name, list] :
        {std::pair{"corners", &marks.corners}, {"required_points", &marks.required_vertices}}) {
     if (!given.has(name)) continue;
-    const whole_array numbers = wholes_of(given.object(name), name);
+    const whole_array numbers = numbers_of_points(given.object(name), name);
     const whole_array column = numbers.attr("reshape")(-1, 1).cast<whole_array>();
     for (py::ssize_t k = 0; k < column.shape(0); ++k)
       list->push_back(point_number(column, name, k, 0, points));

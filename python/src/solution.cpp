@@ -6,6 +6,7 @@
 #include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 #include "asterism/mesh/transfer/transfer.hpp"
 #include "bindings.hpp"
 #include "py_mesh.hpp"
@@ -71,6 +72,12 @@ void define_solution(py::module_& m) {
         return doubles_of(values, name.c_str());
       },
       py::arg("name"), py::arg("values"));
+  m.def(
+      "_tensor_text",
+      [](double m11, double m12, double m22) {
+        return internal::tensor_text({m11, m12, m22});
+      },
+      py::arg("m11"), py::arg("m12"), py::arg("m22"));
   m.def("_transfer", &transfer, py::arg("mesh"), py::arg("fields"), py::arg("to"), py::arg("how"));
   m.def("_metric", &metric_for, py::arg("mesh"), py::arg("fields"), py::arg("given"),
         py::arg("more"));

@@ -102,13 +102,16 @@ solution_metric_options wishes_of(const keywords& given) {
   options.hessian = method_of(given.word("hessian"));
   options.norm = given.real("norm");
   if (options.norm && std::isinf(*options.norm) && *options.norm > 0) options.norm.reset();
-  options.vertices = given.positive("vertices");
+  if (const auto n = given.count("vertices", 1)) options.vertices = static_cast<double>(*n);
   options.complexity = given.positive("complexity");
   options.error = given.positive("error");
   options.relative = given.flag("relative");
   options.cutoff = given.positive("cutoff");
   if (options.relative && !options.error)
     throw input_error("relative: it is of an error, and none is wanted");
+  constexpr double usual_norm = 2;
+  if (options.relative && options.norm != usual_norm)
+    throw input_error("norm: a relative error is of no norm; leave it out");
   if (options.cutoff && !options.relative) throw input_error("cutoff: it is of relative=True");
   if (options.cutoff && *options.cutoff > 1)
     throw input_error("cutoff: above 0 and at most 1 is wanted");

@@ -33,6 +33,22 @@ def test_fields_by_name_are_intersected_in_the_order_of_the_names(background):
     assert np.array_equal(both, swapped) and both.report["fields"] == ["a", "b"]
 
 
+def test_an_array_to_intersect_with_is_one_metric(background):
+    u, finer = ridge(background.points), 400 * np.ones(len(background.points))[:, None] * [1, 0, 1]
+    listed, array, stack = (asterism.metric(background, u, vertices=300, intersect=given)
+                            for given in ([finer, finer], finer, np.stack([finer, finer])))
+    assert np.array_equal(listed, stack) and np.array_equal(listed, array)
+    sizes = np.full(len(background.points), 0.05)
+    assert np.allclose(asterism.metric(background, u, vertices=300, intersect=sizes), listed, rtol=1e-9)
+
+
+def test_values_of_any_size_have_the_metric_of_ordinary_ones(background):
+    u = ridge(background.points)
+    ordinary = asterism.metric(background, u, vertices=300)
+    for power in (-900, 1000):
+        assert np.array_equal(asterism.metric(background, u * 2.0 ** power, vertices=300), ordinary)
+
+
 @pytest.mark.filterwarnings("ignore::asterism.NotReachedWarning")
 def test_a_metric_that_is_given_is_bounded(background):
     graded = np.array(background.metric) * np.linspace(0.2, 5, len(background.points))[:, None]

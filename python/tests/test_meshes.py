@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import threading
+import warnings
 
 import numpy as np
 import pytest
@@ -269,6 +270,15 @@ def test_a_mesh_from_elsewhere():
     assert right["certified"] and abs(right["worst_angle"] - 45) < 1e-9
     with pytest.raises(asterism.InputError, match="row 0 names point 7"):
         asterism.Mesh([(0, 0), (1, 0), (0, 1)], [(0, 1, 7)])
+
+
+def test_points_with_a_height_are_points_of_the_plane(made):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        flat = asterism.Mesh(np.c_[made.points, 0 * made.points[:, 0]], made.triangles, edges=made.edges)
+    assert np.array_equal(flat.points, made.points)
+    with pytest.warns(UserWarning, match="at the height z = 2, which is left out"):
+        asterism.Mesh(np.c_[made.points, 0 * made.points[:, 0] + 2], made.triangles, edges=made.edges)
 
 
 def test_clockwise_triangles_are_turned_over_and_told():

@@ -26,10 +26,21 @@ def flat(mesh):
 
 CALLS = [
     # Metrics that are none
-    (lambda m: asterism.adapt(m, metric=(1, 0, -1)), "metric: row 0, 1.0 0.0 -1.0, is not positive definite"),
+    (lambda m: asterism.adapt(m, metric=(1, 0, -1)), "metric: row 0, 1 0 -1, is not positive definite"),
     (lambda m: asterism.adapt(m, metric=(1, 0, np.nan)), "metric: row 0 is not finite"),
-    (lambda m: asterism.adapt(m, flat(m), intersect=[(1, 2, 1)]), "intersect: row 0, 1.0 2.0 1.0, is not positive"),
+    (lambda m: asterism.adapt(m, flat(m), intersect=[(1, 2, 1)]), "intersect: row 0, 1 2 1, is not positive"),
     (lambda m: asterism.metric(m, m.metric * [-1, 0, 1]), "values: row 0, -"),
+    (lambda m: asterism.mesh(L_SHAPE, metric=lambda p: 0), r"the metric's answer at \(0, 0\): 0 is no size; .*positive definite tensor"),
+    (lambda m: asterism.mesh(L_SHAPE, metric=lambda p: np.where(p[:, 0] > 1, 0, 0.5)),
+     r"the metric's answer at \(2, 0\): 0 is no size"),
+    (lambda m: asterism.mesh(L_SHAPE, metric=lambda p: [1, 2, 1]), "the metric at .* is 1 2 1, which is not positive"),
+    (lambda m: asterism.adapt(m, flat(m), vertices=2.5), "vertices: a whole number of at least 1 is wanted, not 2.5"),
+    (lambda m: asterism.metric(m, flat(m), vertices=0), "vertices: a whole number of at least 1"),
+    (lambda m: asterism.adapt(m, flat(m), vertices=9, max_sites=9.5), "max_sites: a whole number"),
+    (lambda m: asterism.adapt(m, flat(m), vertices=9, threads=1.5), "threads: a whole number"),
+    (lambda m: asterism.mesh(L_SHAPE, vertices=9.5), "vertices: a whole number"),
+    (lambda m: asterism.adapt(m, flat(m), intersect=0.1), "intersect: a list of metrics is wanted"),
+    (lambda m: asterism.adapt(m, flat(m), error=0.1, relative=True, norm=1), "norm: a relative error is of no norm"),
     # Names and numbers of arguments
     (lambda m: asterism.mesh(), "domain is missing"),
     (lambda m: asterism.mesh(L_SHAPE, sizes=0.1), "no argument 'sizes'; did you mean size"),
@@ -106,6 +117,12 @@ CALLS = [
     (lambda m: asterism.metric(m, flat(m), hmax=0), "hmax: a positive"),
     (lambda m: asterism.metric(m, flat(m), hessian="magic"), "'lsq' is wanted"),
     (lambda m: asterism.transfer(m, flat(m), m, how="magic"), "'project' or 'bounded'"),
+    (lambda m: asterism.Mesh(np.c_[m.points, m.points[:, 0]], m.triangles), "points: third coordinates differ"),
+    (lambda m: asterism.Mesh(m.points, []), r"triangles: the shape \(n, 3\)"),
+    (lambda m: asterism.Mesh(m.points, m.triangles + 0.5), "triangles: number 0 is [0-9]+.5, and whole numbers"),
+    (lambda m: asterism.Mesh(m.points, m.triangles, corners=flat(m) == 0), r"corners: .*np.flatnonzero\(mask\)"),
+    (lambda m: asterism.Mesh(m.points[m.triangles].reshape(-1, 2), np.arange(3 * len(m.triangles)).reshape(-1, 3)),
+     "each triangle has vertices of its own"),
     # Predicates
     (lambda m: asterism.orientation((0, 0), (1, 0), (0, np.nan)), "^r: "),
     (lambda m: asterism.orientation((0, 0), [(1, 0), (1, np.inf)], (0, 1)), "^q: row 1"),
