@@ -116,7 +116,20 @@ def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "project") -> Any:
     """
     fields = named_fields(values)
     moved, report = _asterism._transfer(_mesh_made(mesh), fields, _mesh_made(to, "to"), how)
+    _warn_if_outside(report)
     return like(values, _as_given(fields, moved, report))
+
+
+# Greatest distance of points from the mesh that had the values, as a part of the root of its area, without a warning:
+# coarse chords of curved boundaries are nearer than that.
+_FAR_OUTSIDE = 0.05
+
+
+def _warn_if_outside(report: Optional[Dict[str, Any]]) -> None:
+    if report is None or not report["greatest_distance"] > _FAR_OUTSIDE * report["area_before"] ** 0.5:
+        return
+    warn(f"{report['outside']} points are outside of the mesh that has the values, by up to "
+         f"{report['greatest_distance']:.6g}: they have values of the nearest points in it")
 
 
 def _as_given(fields: Any, moved: Any, report: Dict[str, Any]) -> Any:
@@ -217,6 +230,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
         "max_seconds": max_seconds, "threads": threads, "progress": progress}
     exact = None if domain is None else as_domain(domain)._made
     next_mesh, tensors, moved, report = _asterism._adapt(made, wanted, given, wanted + carried, exact, words)
+    _warn_if_outside(report["transfer"])
     brought = _as_given(wanted + carried, moved, report["transfer"])
     first, rest = brought[:len(wanted)], brought[len(wanted):]
     if not report["reached"]:

@@ -49,6 +49,15 @@ def test_values_of_any_size_have_the_metric_of_ordinary_ones(background):
         assert np.array_equal(asterism.metric(background, u * 2.0 ** power, vertices=300), ordinary)
 
 
+def test_points_far_outside_of_the_mesh_with_the_values_are_told(background):
+    wider = [(-1, -1), (3, -1), (3, 1), (-1, 1)]
+    other = asterism.mesh(wider, size=0.5)
+    with pytest.warns(UserWarning, match="points are outside of the mesh that has the values, by up to 2: "):
+        asterism.transfer(background, ridge(background.points), other)
+    with pytest.warns(UserWarning, match="by up to 2: they have values of the nearest"):
+        asterism.adapt(background, ridge(background.points), domain=wider, vertices=200)
+
+
 @pytest.mark.filterwarnings("ignore::asterism.NotReachedWarning")
 def test_a_metric_that_is_given_is_bounded(background):
     graded = np.array(background.metric) * np.linspace(0.2, 5, len(background.points))[:, None]
