@@ -218,6 +218,14 @@ class IncludeTest(unittest.TestCase):
             self.assertEqual((status, numbers), (2, []), text)
             self.assertIn("err is greater than 0", text)
 
+    def test_counts_are_whole_and_no_least_size_is_zero(self):
+        for options in ("vertices = 200.5", "nbvx = 1000.5"):
+            status, numbers, text, _ = call("x * x", options)
+            self.assertEqual((status, numbers), (2, []), text)
+            self.assertIn("is a whole number, and here it is " + options.split()[-1], text)
+        status, numbers, text, _ = call("x * x", "vertices = 60; hmin = 0")
+        self.assertEqual((status, len(numbers)), (0, 1), text)
+
     def test_included_twice(self):
         status, numbers, text, _ = run('include "asterism.idp"\nmesh Th = square(5, 5);\n'
                                        'asterismadapt(Th, x * x + y * y, vertices = 300)\ncout << "GOT " << Th.nv << endl;\n')
