@@ -47,12 +47,13 @@ result<domain> load_domain(std::string_view what) {
   if (kind != nullptr && kind->read_domain != nullptr)
     return kind->read_domain(std::filesystem::path(what));
   if (kind != nullptr && kind->read != nullptr) return load_edges(std::string(what));
-  if (const std::string meant = similar_domain(what); !meant.empty())
+  const std::string known = what_it_is(what), meant = known.empty() ? similar_domain(what) : "";
+  if (!meant.empty())
     return error{"unknown domain '" + std::string(what) + "'" + meant, error_code::bad_option};
   return error{"unknown domain '" + std::string(what) +
                    "': square, airfoil, or a file whose name ends in " +
                    endings_of(is_domain_kind, "or") + ", or as those of meshes do, " +
-                   endings_of(is_mesh_kind, "or") + what_it_is(what),
+                   endings_of(is_mesh_kind, "or") + known,
                error_code::bad_option};
 }
 

@@ -11,7 +11,7 @@ MISTAKES = [
     ("verify a.mesh --domain nothere.poly", "nothere\\.poly: no such file"),
     ("verify a.mesh --domain folder", "it is a directory, and a file is wanted"),
     ("verify a.mesh --metric swrl:3", "identity, swirl"),
-    ("verify a.mesh plain.mesh", "not expected.*usage: asterism verify MESH"),
+    ("verify a.mesh plain.mesh", "no place for plain\\.mesh: verify takes MESH alone.*usage: asterism verify MESH"),
     ("verify a.mesh --voroni", "did you mean --voronoi"),
     ("verify a.mesh --quality 20", "here it is --angle-bound"),
     ("verify a.mesh --quiet", "here it is --json.*exit status"),
