@@ -161,8 +161,8 @@ class CalledMetric:
             return _of_matrices(name, rows)
         if not np.all((rows > 0) & np.isfinite(rows)):
             wrong = rows[~((rows > 0) & np.isfinite(rows))][0]
-            raise InputError(f"{name}: {wrong:.6g} is no size; a callable returns for each point a size above 0, or a "
-                             "positive definite tensor, m11 m12 m22 or (2, 2)")
+            raise InputError(f"{name}: a size is positive and finite, not {wrong:.6g}; a callable returns for each "
+                             "point a size, or a positive definite tensor, m11 m12 m22 or (2, 2)")
         return _of_sizes(name, rows)
 
 

@@ -34,12 +34,12 @@ def test_fields_by_name_are_intersected_in_the_order_of_the_names(background):
 
 
 def test_an_array_to_intersect_with_is_one_metric(background):
-    u, finer = ridge(background.points), 400 * np.ones(len(background.points))[:, None] * [1, 0, 1]
-    listed, array, stack = (asterism.metric(background, u, vertices=300, intersect=given)
-                            for given in ([finer, finer], finer, np.stack([finer, finer])))
-    assert np.array_equal(listed, stack) and np.array_equal(listed, array)
-    sizes = np.full(len(background.points), 0.05)
-    assert np.allclose(asterism.metric(background, u, vertices=300, intersect=sizes), listed, rtol=1e-9)
+    u, finer = ridge(background.points), np.tile([100.0, 0, 100], (len(background.points), 1))
+    one, array, sizes, two, stack = (
+        asterism.metric(background, u, vertices=1500, intersect=given)
+        for given in ([finer], finer, np.full(len(finer), 0.1), [finer, finer], np.stack([finer, finer])))
+    assert np.array_equal(one, array) and np.array_equal(two, stack)
+    assert np.allclose(one, sizes, rtol=1e-9, atol=1e-9) and np.allclose(one, two, rtol=1e-9, atol=1e-9)
 
 
 def test_values_of_any_size_have_the_metric_of_ordinary_ones(background):
