@@ -84,8 +84,10 @@ int run_transfer(const transfer_job& job) {
   const auto from = read_plain_mesh_file(job.from);
   if (!from) return complain(from.failure(), refused);
   const mesh& source = from.value().content;
-  const auto values = read_solution(job.values, source, from.value().left_out);
+  const auto values = internal::read_fields(job.values, source, from.value().left_out);
   if (!values) return complain(values.failure(), refused);
+  if (values.value().fields.empty())
+    return complain({job.values + ": there is no field in it to transfer"}, refused);
   const auto to = read_plain_mesh_file(job.to);
   if (!to) return complain(to.failure(), refused);
   for (const mesh_file* const read : {&from.value(), &to.value()})

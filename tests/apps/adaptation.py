@@ -784,6 +784,15 @@ class TransferTest(AdaptationTest):
             self.assertAlmostEqual(float(told), number, delta=5e-6 * abs(number))
         return exact
 
+    def test_a_metric_goes_over_entry_by_entry(self):
+        self.write("m.sol", solution_text([(9.0, x, 30.0) for x, _ in self.points], (3,)))
+        done = self.run_command("transfer", "g.mesh", "m.sol", "h.mesh", "-o", "v.sol")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for (x, _, _), row in zip(rows_after(self.folder / "h.mesh", "Vertices", 1),
+                                  rows_after(self.folder / "v.sol", "SolAtVertices", 2)):
+            for wanted, found in zip((9.0, x, 30.0), row):
+                self.assertAlmostEqual(wanted, found, places=12)
+
     def test_integral_is_reported_and_kept(self):
         for how in ("project", "bounded"):
             before, after, *_ = self.transfer(how)
