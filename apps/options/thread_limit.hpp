@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Limits the number of threads.
+// The option --threads.
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <cstddef>
-#include <optional>
 #include <string>
+
+#include "asterism/mesh/support/thread_limit.hpp"  // IWYU pragma: export
 
 namespace CLI {
 class App;
@@ -19,16 +18,6 @@ namespace asterism::apps {
 // that does not depend on the number: "the mesh is".
 void add_threads_option(CLI::App& app, std::size_t& threads, const std::string& what);
 
-// Limits the number of threads during its lifetime. 0 sets no limit: there is one thread a
-// processor.
-class thread_limit {
- public:
-  explicit thread_limit(std::size_t threads) {
-    if (threads > 0) limit_.emplace(tbb::global_control::max_allowed_parallelism, threads);
-  }
-
- private:
-  std::optional<tbb::global_control> limit_;
-};
+using internal::thread_limit;
 
 }  // namespace asterism::apps

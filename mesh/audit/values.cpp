@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Points 0 and 1: finite numbers, indices in range, no repetitions, counter-clockwise triangles.
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -34,11 +32,10 @@ void check_positions(audit_context& context) {
   order.reserve(context.placed.size());
   for (vertex_index v = 0; v < context.placed.size(); ++v)
     if (context.placed[v]) order.push_back({context.at(v), v});
-  tbb::parallel_sort(order.begin(), order.end(),
-                     [](const numbered_point& a, const numbered_point& b) {
-                       if (lexicographically_less(a.at, b.at)) return true;
-                       return a.at == b.at && a.number < b.number;
-                     });
+  parallel_sort(order.begin(), order.end(), [](const numbered_point& a, const numbered_point& b) {
+    if (lexicographically_less(a.at, b.at)) return true;
+    return a.at == b.at && a.number < b.number;
+  });
   for (std::size_t i = 1; i < order.size(); ++i)
     if (order[i - 1].at == order[i].at)
       context.found(finding_kind::repeated_position,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/fill/site_proposals.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -189,7 +187,7 @@ std::vector<std::uint32_t> site_proposals::in_order_of_placing(
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
   keyed.reserve(proposals.size());
   for (std::uint32_t i = 0; i < proposals.size(); ++i) keyed.emplace_back(key(proposals[i]), i);
-  tbb::parallel_sort(keyed.begin(), keyed.end());
+  parallel_sort(keyed.begin(), keyed.end());
   std::vector<std::uint32_t> order;
   order.reserve(keyed.size());
   for (const auto& each : keyed) order.push_back(each.second);

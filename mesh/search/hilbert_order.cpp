@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/search/hilbert_order.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -102,7 +100,7 @@ void sort_numbers(std::vector<std::uint32_t>& which, const PointOf& of, const bo
     for (std::size_t i = begin; i < end; ++i)
       places[i] = {internal::place_on_curve(of(which[i]), box), static_cast<std::uint32_t>(i)};
   });
-  tbb::parallel_sort(places.begin(), places.end());
+  parallel_sort(places.begin(), places.end());
   for (auto& [place, i] : places) i = which[i];
   for (std::size_t i = 0; i < which.size(); ++i) which[i] = places[i].second;
 }

@@ -18,8 +18,7 @@ void raised_error::raise() const {
 }
 
 thread_limit::thread_limit(const keywords& given) {
-  if (const auto threads = given.count("threads", 1))
-    control_.emplace(tbb::global_control::max_allowed_parallelism, *threads);
+  if (const auto threads = given.count("threads", 1)) limit_.emplace(*threads);
 }
 
 watched_run::watched_run(const keywords& given)

@@ -4,8 +4,6 @@
 // calls of `progress`, and exceptions of Python callables.
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <chrono>
 #include <exception>
 #include <functional>
@@ -15,6 +13,7 @@
 
 #include "arguments.hpp"
 #include "asterism/mesh/data/options.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 
 namespace asterism::python {
 
@@ -38,7 +37,7 @@ class thread_limit {
   explicit thread_limit(const keywords& given);
 
  private:
-  std::optional<tbb::global_control> control_;
+  std::optional<internal::thread_limit> limit_;
 };
 
 // The keywords are threads, max_seconds and progress. The clock starts when it is made.
