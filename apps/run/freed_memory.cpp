@@ -28,7 +28,7 @@ void give_back_large_blocks() {
 }
 
 void keep_freed_blocks() {
-  constexpr int large = 4 << 20;
+  constexpr int large = 32 << 20;  // the most that the library takes
   give_back_from(large);
 }
 

@@ -99,8 +99,6 @@ bool may_hold(std::size_t more) {
 void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size,
                          [[maybe_unused]] std::size_t alignment) {
 #ifdef MADV_HUGEPAGE
-  // Size in bytes of the smallest block that is given back when it is freed
-  // (apps/run/freed_memory.hpp).
   constexpr std::size_t large = 4 << 20, very_large = 32 << 20;
   constexpr std::uintptr_t page = 4096;
   const bool is_for_pages = alignment >= asterism::internal::large_page;
