@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -161,6 +162,15 @@ result<std::vector<fs::path>> write_files(const std::vector<output_file>& files)
 
 namespace {
 
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+error not_written_to(const fs::path& file) {
+  return system_failure(file,
+                        "the directory " + folder_of(file).string() + " cannot be written to");
+}
+
 // True if a file can be created there: a file system may forbid what the permissions of the folder
 // allow.
 bool takes_files(const fs::path& folder) {
@@ -172,23 +182,41 @@ bool takes_files(const fs::path& folder) {
   return true;
 }
 
-}  // namespace
-
-result<fs::path> check_writable(const fs::path& named) {
-  const fs::path path = place_of(named);
+// Checks what is known of a place without creating a file there.
+std::optional<error> check_place(const fs::path& path) {
   std::error_code status;
   if (path.filename().empty())
     return error{path.string() + ": is not the name of a file", error_code::unwritable_file};
-  const fs::path directory = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path directory = folder_of(path);
   if (!fs::is_directory(directory, status))
     return error{path.string() + ": there is no directory " + directory.string(),
                  error_code::unwritable_file};
   errno = 0;
-  if (::access(directory.c_str(), W_OK | X_OK) != 0 || !takes_files(directory))
-    return system_failure(path, "the directory " + directory.string() + " cannot be written to");
+  if (::access(directory.c_str(), W_OK | X_OK) != 0) return not_written_to(path);
   if (fs::exists(path, status) && !fs::is_regular_file(path, status))
     return error{path.string() + ": exists and is not a regular file", error_code::unwritable_file};
-  return named;
+  return std::nullopt;
+}
+
+}  // namespace
+
+result<fs::path> check_writable(const fs::path& path) {
+  if (auto failed = check_all_writable({path})) return *std::move(failed);
+  return path;
+}
+
+std::optional<error> check_all_writable(const std::vector<fs::path>& files) {
+  std::vector<fs::path> tried;
+  for (const fs::path& file : files) {
+    const fs::path place = place_of(file);
+    if (auto failed = check_place(place)) return failed;
+    const fs::path folder = folder_of(place);
+    if (std::find(tried.begin(), tried.end(), folder) != tried.end()) continue;
+    errno = 0;
+    if (!takes_files(folder)) return not_written_to(place);
+    tried.push_back(folder);
+  }
+  return std::nullopt;
 }
 
 }  // namespace asterism::internal

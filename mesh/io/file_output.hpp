@@ -63,4 +63,7 @@ result<std::vector<std::filesystem::path>> write_files(const std::vector<output_
 // `path` itself is free or a regular file. Returns `path`.
 result<std::filesystem::path> check_writable(const std::filesystem::path& path);
 
+// Checks all of the files. Creates one file in each directory, not one for each of them.
+std::optional<error> check_all_writable(const std::vector<std::filesystem::path>& files);
+
 }  // namespace asterism::internal

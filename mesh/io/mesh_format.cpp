@@ -58,8 +58,7 @@ result<mesh_format> check_output(const std::filesystem::path& path) {
   if (!format.ok()) return format;
   if (is_picture(format.value()))
     if (const auto missing = missing_for_pictures()) return missing->at(path.string());
-  for (const fs::path& file : files_of_output(path))
-    if (const auto writable = check_writable(file); !writable.ok()) return writable.failure();
+  if (const auto failed = check_all_writable(files_of_output(path))) return *failed;
   return format;
 }
 
