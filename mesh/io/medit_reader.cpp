@@ -18,6 +18,7 @@
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/io/medit_passed_over.hpp"
 #include "asterism/mesh/io/medit_solution.hpp"
+#include "asterism/mesh/io/plain_lines.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
 
 namespace asterism {
@@ -45,6 +46,8 @@ constexpr std::array<element_section, 10> element_sections = {{
     {"EdgesP2", "vertex of an edge", 2, 3},
     {"EdgesP3", "vertex of an edge", 2, 4},
 }};
+// The least length of a line with three numbers: no more lines than that are made room for.
+constexpr std::size_t least_bytes_of_line = 6;
 constexpr std::array<std::string_view, 5> solid_sections = {"Tetrahedra", "Hexahedra", "Prisms",
                                                             "Pyramids", "TetrahedraP2"};
 
@@ -63,6 +66,10 @@ class medit_reader {
   failure read_section(const word& keyword);
   failure read_vertices();
   failure read_elements(const element_section& kind);
+  // Read the section where it has a line for each element, and return true; or leave the mesh and
+  // the scanner as they were.
+  bool read_plain_vertices(std::size_t count);
+  bool read_plain_triangles(std::size_t count);
   void add_element(const element_section& kind, const std::array<vertex_index, 4>& corners,
                    int reference, std::size_t line);
   // Appends the vertices that a section lists, Corners or RequiredVertices, to `marked`.
@@ -210,6 +217,7 @@ result<vertex_index> medit_reader::read_vertex(std::string_view meaning) {
 failure medit_reader::read_vertices() {
   const auto count = read_count("Vertices");
   if (!count.ok()) return count.failure();
+  if (read_plain_vertices(count.value())) return {};
   m_.sites.reserve(count.value());
   for (std::size_t i = 0; i < count.value(); ++i) {
     const word x = source_.next(), y = source_.next();
@@ -230,6 +238,46 @@ failure medit_reader::read_vertices() {
   return {};
 }
 
+bool medit_reader::read_plain_vertices(std::size_t count) {
+  if (dimension_ != 2 || count > source_.remaining() / least_bytes_of_line) return false;
+  m_.sites.resize(count);
+  m_.references.resize(count);
+  const auto take = [this](std::size_t v, number_line& line) {
+    long long reference = 0;
+    point& at = m_.sites[v].position;
+    if (!line.take(at.x) || !line.take(at.y) || !line.take(reference)) return false;
+    m_.references[v] = static_cast<int>(reference);
+    return wide_references::is_plain(reference);
+  };
+  if (take_plain_lines(source_, count, take)) return true;
+  m_.sites.clear();
+  m_.references.clear();
+  return false;
+}
+
+bool medit_reader::read_plain_triangles(std::size_t count) {
+  if (count > source_.remaining() / least_bytes_of_line) return false;
+  const std::size_t before = m_.triangles.size();
+  m_.triangles.resize(before + count);
+  m_.regions.resize(before + count);
+  const auto take = [this, before](std::size_t t, number_line& line) {
+    for (vertex_index& corner : m_.triangles[before + t]) {
+      long long v = 0;
+      if (!line.take(v) || v < 1 || static_cast<unsigned long long>(v) > m_.sites.size())
+        return false;
+      corner = static_cast<vertex_index>(v - 1);
+    }
+    long long reference = 0;
+    if (!line.take(reference)) return false;
+    m_.regions[before + t] = static_cast<int>(reference);
+    return wide_references::is_plain(reference);
+  };
+  if (take_plain_lines(source_, count, take)) return true;
+  m_.triangles.resize(before);
+  m_.regions.resize(before);
+  return false;
+}
+
 failure medit_reader::read_elements(const element_section& kind) {
   const auto count = read_count(kind.keyword);
   if (!count.ok()) return count.failure();
@@ -237,6 +285,7 @@ failure medit_reader::read_elements(const element_section& kind) {
   if (kind.corners == 2) m_.boundary.reserve(m_.boundary.size() + count.value());
   if (kind.vertices > kind.corners) made_.second_order += count.value();
   lists_triangles_ = lists_triangles_ || kind.corners > 2;
+  if (kind.vertices == 3 && kind.corners == 3 && read_plain_triangles(count.value())) return {};
   const std::string reference_of =
       kind.corners == 2 ? "reference of an edge"
                         : (kind.corners == 3 ? "reference of a triangle" : "reference of a cell");

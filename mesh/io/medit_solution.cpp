@@ -13,6 +13,7 @@
 #include "asterism/kernels/filtered_kernel.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/medit_binary.hpp"
+#include "asterism/mesh/io/plain_lines.hpp"
 #include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal {
@@ -49,6 +50,15 @@ failure read_sizes(text_scanner& source, mesh& m) {
   return {};
 }
 
+// Reads the tensors where each is on a line of its own, and returns true.
+bool read_plain_tensors(text_scanner& source, mesh& m) {
+  return take_plain_lines(source, m.sites.size(), [&m](std::size_t v, number_line& line) {
+    metric_tensor& metric = m.sites[v].metric;
+    return line.take(metric.m11) && line.take(metric.m12) && line.take(metric.m22) &&
+           filtered_kernel().is_positive_definite(metric);
+  });
+}
+
 // Sets `is_metric` to false for a file without a metric, if none is required.
 failure read_tensors(text_scanner& source, int dimension, mesh& m, bool& is_metric) {
   const word w = source.next();
@@ -70,6 +80,7 @@ failure read_tensors(text_scanner& source, int dimension, mesh& m, bool& is_metr
     return read_sizes(source, m);
   }
   is_metric = true;
+  if (dimension == 2 && read_plain_tensors(source, m)) return {};
   for (std::size_t v = 0; v < m.sites.size(); ++v) {
     std::array<double, 6> entries{1, 0, 1, 0, 0, 0};
     std::size_t line = 0;

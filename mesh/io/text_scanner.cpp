@@ -102,6 +102,19 @@ std::string_view text_scanner::take_bytes(std::size_t count) {
   return bytes;
 }
 
+std::optional<std::string_view> text_scanner::next_lines() const {
+  std::size_t at = position_;
+  while (at < text_.size() && is_blank(text_[at])) ++at;
+  if (at == text_.size() || text_[at] != '\n') return std::nullopt;
+  return text_.substr(at + 1);
+}
+
+void text_scanner::pass_over(std::size_t bytes, std::size_t lines) {
+  position_ = text_.find('\n', position_) + 1 + bytes;
+  const bool is_ended = text_[position_ - 1] == '\n';
+  line_ += is_ended ? 1 + lines : lines;
+}
+
 error text_scanner::failure(std::size_t line, const std::string& what, error_code code) const {
   return {file_ + ":" + std::to_string(line) + ": " + without_controls(what), code};
 }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,10 @@ class text_scanner {
   std::string_view rest_of_line();
   // Returns the next `count` bytes of the text; fewer if the text ends before.
   std::string_view take_bytes(std::size_t count);
+  // Returns the text from the next line on; nothing where words are left on this one.
+  std::optional<std::string_view> next_lines() const;
+  // Continues after the first `bytes` of next_lines(), which are `lines` lines.
+  void pass_over(std::size_t bytes, std::size_t lines);
   // Writes the words of the next line to `words`, whose memory is used again for each line.
   void next_line(std::vector<word>& words);
   // Returns the comments read so far, without their `#`.

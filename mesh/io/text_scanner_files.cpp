@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Reads files. Separate from the scanner, so that a build without files can replace it by texts.
+#include <cstdint>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -23,13 +24,17 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
   if (!in)
     return error{path.string() + ": cannot be opened for reading", error_code::unreadable_file};
   std::string text;
-  constexpr std::size_t part = 1 << 16;
-  // Reads until the end, since the size that a system states may be less than the contents.
+  // Reads until the end, since the size that a system states may be less than the contents. The
+  // first part is one byte longer than that size, so that it is the only one where it is right.
+  constexpr std::size_t least = 1 << 16;
+  const std::uintmax_t stated = std::filesystem::file_size(path, status);
+  std::size_t part = status || stated == 0 ? least : static_cast<std::size_t>(stated) + 1;
   while (in) {
     const std::size_t before = text.size();
     text.resize(before + part);
-    in.read(text.data() + before, part);
+    in.read(text.data() + before, static_cast<std::streamsize>(part));
     text.resize(before + static_cast<std::size_t>(in.gcount()));
+    part = least;
   }
   if (in.bad())
     return error{path.string() + ": cannot be read to its end", error_code::unreadable_file};

@@ -26,9 +26,12 @@ void replace_keys(std::map<int, std::string>& names, const std::map<int, int>& b
 
 }  // namespace
 
+bool wide_references::is_plain(long long reference) {
+  return reference >= first_reference && reference <= std::numeric_limits<int>::max();
+}
+
 int wide_references::number(long long reference) {
-  if (reference >= first_reference && reference <= std::numeric_limits<int>::max())
-    return static_cast<int>(reference);
+  if (is_plain(reference)) return static_cast<int>(reference);
   const int next = std::numeric_limits<int>::min() + static_cast<int>(holder_.size());
   return holder_.emplace(reference, next).first->second;
 }

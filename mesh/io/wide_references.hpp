@@ -22,6 +22,8 @@ class wide_references {
   // Returns the reference, or a place holder that settle() replaces.
   result<int> read(const text_scanner& source, const word& w, std::string_view meaning);
   int number(long long reference);
+  // Returns whether the reference has no place holder.
+  static bool is_plain(long long reference);
   bool empty() const { return holder_.empty(); }
 
   // Replaces the place holders in all lists and names. Returns a note, empty where all fit
