@@ -259,6 +259,13 @@ void editable_mesh::assign(parts p) {
       nodes_.begin(), nodes_.end(), [](const node& n) { return n.kind != node_kind::gone; }));
 }
 
+void editable_mesh::assign_all(parts p) {
+  nodes_ = std::move(p.nodes);
+  faces_ = std::move(p.faces);
+  free_faces_.clear();
+  count_ = nodes_.size();
+}
+
 editable_mesh editable_mesh::like(parts p) const {
   editable_mesh made(*domain_, curves_);
   made.assign(std::move(p));

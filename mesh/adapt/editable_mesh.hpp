@@ -171,6 +171,8 @@ class editable_mesh {
   parts release();
   // Replaces the nodes and faces: the domain's vertices must come first, all of them present.
   void assign(parts p);
+  // Does the same where none of the nodes and faces is gone.
+  void assign_all(parts p);
   // Returns a mesh of the same domain with these nodes and faces.
   editable_mesh like(parts p) const;
 

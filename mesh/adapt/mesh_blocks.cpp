@@ -61,8 +61,11 @@ bool mesh_blocks::are_worth_it(const editable_mesh& m) {
   return m.faces().size() >= least * faces_in_block;
 }
 
-mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut)
-    : whole_(whole), given_(whole.release()), box_(box_of_cut(whole.shape().box(), cut)) {
+mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut, editable_mesh::parts& spare)
+    : whole_(whole),
+      spare_(spare),
+      given_(whole.release()),
+      box_(box_of_cut(whole.shape().box(), cut)) {
   assign_blocks();
   list_blocks();
   mark_frame();
@@ -289,7 +292,9 @@ void mesh_blocks::join() {
   face_now_.resize(count());
   const std::vector<range> from = number_frame();
   parallel_for(count(), [&](std::size_t b) { number_block(b, from[b]); });
-  editable_mesh::parts made;
+  // Every node and every face is written below: numbers have no gaps, and each vertex of the domain
+  // is in a block.
+  editable_mesh::parts made = std::exchange(spare_, {});
   made.nodes.resize(from.back().nodes);
   made.faces.resize(from.back().faces);
   parallel_for(count(), [&](std::size_t b) { write_block(b, made); });
@@ -301,7 +306,8 @@ void mesh_blocks::join() {
   }
   for (std::size_t b = 0; b < count(); ++b)
     whole_.note_looked_at(blocks_[b]->part.take_looked_at());
-  whole_.assign(std::move(made));
+  whole_.assign_all(std::move(made));
+  spare_ = std::move(given_);
 }
 
 std::vector<vertex_index> mesh_blocks::faces_at_frame() const {

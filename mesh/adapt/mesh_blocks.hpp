@@ -34,8 +34,10 @@ class mesh_blocks {
   // True if the mesh has enough faces for blocks to pay.
   static bool are_worth_it(const editable_mesh& m);
 
-  // Cuts the mesh into blocks. The mesh is empty until join(), and must outlive the object.
-  mesh_blocks(editable_mesh& whole, unsigned cut);
+  // Cuts the mesh into blocks. The mesh is empty until join(), and must outlive the object, as must
+  // `spare`: the joined mesh is made in its memory, and the mesh before is left in it for the next
+  // cut. Memory of its own would be new at each cut, and one thread alone would wait for its pages.
+  mesh_blocks(editable_mesh& whole, unsigned cut, editable_mesh::parts& spare);
 
   std::size_t count() const { return first_.size() - 1; }
   // Returns the block that contains the point's place on the curve. Near the frame the face at the
@@ -87,6 +89,7 @@ class mesh_blocks {
   void write_block(std::size_t b, editable_mesh::parts& made);
 
   editable_mesh& whole_;
+  editable_mesh::parts& spare_;
   editable_mesh::parts given_;
   bounding_box box_;                     // that the curve goes through
   std::vector<std::uint64_t> bounds_;    // places on it between blocks

@@ -192,6 +192,7 @@ void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
   // for the last of them is mostly in vain here.
   constexpr double tolerable = 0.05;
   fit(tolerable);
+  spare_ = {};  // other steps need the room
 }
 
 void unit_mesh_remesher::refit(metric_at field) {
@@ -205,12 +206,14 @@ void unit_mesh_remesher::refit(metric_at field) {
   constexpr double tolerable = 0.015;
   fit(tolerable);
   if (options_.count > 0) meet_count();
+  spare_ = {};
 }
 
 void unit_mesh_remesher::meet_count(metric_at field) {
   field_ = std::move(field);
   forget_shapes();
   if (options_.count > 0) meet_count();
+  spare_ = {};
 }
 
 }  // namespace asterism::internal::adapting

@@ -168,6 +168,7 @@ class unit_mesh_remesher {
   std::vector<double> shapes_;   // of faces, negative where not known
   std::vector<char> is_inside_;  // nodes that were inside a block of a cut so far
   unsigned cuts_ = 0;            // number of cuts into blocks so far
+  editable_mesh::parts spare_;   // memory for the next mesh that is joined from blocks
 };
 
 }  // namespace asterism::internal::adapting

@@ -101,7 +101,7 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
 std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
                                           const std::function<void(const mesh_blocks&)>& prepare) {
   const std::size_t count = m_.count();
-  mesh_blocks blocks(m_, cuts_++);
+  mesh_blocks blocks(m_, cuts_++, spare_);
   if (prepare) prepare(blocks);
   const std::size_t room = options_.most_nodes > count ? options_.most_nodes - count : 0;
   std::vector<block_state> states(blocks.count());
