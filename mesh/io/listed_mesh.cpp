@@ -388,10 +388,11 @@ void find_segments(listed_mesh& from) {
   mesh& m = from.content;
   edge_marks marks{std::vector<char>(m.boundary.size(), 0), from.all_edges};
   for (const std::size_t e : from.required_edges) marks.required[e] = 1;
-  keep_segments(m, marks);
+  const triangle_sides sides(m);
+  keep_segments(m, sides, marks);
   // Adds missing sides, except for files that list all sides: in such a file a missing side was
   // removed on purpose.
-  if (!from.lists_sides) list_sides(m);
+  if (!from.lists_sides) list_sides(m, sides);
 }
 
 // Removes edges of strings that are no side of a triangle.

@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "asterism/mesh/search/triangle_sides.hpp"
-
 namespace asterism::internal {
 namespace {
 
@@ -47,8 +45,7 @@ std::vector<int> vertex_references(const mesh& m) {
   return references;
 }
 
-void keep_segments(mesh& m, const edge_marks& marks) {
-  const triangle_sides sides(m);
+void keep_segments(mesh& m, const triangle_sides& sides, const edge_marks& marks) {
   for (boundary_edge& e : m.boundary) {
     const bool left = sides.find(e.a, e.b) != nullptr, right = sides.find(e.b, e.a) != nullptr;
     if (right && !left) std::swap(e.a, e.b);
@@ -66,12 +63,11 @@ void keep_segments(mesh& m, const edge_marks& marks) {
   m.boundary = std::move(kept);
 }
 
-void list_sides(mesh& m) {
+void list_sides(mesh& m, const triangle_sides& sides) {
   if (m.boundary.empty()) return;
   std::vector<ends> listed;
   for (const boundary_edge& e : m.boundary) listed.push_back(sorted(e.a, e.b));
   std::sort(listed.begin(), listed.end());
-  const triangle_sides sides(m);
   const std::size_t before = m.boundary.size();
   for (const auto& s : sides.all()) {
     const auto [a, b] = s.ends;

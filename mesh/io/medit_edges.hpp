@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/search/triangle_sides.hpp"
 
 namespace asterism::internal {
 
@@ -21,13 +22,13 @@ struct edge_marks {
 };
 
 // Turns the edges of `m.boundary` so that a triangle is on their left, notes those that are
-// internal, and leaves out inner edges that are no segments.
-void keep_segments(mesh& m, const edge_marks& marks);
+// internal, and leaves out inner edges that are no segments. `sides` are the mesh's.
+void keep_segments(mesh& m, const triangle_sides& sides, const edge_marks& marks);
 
 // Adds the edges with one triangle that are not listed, with marker 0, and notes it: gmsh saves the
 // lines of physical groups alone, and mmg's examples list the outer sides and no hole's. An empty
 // list stays empty: adopt_mesh then finds all sides.
-void list_sides(mesh& m);
+void list_sides(mesh& m, const triangle_sides& sides);
 
 // Returns the marker of a boundary subsegment at each vertex, 0 for vertices on none: the
 // references of vertices in the file.

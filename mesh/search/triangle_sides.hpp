@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "asterism/mesh/data/mesh.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 
@@ -36,11 +37,11 @@ class triangle_sides {
         const vertex_index a = m.triangles[t][i];
         sides_[next[a]++] = {{a, m.triangles[t][(i + 1) % 3]}, t};
       }
-    for (std::size_t v = 0; v + 1 < first_.size(); ++v)
-      std::sort(sides_.data() + first_[v], sides_.data() + first_[v + 1],
-                [](const side& p, const side& q) {
-                  return p.ends[1] != q.ends[1] ? p.ends[1] < q.ends[1] : p.triangle < q.triangle;
-                });
+    constexpr std::size_t vertices_at_once = 4096;  // for a thread
+    parallel_chunks(first_.size() - 1, vertices_at_once,
+                    [this](std::size_t, std::size_t begin, std::size_t end) {
+                      for (std::size_t v = begin; v < end; ++v) sort_from(v);
+                    });
   }
 
   const std::vector<side>& all() const { return sides_; }
@@ -69,6 +70,12 @@ class triangle_sides {
   }
 
  private:
+  void sort_from(std::size_t v) {
+    std::sort(sides_.data() + first_[v], sides_.data() + first_[v + 1],
+              [](const side& p, const side& q) {
+                return p.ends[1] != q.ends[1] ? p.ends[1] < q.ends[1] : p.triangle < q.triangle;
+              });
+  }
   // Returns the sides that begin at a vertex.
   std::span<const side> from(vertex_index a) const {
     if (std::size_t{a} + 1 >= first_.size()) return {};

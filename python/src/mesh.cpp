@@ -225,12 +225,12 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
   if (given.has("regions"))
     m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size(), "triangle");
   add_edges(m, given.object("edges"), given.object("edge_markers"));
-  internal::list_sides(m);
+  internal::list_sides(m, internal::triangle_sides(m));
   py_mesh made;
   made.marks = marks_of(given, m.sites.size());
   auto adopted = value_or_raise(adopt_mesh(m, region_edges::as_listed, slit_rule::joined));
   // Keeps given points at slits: the mesh has one for each side, and the domain has one.
-  if (!adopted.cracks.empty()) internal::keep_segments(m, {{}, true});
+  if (!adopted.cracks.empty()) internal::keep_segments(m, internal::triangle_sides(m), {{}, true});
   made.content = adopted.cracks.empty() ? std::move(adopted.subject) : std::move(m);
   warn(std::exchange(made.content.notes, {}));
   made.reason = "it came from elsewhere";
