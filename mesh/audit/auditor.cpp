@@ -165,7 +165,7 @@ void auditor::ask(const std::vector<vertex_index>* changed, audit_memory* memory
 const audit_report& auditor::check_numbers() {
   report_ = {};
   audit_context context(*subject_, asked_, report_);
-  check_values(context);
+  check_input(context);
   return report_;
 }
 

@@ -73,7 +73,8 @@ class auditor {
   const audit_report& recheck(const std::vector<vertex_index>& changed,
                               const audit_effort& effort = {});
 
-  // Checks the numbers of the mesh alone: points and tensors, indices and repetitions.
+  // Checks the numbers of the mesh alone: points and tensors, indices, points and corners that are
+  // repeated.
   const audit_report& check_numbers();
   // Checks alone that the mesh is a triangulation with its regions: no angles, and no stars. The
   // report says certified if it is one.

@@ -9,7 +9,9 @@
 namespace asterism::internal::audit_detail {
 
 void check_values(audit_context& context);
-// Checks the numbers of the sites alone, a part of check_values.
+// Checks the same without triangles that are repeated.
+void check_input(audit_context& context);
+// Checks the numbers of the sites alone, a part of check_input.
 void check_sites(audit_context& context);
 void check_orientations(audit_context& context);
 void check_edges(audit_context& context);

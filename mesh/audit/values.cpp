@@ -3,7 +3,8 @@
 // Points 0 and 1: finite numbers, indices in range, no repetitions, counter-clockwise triangles.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <utility>
 
 #include "asterism/mesh/audit/checks.hpp"
 #include "asterism/mesh/support/tensor_text.hpp"
@@ -71,9 +72,34 @@ bool usable(audit_context& context, const Corners& corners, const char* kind, st
                      [&](vertex_index v) { return context.placed[v] != 0; });
 }
 
+// Lists all triangles where each has three different corners with a place, and returns true;
+// otherwise nothing is listed. Works in several threads.
+bool list_all_triangles(audit_context& context) {
+  constexpr std::size_t triangles_at_once = 4096;  // for a thread
+  const std::vector<triangle>& triangles = context.subject.triangles;
+  const auto is_usable = [&](const triangle& t) {
+    for (const vertex_index v : t)
+      if (v >= context.placed.size() || context.placed[v] == 0) return false;
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+  };
+  context.triangles.resize(triangles.size());
+  std::vector<char> are_usable(chunk_count(triangles.size(), triangles_at_once), 1);
+  parallel_chunks(triangles.size(), triangles_at_once,
+                  [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                    for (std::size_t t = begin; t < end; ++t) {
+                      context.triangles[t] = static_cast<vertex_index>(t);
+                      if (!is_usable(triangles[t])) are_usable[chunk] = 0;
+                    }
+                  });
+  if (std::all_of(are_usable.begin(), are_usable.end(), [](char c) { return c != 0; })) return true;
+  context.triangles.clear();
+  return false;
+}
+
 void check_indices(audit_context& context) {
   const mesh& m = context.subject;
-  for (vertex_index t = 0; t < m.triangles.size(); ++t)
+  const bool are_usable = list_all_triangles(context);
+  for (vertex_index t = 0; t < m.triangles.size() && !are_usable; ++t)
     if (usable(context, m.triangles[t], "triangle", t)) context.triangles.push_back(t);
   for (vertex_index e = 0; e < m.boundary.size(); ++e)
     if (usable(context, std::array{m.boundary[e].a, m.boundary[e].b}, "boundary edge", e))
@@ -84,37 +110,44 @@ void check_indices(audit_context& context) {
                                                         std::to_string(m.sites.size()));
 }
 
-// Returns the triangles with their corners sorted, in order: sorts by counting for the least
-// corner, and by comparisons among triangles that share it.
-std::vector<std::pair<triangle, vertex_index>> sorted_triangles(const audit_context& context) {
-  std::vector<std::size_t> start(context.subject.sites.size() + 1, 0);
-  const auto least = [&](vertex_index t) {
-    const triangle& c = context.subject.triangles[t];
-    return std::min({c[0], c[1], c[2]});
-  };
-  for (const vertex_index t : context.triangles) ++start[least(t) + 1];
-  for (std::size_t v = 0; v + 1 < start.size(); ++v) start[v + 1] += start[v];
-  std::vector<std::pair<triangle, vertex_index>> sorted(context.triangles.size());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (const vertex_index t : context.triangles) {
-    auto& [corners, number] = sorted[next[least(t)]++];
-    corners = context.subject.triangles[t];
-    std::sort(corners.begin(), corners.end());
-    number = t;
-  }
-  for (std::size_t v = 0; v + 1 < start.size(); ++v)
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(start[v]),
-              sorted.begin() + static_cast<std::ptrdiff_t>(start[v + 1]));
-  return sorted;
+// A triangle's corners in ascending order and its number, in two words: two comparisons order it.
+using sorted_triangle = std::pair<std::uint64_t, std::uint64_t>;
+
+sorted_triangle sorted(const triangle& t, vertex_index number) {
+  const auto [low, high] = std::minmax({t[0], t[1], t[2]});
+  const vertex_index middle = t[0] ^ t[1] ^ t[2] ^ low ^ high;
+  return {std::uint64_t{low} << 32U | middle, std::uint64_t{high} << 32U | number};
+}
+
+bool have_same_corners(const sorted_triangle& a, const sorted_triangle& b) {
+  return a.first == b.first && a.second >> 32U == b.second >> 32U;
+}
+
+std::vector<sorted_triangle> sorted_triangles(const audit_context& context) {
+  constexpr std::size_t triangles_at_once = 4096;  // for a thread
+  std::vector<sorted_triangle> all(context.triangles.size());
+  parallel_chunks(all.size(), triangles_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                      const vertex_index t = context.triangles[i];
+                      all[i] = sorted(context.subject.triangles[t], t);
+                    }
+                  });
+  parallel_sort(all.begin(), all.end());
+  return all;
 }
 
 void check_repeated_triangles(audit_context& context) {
-  const auto sorted = sorted_triangles(context);
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    if (sorted[i - 1].first == sorted[i].first)
-      context.found(finding_kind::repeated_triangle,
-                    triangle_text(context, sorted[i].second) + " has the vertices of triangle " +
-                        std::to_string(std::size_t{sorted[i - 1].second} + 1));
+  const auto in_order = sorted_triangles(context);
+  for (std::size_t i = 1; i < in_order.size(); ++i) {
+    if (!have_same_corners(in_order[i - 1], in_order[i])) continue;
+    const auto number = [&](std::size_t k) {
+      return static_cast<vertex_index>(in_order[k].second);
+    };
+    context.found(finding_kind::repeated_triangle,
+                  triangle_text(context, number(i)) + " has the vertices of triangle " +
+                      std::to_string(std::size_t{number(i - 1)} + 1));
+  }
 }
 
 }  // namespace
@@ -138,7 +171,7 @@ void check_sites(audit_context& context) {
   }
 }
 
-void check_values(audit_context& context) {
+void check_input(audit_context& context) {
   const mesh& m = context.subject;
   if (m.triangles.empty()) context.found(finding_kind::empty_mesh, "the mesh has no triangle");
   if (!m.disagreeing.empty())
@@ -148,6 +181,10 @@ void check_values(audit_context& context) {
   check_sites(context);
   check_positions(context);
   check_indices(context);
+}
+
+void check_values(audit_context& context) {
+  check_input(context);
   check_repeated_triangles(context);
 }
 
