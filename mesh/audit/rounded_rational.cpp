@@ -34,7 +34,11 @@ whole_number in_units(const binary_number& number, long unit, direction to) {
 }  // namespace
 
 binary_number rounded(const rational& number, unsigned bits, direction to) {
-  const whole_number top = numerator(number), bottom = denominator(number);
+  return rounded_quotient(numerator(number), denominator(number), bits, to);
+}
+
+binary_number rounded_quotient(const whole_number& top, const whole_number& bottom, unsigned bits,
+                               direction to) {
   if (top == 0) return {};
   // 2^(length - 1) < number < 2^(length + 1): one bit may be too many, and is rounded away.
   const long unit = length_of(top) - length_of(bottom) - static_cast<long>(bits);
@@ -96,19 +100,31 @@ whole_number reciprocal_arctangent(unsigned n, unsigned bits) {
   return sum;
 }
 
+// Returns pi * 2^bits, off by less than 10 * bits units. By Machin's formula, pi = 16
+// arctan(1/5) - 4 arctan(1/239), with at most bits / 4 terms, each off by less than 2 units; its
+// first 640 bits behind the point are kept here, since an audit needs no more.
+whole_number pi_in_units(unsigned bits) {
+  constexpr unsigned kept = 640;
+  if (bits > kept)
+    return 16 * reciprocal_arctangent(5, bits) - 4 * reciprocal_arctangent(239, bits);
+  const whole_number pi(
+      "0x3243f6a8885a308d313198a2e03707344a4093822299f31d0082efa98ec4e6c8"
+      "9452821e638d01377be5466cf34e90c6cc0ac29b7c97c50dd3f84d5b5b547091"
+      "79216d5d98979fb1bd1310ba698dfb5ac");
+  return pi >> (kept - bits);
+}
+
 }  // namespace
 
-// Works with `bits` bits behind the point, in units of the last of them. Machin's formula, pi = 16
-// arctan(1/5) - 4 arctan(1/239), has at most bits / 4 terms, each off by less than 2 units: pi is
-// off by less than 10 * bits units. The angle is at most pi / 2, so its error is below 10 * bits
-// units as well. Sine and cosine have at most `bits` terms, each off by less than 3 units, and
-// their derivative by the angle is at most 1: their errors are less than 2^6 * bits units.
+// Works with `bits` bits behind the point, in units of the last of them. The angle is at most pi /
+// 2, so its error is below 10 * bits units as well. Sine and cosine have at most `bits` terms, each
+// off by less than 3 units, and their derivative by the angle is at most 1: their errors are less
+// than 2^6 * bits units.
 cotangent_bounds squared_cotangent_of(double degrees) {
   constexpr unsigned precision = 256;
   const int size = std::ilogb(degrees);
   const unsigned bits = 2 * precision + static_cast<unsigned>(std::max(-2 * size, 0));
-  const whole_number pi =
-      16 * reciprocal_arctangent(5, bits) - 4 * reciprocal_arctangent(239, bits);
+  const whole_number pi = pi_in_units(bits);
   constexpr int fraction_bits = 52;
   const whole_number mantissa(static_cast<long long>(std::ldexp(degrees, fraction_bits - size)));
   const long up = static_cast<long>(size) - fraction_bits;
@@ -128,7 +144,7 @@ cotangent_bounds squared_cotangent_of(double degrees) {
   }
   const whole_number error = 64 * whole_number(bits);
   const auto squared_ratio = [&](const whole_number& a, const whole_number& b, direction to) {
-    return as_rational(rounded(rational(a * a, b * b), precision, to));
+    return as_rational(rounded_quotient(a * a, b * b, precision, to));
   };
   return {squared_ratio(cosine - error, sine + error, direction::down),
           squared_ratio(cosine + error, sine - error, direction::up)};

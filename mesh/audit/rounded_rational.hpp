@@ -18,6 +18,9 @@ struct binary_number {
 
 // Returns a rational >= 0, rounded to `bits` bits in the direction given.
 binary_number rounded(const rational& number, unsigned bits, direction to);
+// Does the same with a quotient that need not be in lowest terms. Requires a denominator above 0.
+binary_number rounded_quotient(const whole_number& numerator, const whole_number& denominator,
+                               unsigned bits, direction to);
 // Returns the square root of a rational >= 0, rounded to `bits` bits in the direction given.
 binary_number rounded_root(const binary_number& square, unsigned bits, direction to);
 
