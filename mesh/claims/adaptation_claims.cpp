@@ -12,13 +12,13 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/claims/metric_request.hpp"
 #include "asterism/mesh/claims/metric_words.hpp"
-#include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/frozen_regions.hpp"
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/outline_chords.hpp"
+#include "asterism/mesh/pipeline/periodic_outline.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -122,15 +122,16 @@ void compare_domain(const certificate& claim, const adapted_rest& rest, field_ch
   options.corner_angle = angle.value();
   if (const auto hausd = parse_number(word_of(claim, "hausd")))
     options.largest_distance = hausd.value();
-  const auto outline = outline_of_mesh(adopted.subject,
-                                       rest.part ? marks_of_rest(*rest.part, marks.value())
-                                                 : joined_marks(marks.value(), adopted.number),
-                                       options);
+  const auto outline =
+      outline_with_partners(adopted.subject,
+                            rest.part ? marks_of_rest(*rest.part, marks.value())
+                                      : joined_marks(marks.value(), adopted.number),
+                            options, claim.periodic_asked);
   if (!outline) {
     check.contradictions.push_back("the domain: " + outline.failure().message);
     return;
   }
-  const mesh_outline& found = outline.value();
+  const mesh_outline& found = outline.value().found;
   compare(
       {{"boundary-vertices", std::to_string(found.boundary_vertices)},
        {"boundary-kept", std::to_string(found.keeps_all ? found.boundary_vertices : found.kept)},

@@ -11,7 +11,6 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
-#include "asterism/mesh/audit/periodic_partners.hpp"
 #include "asterism/mesh/audit/split_edges.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
@@ -20,6 +19,7 @@
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/kept_mesh.hpp"
 #include "asterism/mesh/pipeline/outline_chords.hpp"
+#include "asterism/mesh/pipeline/periodic_outline.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -73,76 +73,6 @@ void stay(const keeping& kept, const mesh_adaptation_options& options, adapted_m
   done.kept = true;
   done.made = judge_outcome(*std::move(same), done.shape, options.refinement);
   claim_periodic(options.periodic, done.made);
-}
-
-std::array<vertex_index, 2> ascending(vertex_index a, vertex_index b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
-// Removes the curves along segments with these markers: their chords are straight then. Returns
-// whether there were any.
-bool straighten(domain& shape, const std::set<int>& markers) {
-  std::set<std::array<vertex_index, 2>> sides;
-  for (const segment& one : shape.segments)
-    if (markers.contains(one.marker)) sides.insert(ascending(one.a, one.b));
-  const auto is_on_side = [&sides](const domain_curve& c) {
-    for (std::size_t i = 1; i < c.vertices.size(); ++i)
-      if (sides.contains(ascending(c.vertices[i - 1], c.vertices[i]))) return true;
-    return false;
-  };
-  return std::erase_if(shape.curves, is_on_side) > 0;
-}
-
-// Adds the vertices that the outline keeps on the first sides of the pairs, or on both sides, and
-// their partners, to the required ones. Returns whether any vertex was kept without its partner.
-bool require_partners(const mesh& m, const mesh_outline& outline,
-                      const std::vector<periodic_pair>& pairs, bool first_alone,
-                      mesh_marks& marks) {
-  std::vector<point> kept = outline.shape.vertices;
-  std::sort(kept.begin(), kept.end(), lexicographically_less);
-  const auto is_kept = [&](vertex_index v) {
-    return std::binary_search(kept.begin(), kept.end(), m.sites[v].position,
-                              lexicographically_less);
-  };
-  bool any = false;
-  for (const periodic_pair& one : pairs) {
-    const auto partners = periodic_partners(m, one.first, one.second);
-    if (!partners) continue;
-    for (const auto& [a, b] : partners.value()) {
-      const bool is_first = is_kept(a), is_second = is_kept(b);
-      if (is_first || (is_second && !first_alone))
-        marks.required_vertices.insert(marks.required_vertices.end(), {a, b});
-      any = any || is_first != is_second;
-    }
-  }
-  return any;
-}
-
-// Finds the domain of the mesh. Removes the curves of periodic sides, on which a new vertex would
-// have no partner on the other side: a side that bends by rounding alone becomes straight, and any
-// other side becomes the polygon of its remaining vertices. The outline of a side begins at its
-// start, which is the partner of the other side's end, so that partners are dropped one without the
-// other even where the metric of both sides is the same. So the vertices that the first side keeps
-// are kept on the second; then those that either keeps, on both. If two sides still do not match,
-// keeps all vertices of the periodic sides, and returns their markers in `kept_sides`.
-result<mesh_outline> outline_for(const mesh& m, mesh_marks marks,
-                                 const mesh_adaptation_options& options,
-                                 std::vector<int>& kept_sides) {
-  constexpr int most_times = 8;
-  const outline_options how{options.corner_angle, options.largest_boundary_distance};
-  std::set<int> markers;
-  for (const periodic_pair& one : options.periodic) markers.insert({one.first, one.second});
-  for (int times = 0; times < most_times; ++times) {
-    auto found = outline_of_mesh(m, marks, how);
-    if (!found || !straighten(found.value().shape, markers) ||
-        !check_periodic(found.value().shape, options.periodic))
-      return found;
-    if (!require_partners(m, found.value(), options.periodic, times == 0, marks)) break;
-  }
-  for (const boundary_edge& e : m.boundary)
-    if (markers.contains(e.marker)) marks.required_edges.push_back({e.a, e.b});
-  kept_sides.assign(markers.begin(), markers.end());
-  return outline_of_mesh(m, marks, how);
 }
 
 // Returns the note on periodic sides whose vertices stay.
@@ -236,9 +166,12 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     if (!divided) return divided.failure();
     done.shape = divided.value();
   } else {
-    auto outline = outline_for(background, marks, options, kept_sides);
+    auto outline = outline_with_partners(background, marks,
+                                         {options.corner_angle, options.largest_boundary_distance},
+                                         options.periodic);
     if (!outline) return outline.failure();
-    const mesh_outline& found = outline.value();
+    const mesh_outline& found = outline.value().found;
+    kept_sides = outline.value().kept_sides;
     done.shape = found.keeps_all ? adopted.value().shape : found.shape;
     done.boundary_vertices = found.boundary_vertices;
     done.keeps_boundary = found.keeps_all;
