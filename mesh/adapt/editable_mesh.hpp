@@ -69,12 +69,16 @@ using face_list = boost::container::small_vector<vertex_index, 16>;
 inline constexpr std::size_t after(std::size_t i) { return i == 2 ? 0 : i + 1; }
 inline constexpr std::size_t before(std::size_t i) { return i == 0 ? 2 : i - 1; }
 
-// True if the three points certainly turn counter-clockwise. Differences, products and their
-// difference are each rounded once: 4 epsilon times the products bounds the error.
-inline bool turns_left(const point& a, const point& b, const point& c) {
+// True if a triangle is certainly counter-clockwise, from the two products whose difference is
+// twice its area. Differences of coordinates, products and their difference are each rounded once:
+// 4 epsilon times the products bounds the error.
+inline bool turns_left(double left, double right) {
   constexpr double part = 4 * std::numeric_limits<double>::epsilon();
-  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
   return left - right > part * (std::abs(left) + std::abs(right));
+}
+// True if the three points certainly turn counter-clockwise.
+inline bool turns_left(const point& a, const point& b, const point& c) {
+  return turns_left((b.x - a.x) * (c.y - a.y), (b.y - a.y) * (c.x - a.x));
 }
 
 inline double squared(const metric_tensor& m, double x, double y) {

@@ -7,63 +7,10 @@
 #include <utility>
 
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
-#include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
-namespace {
-
-constexpr double weight_of_size = 0.3, weight_of_low = 0.5;
-// Energy of shape from which a triangle counts as poor: every triangle with an angle of 25 degrees
-// has at least that.
-constexpr double poor = 1.5;
-
-}  // namespace
-
-double shape_energy(const node& a, const node& b, const node& c, double unit) {
-  if (!turns_left(a.position, b.position, c.position)) return infinity;
-  const double ux = b.position.x - a.position.x, uy = b.position.y - a.position.y;
-  const double wx = c.position.x - a.position.x, wy = c.position.y - a.position.y;
-  const double vx = wx - ux, vy = wy - uy;
-  const double twice = ux * wy - uy * wx;
-  // Returns the sum of the squared lengths of the three sides in a metric.
-  const double xx = ux * ux + wx * wx + vx * vx, xy = ux * uy + wx * wy + vx * vy,
-               yy = uy * uy + wy * wy + vy * vy;
-  double shape = 0;
-  for (const node* n : {&a, &b, &c}) {
-    const metric_tensor& m = n->metric;
-    const double q =
-        (m.m11 * xx + 2 * m.m12 * xy + m.m22 * yy) / (2 * std::numbers::sqrt3 * twice * n->root);
-    const double beyond = std::max(0.0, q - poor);
-    shape += q + weight_of_low * beyond * beyond;
-  }
-  return unit <= 0 ? shape / 3 : shape / 3 + size_energy(a, b, c, unit);
-}
-
-double size_energy(const node& a, const node& b, const node& c, double unit) {
-  const double twice = (b.position.x - a.position.x) * (c.position.y - a.position.y) -
-                       (b.position.y - a.position.y) * (c.position.x - a.position.x);
-  const double size =
-      twice * (a.root + b.root + c.root) / (3 * std::numbers::sqrt3 / 2 * unit * unit);
-  return weight_of_size * (size + 1 / size - 2);
-}
-
-double unit_mesh_remesher::shape_of(vertex_index t) {
-  if (shapes_.size() <= t) shapes_.resize(m_.faces().size(), shape_not_known);
-  if (shapes_[t] < 0) {
-    const face& f = m_.faces()[t];
-    shapes_[t] = shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), 0);
-  }
-  return shapes_[t];
-}
-
-double unit_mesh_remesher::energy(vertex_index t) {
-  const face& f = m_.faces()[t];
-  if (unit_ <= 0) return shape_of(t);
-  return shape_of(t) + size_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
-}
-
 // Walks from a face to the one that has the place, or to the edge of the boundary, or of a frame,
 // beyond which it is. Returns no face where the walk does not end.
 unit_mesh_remesher::located unit_mesh_remesher::locate(const point& q, vertex_index from) const {
@@ -163,24 +110,36 @@ void unit_mesh_remesher::meet_count() {
   }
 }
 
+// Corrects the crowding factor by a count of nodes that is off.
+void unit_mesh_remesher::correct_crowding(double log_ratio, double power) {
+  constexpr double least = 0.8, most = 1.6;
+  crowding_ = std::clamp(crowding_ * quick_exp(power * log_ratio), least, most);
+}
+
 // Splits, merges, flips and moves in turn, with the unit that gives the wanted number of nodes.
-// Adds rounds while the count is off by more than the share `tolerable`.
-void unit_mesh_remesher::fit(double tolerable) {
-  constexpr int rounds = 2, sweeps = 2, most_rounds = 10;
-  double ratio = 1;
+// Adds rounds while the count is off by more than is tolerable.
+void unit_mesh_remesher::fit(const effort& how) {
+  constexpr int most_rounds = 10;
+  // Power of the ratio of counts by which the crowding factor is corrected. The number of nodes
+  // would follow the square of the unit if all edges had length one, but edges a little shorter are
+  // not merged.
+  constexpr double power = 0.75;
+  double off = 0;  // logarithm of the ratio
   for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
-    if (round >= rounds && std::abs(ratio - 1) < tolerable) break;
+    if (round >= how.rounds && std::abs(off) < how.tolerable) break;
     measure_unit();
-    split_all_long(std::numbers::sqrt2 * unit_);
-    measure_unit();
-    merge_and_move(unit_ / std::numbers::sqrt2, sweeps);
+    if (split_all_long(std::numbers::sqrt2 * unit_)) measure_unit();
+    merge_and_move(unit_ / std::numbers::sqrt2, how.sweeps);
     if (options_.count == 0) continue;
-    ratio = static_cast<double>(m_.count()) / static_cast<double>(options_.count);
-    // Corrects by the power 3/4 of the ratio of counts: the number of nodes would follow the square
-    // of the unit if all edges had length one, but edges a little shorter are not merged.
-    constexpr double least = 0.8, most = 1.6, power = 0.75;
-    crowding_ = std::clamp(crowding_ * quick_exp(power * quick_log(ratio)), least, most);
+    off = quick_log(static_cast<double>(m_.count()) / static_cast<double>(options_.count));
+    correct_crowding(off, power);
   }
+}
+
+void unit_mesh_remesher::forget_shapes() {
+  face_states_.clear();
+  for (const vertex_index t : due_) state_of(t).is_due = true;
+  merges_in_vain_.clear();
 }
 
 void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
@@ -190,8 +149,8 @@ void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
   seed(seeds);
   // Leaves the count off by a few percent, as the mesh is fitted again: merging the shortest edges
   // for the last of them is mostly in vain here.
-  constexpr double tolerable = 0.05;
-  fit(tolerable);
+  constexpr effort usual{2, 2, 0.05};
+  fit(usual);
   spare_ = {};  // other steps need the room
 }
 
@@ -203,8 +162,8 @@ void unit_mesh_remesher::refit(metric_at field) {
     if (m_.faces()[t].exists()) note_change(t);
   // Starts from the square root of the last crowding factor: refitting a mesh needs about that.
   crowding_ = std::sqrt(crowding_);
-  constexpr double tolerable = 0.015;
-  fit(tolerable);
+  constexpr effort careful{2, 2, 0.015};
+  fit(careful);
   if (options_.count > 0) meet_count();
   spare_ = {};
 }

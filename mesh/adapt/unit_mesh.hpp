@@ -7,7 +7,9 @@
 // the run ends. Works in doubles; the result is a proposal. Internal to mesh/adapt.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -16,6 +18,8 @@
 
 #include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
+#include "asterism/mesh/adapt/node_ring.hpp"
+#include "asterism/mesh/adapt/shape_energy.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
 namespace asterism::internal::adapting {
@@ -31,18 +35,14 @@ struct unit_mesh_options {
   cancellation stop;
 };
 
-// Returns the energy of a triangle: 1 if it is equilateral with edges of length `unit`, and more
-// otherwise. With a unit of 0 the size does not count. Infinite unless the triangle certainly turns
-// left.
-double shape_energy(const node& a, const node& b, const node& c, double unit);
-
-// Returns the part of the energy that depends on the area, for a triangle that turns left.
-double size_energy(const node& a, const node& b, const node& c, double unit);
-
-using face_energies = boost::container::small_vector<double, 16>;
-
 // Function that returns whether a mesh may have a face with these corners.
 using face_test = std::function<bool(const node& a, const node& b, const node& c)>;
+
+// An edge and its length, which was computed when it was an edge of `face`.
+struct measured_edge {
+  double length = 0;
+  vertex_index a = none, b = none, face = none;
+};
 
 class unit_mesh_remesher {
  public:
@@ -81,7 +81,14 @@ class unit_mesh_remesher {
   std::vector<vertex_index> split_longer(metric_at wanted, const length_limits& limits,
                                          std::size_t most_nodes);
 
-  void fit(double tolerable);
+  // Effort of a fit: least number of rounds, sweeps of moves in each, and the share by which the
+  // count may be off in the end.
+  struct effort {
+    int rounds, sweeps;
+    double tolerable;
+  };
+  void fit(const effort& how);
+  void correct_crowding(double log_ratio, double power);
   bool is_crowded(vertex_index t, const node& there) const;
   struct located {
     vertex_index face = none;
@@ -98,11 +105,24 @@ class unit_mesh_remesher {
   }
   void measure(vertex_index v) { m_.set_metric(v, field_(m_.at(v).position, m_.at(v).hint)); }
   // Returns the energy of a face's shape, without its size; computed once for an unchanged face.
-  double shape_of(vertex_index t);
+  double shape_of(vertex_index t) {
+    double& shape = state_of(t).shape;
+    if (shape < 0) shape = computed_shape(m_.faces()[t]);
+    return shape;
+  }
+  double computed_shape(const face& f) const {
+    return shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), 0);
+  }
   // Returns the energy of a face, size included.
-  double energy(vertex_index t);
-  // Forgets all computed energies. Must be called after a change of the mesh from outside.
-  void forget_shapes() { shapes_.clear(); }
+  double energy(vertex_index t) { return with_size(m_.faces()[t], shape_of(t)); }
+  // Returns the energy of a face whose shape has this energy.
+  double with_size(const face& f, double shape) const {
+    return unit_ <= 0 ? shape
+                      : shape + size_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
+  }
+  // Forgets all computed energies, and all tests in vain. Must be called after a change of the mesh
+  // from outside.
+  void forget_shapes();
 
   // Functions defined in unit_mesh_blocks.cpp.
   struct block_state;
@@ -113,7 +133,7 @@ class unit_mesh_remesher {
   using block_work = std::function<std::size_t(unit_mesh_remesher& part, std::size_t block)>;
   std::size_t in_blocks(const block_work& work,
                         const std::function<void(const mesh_blocks&)>& prepare = {});
-  void split_all_long(double longest);
+  bool split_all_long(double longest);
   void merge_and_move(double shortest, int sweeps);
   void move_all(int sweeps);
   // True if the node was inside a block of some cut so far: changes on the frames skip it.
@@ -133,16 +153,17 @@ class unit_mesh_remesher {
   std::size_t merge_where_better();
 
   // Functions defined in unit_mesh_changes.cpp.
-  std::size_t split_long(double longest, std::size_t most = no_limit);
+  std::size_t split_long(double longest, std::size_t most = no_limit,
+                         std::uint32_t changed_after = 0);
   std::size_t merge_short(double shortest, std::size_t most = no_limit);
+  bool is_known_in_vain(const measured_edge& e, std::vector<measured_edge>::const_iterator& next);
   bool merge_if_good(vertex_index v, vertex_index w, double longest);
   void flip_all();
   void smooth();
   void settle_around(vertex_index v);
   bool flip_if_better(vertex_index t, std::size_t edge);
-  double energies_of(const face_list& at, face_energies& each);
-  point pulled(vertex_index v, const face_list& at, const face_energies& each) const;
-  bool try_move(vertex_index v, const point& to, const face_list& at, double before);
+  bool try_move(vertex_index v, const point& to, const face_list& at, const node_ring& ring,
+                double most, node_ring::energies& then);
   void note_change(vertex_index t);
   void note_changes_around(vertex_index v);
   bool is_allowed(const node& a, const node& b, const node& c) const {
@@ -160,12 +181,37 @@ class unit_mesh_remesher {
   // Factor by which the unit exceeds that of equilateral triangles for the same number of nodes;
   // adjusted from round to round.
   double crowding_ = 1.05;
-  // Faces whose edges are to be tested for flips, in order, and flags of nodes to be tested for
-  // moves.
-  std::vector<vertex_index> due_;
-  std::vector<char> is_due_, is_restless_;
   static constexpr double shape_not_known = -1;
-  std::vector<double> shapes_;   // of faces, negative where not known
+  static constexpr std::uint32_t never = ~std::uint32_t{0};
+  struct face_state {
+    double shape = shape_not_known;
+    // Number of the face's last change, and for each edge the number that the face across had when
+    // a flip of the edge was tested in vain. Both faces of an edge have the test.
+    std::uint32_t change = 0;
+    std::array<std::uint32_t, 3> in_vain{never, never, never};
+    bool is_due = false;  // its edges are to be tested for flips
+  };
+  struct node_state {
+    std::uint32_t change = 0;  // number of the last change of a face at the node
+    bool is_restless = false;  // it is to be tested for a move
+  };
+  face_state& state_of(vertex_index t) {
+    if (face_states_.size() <= t) face_states_.resize(m_.faces().size());
+    return face_states_[t];
+  }
+  node_state& node_state_of(vertex_index v) {
+    if (node_states_.size() <= v) node_states_.resize(m_.nodes().size());
+    return node_states_[v];
+  }
+  std::vector<face_state> face_states_;
+  std::vector<node_state> node_states_;
+  std::uint32_t changes_ = 0;      // of faces, so far
+  std::vector<vertex_index> due_;  // faces that are, in order
+  // Edges that merge_short() tested in vain, shortest first, the number of changes when that call
+  // began, and its unit.
+  std::vector<measured_edge> merges_in_vain_;
+  std::uint32_t merges_tested_at_ = 0;
+  double merges_tested_by_ = 0;
   std::vector<char> is_inside_;  // nodes that were inside a block of a cut so far
   unsigned cuts_ = 0;            // number of cuts into blocks so far
   editable_mesh::parts spare_;   // memory for the next mesh that is joined from blocks

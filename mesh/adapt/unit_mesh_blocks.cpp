@@ -13,8 +13,9 @@ namespace asterism::internal::adapting {
 
 struct unit_mesh_remesher::block_state {
   std::size_t done = 0;
-  std::vector<char> is_restless, is_inside, is_due;
-  std::vector<double> shapes;
+  std::vector<char> is_inside;
+  std::vector<node_state> nodes;
+  std::vector<face_state> faces;
 };
 
 // Makes this the mesher of one block of a larger mesh.
@@ -23,18 +24,17 @@ void unit_mesh_remesher::begin_block(const unit_mesh_remesher& whole,
   field_ = whole.field_;
   unit_ = whole.unit_;
   crowding_ = whole.crowding_;
-  is_restless_.assign(part.nodes.size(), 0);
+  node_states_.resize(part.nodes.size());
   for (std::size_t v = 0; v < part.nodes.size(); ++v)
-    if (part.nodes[v] < whole.is_restless_.size())
-      is_restless_[v] = whole.is_restless_[part.nodes[v]];
-  is_due_.assign(part.faces.size(), 0);
-  shapes_.assign(part.faces.size(), shape_not_known);
+    if (part.nodes[v] < whole.node_states_.size())
+      node_states_[v].is_restless = whole.node_states_[part.nodes[v]].is_restless;
+  face_states_.resize(part.faces.size());
   for (vertex_index t = 0; t < part.faces.size(); ++t) {
-    const vertex_index before = part.faces[t];
-    if (before < whole.shapes_.size()) shapes_[t] = whole.shapes_[before];
-    if (before >= whole.is_due_.size() || whole.is_due_[before] == 0) continue;
-    is_due_[t] = 1;
-    due_.push_back(t);
+    if (part.faces[t] >= whole.face_states_.size()) continue;
+    const face_state& before = whole.face_states_[part.faces[t]];
+    face_states_[t].shape = before.shape;
+    face_states_[t].is_due = before.is_due;
+    if (before.is_due) due_.push_back(t);
   }
 }
 
@@ -49,12 +49,10 @@ unit_mesh_remesher::block_state unit_mesh_remesher::end_block(const unit_mesh_re
     if (part.is_frame[v] != 0)
       left.is_inside[v] =
           part.nodes[v] < whole.is_inside_.size() ? whole.is_inside_[part.nodes[v]] : 0;
-  left.is_restless = std::move(is_restless_);
-  left.is_restless.resize(nodes, 0);
-  left.is_due = std::move(is_due_);
-  left.is_due.resize(faces, 0);
-  left.shapes = std::move(shapes_);
-  left.shapes.resize(faces, shape_not_known);
+  left.nodes = std::move(node_states_);
+  left.nodes.resize(nodes);
+  left.faces = std::move(face_states_);
+  left.faces.resize(faces);
   return left;
 }
 
@@ -63,36 +61,36 @@ unit_mesh_remesher::block_state unit_mesh_remesher::end_block(const unit_mesh_re
 std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
                                         const std::vector<block_state>& states) {
   std::size_t done = 0;
-  is_restless_.assign(m_.nodes().size(), 0);
+  node_states_.assign(m_.nodes().size(), {});
   is_inside_.assign(m_.nodes().size(), 0);
-  is_due_.assign(m_.faces().size(), 0);
-  shapes_.assign(m_.faces().size(), shape_not_known);
+  face_states_.assign(m_.faces().size(), {});
+  merges_in_vain_.clear();
   // Queues nodes of the frame, which several blocks share, one block after the other.
   const auto take_node = [&](std::size_t b, vertex_index v) {
     const vertex_index now = blocks.node_now(b, v);
     if (now == none) return;
-    is_restless_[now] = static_cast<char>(is_restless_[now] | states[b].is_restless[v]);
+    node_states_[now].is_restless |= states[b].nodes[v].is_restless;
     is_inside_[now] = static_cast<char>(is_inside_[now] | states[b].is_inside[v]);
   };
   parallel_for(states.size(), [&](std::size_t b) {
     const block_state& left = states[b];
     for (vertex_index v = 0; v < left.is_inside.size(); ++v)
       if (!blocks.is_at_frame(b, v)) take_node(b, v);
-    for (vertex_index t = 0; t < left.is_due.size(); ++t) {
+    for (vertex_index t = 0; t < left.faces.size(); ++t) {
       const vertex_index now = blocks.face_now(b, t);
       if (now == none) continue;
-      is_due_[now] = left.is_due[t];
-      shapes_[now] = left.shapes[t];
+      face_states_[now].is_due = left.faces[t].is_due;
+      face_states_[now].shape = left.faces[t].shape;
     }
   });
   for (std::size_t b = 0; b < states.size(); ++b) {
     done += states[b].done;
     for (const vertex_index v : blocks.nodes_at_frame(b)) take_node(b, v);
   }
-  for (const vertex_index t : blocks.faces_at_frame()) is_due_[t] = 1;
+  for (const vertex_index t : blocks.faces_at_frame()) face_states_[t].is_due = true;
   due_.clear();
-  for (vertex_index t = 0; t < is_due_.size(); ++t)
-    if (is_due_[t] != 0) due_.push_back(t);
+  for (vertex_index t = 0; t < face_states_.size(); ++t)
+    if (face_states_[t].is_due) due_.push_back(t);
   return done;
 }
 
@@ -119,25 +117,34 @@ std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
   return take_up(blocks, states);
 }
 
-// Splits the edges longer than this until none is left, or none can be split. Blocks split each
+// Splits the edges longer than this until none is left, or none can be split; returns whether any
+// was. Blocks split each
 // edge once and leave further splits to the next cut: beside a frame that is not yet split,
 // repeated splits would make twice the number of nodes that are wanted. Where one cut has split few
 // edges, the rest is split without blocks, in less time than another cut takes.
-void unit_mesh_remesher::split_all_long(double longest) {
+bool unit_mesh_remesher::split_all_long(double longest) {
   constexpr int most_splits = 40;
   constexpr std::size_t few = 16;  // one node in this number
-  bool is_little = false;
+  bool is_little = false, is_any = false;
   const auto split = [longest](unit_mesh_remesher& part, std::size_t) {
     return part.split_long(longest);
   };
+  // Looks again only at edges of faces that changed since the last time: the others were tested in
+  // vain.
+  std::uint32_t looked_at = 0;
   for (int i = 0; i < most_splits && !is_stopped(); ++i) {
     if (!is_little && mesh_blocks::are_worth_it(m_)) {
-      is_little = few * in_blocks(split) < m_.count();
+      const std::size_t done = in_blocks(split);
+      is_any = is_any || done > 0;
+      is_little = few * done < m_.count();
       continue;
     }
-    if (split_long(longest) == 0) break;
+    const std::uint32_t now = changes_;
+    if (split_long(longest, no_limit, std::exchange(looked_at, now)) == 0) break;
+    is_any = true;
   }
   is_inside_.clear();
+  return is_any;
 }
 
 // Merges edges shorter than this, flips and moves: in the blocks of two cuts where the mesh is

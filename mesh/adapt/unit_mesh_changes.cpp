@@ -19,20 +19,19 @@ namespace {
 // errors.
 constexpr double least_energy = 0.9;
 
-struct long_edge {
-  double length;
-  vertex_index a, b;
-};
-
-bool longer(const long_edge& p, const long_edge& q) {
+bool longer(const measured_edge& p, const measured_edge& q) {
   return p.length != q.length ? p.length > q.length : p.a != q.a ? p.a < q.a : p.b < q.b;
 }
 
 enum class than { longer, shorter };
 
-// Returns the edges that are longer, or shorter, than this, longest first.
-template <than Sought>
-std::vector<long_edge> edges_where(const editable_mesh& m, double limit) {
+bool every_face(vertex_index) { return true; }
+
+// Returns the edges that are longer, or shorter, than this, longest first: of the faces that are to
+// be looked at.
+template <than Sought, class Faces = decltype(every_face)>
+std::vector<measured_edge> edges_where(const editable_mesh& m, double limit,
+                                       const Faces& is_looked_at = every_face) {
   m.note_looked_at(m.faces().size());
   // The length of an edge is between the lengths in the metrics of its ends. So the squares of
   // these alone exclude most edges. Roundings of the squares and of the length are some 1e-16.
@@ -44,23 +43,24 @@ std::vector<long_edge> edges_where(const editable_mesh& m, double limit) {
     else
       return std::min(at_a, at_b) < square * (1 + roundings);
   };
-  const auto append = [&](std::size_t begin, std::size_t end, std::vector<long_edge>& found) {
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<measured_edge>& found) {
     for (std::size_t t = begin; t < end; ++t) {
       const face& f = m.faces()[t];
-      for (std::size_t i = 0; f.exists() && i < 3; ++i) {
+      if (!f.exists() || !is_looked_at(static_cast<vertex_index>(t))) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
         const vertex_index a = f.v[after(i)], b = f.v[before(i)];
-        if (f.next[i] != none && a > b) continue;
+        if (a > b && f.next[i] != none && is_looked_at(f.next[i])) continue;
         const node &p = m.at(a), &q = m.at(b);
         const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
         if (!may_be_sought(squared(p.metric, x, y), squared(q.metric, x, y))) continue;
         const double length = length_between(p, q);
         if (Sought == than::longer ? length > limit : length < limit)
-          found.push_back({length, std::min(a, b), std::max(a, b)});
+          found.push_back({length, std::min(a, b), std::max(a, b), static_cast<vertex_index>(t)});
       }
     }
   };
   constexpr std::size_t chunk = 4096;
-  std::vector<long_edge> found = collect_chunks<long_edge>(m.faces().size(), chunk, append);
+  std::vector<measured_edge> found = collect_chunks<measured_edge>(m.faces().size(), chunk, append);
   std::sort(found.begin(), found.end(), longer);
   return found;
 }
@@ -77,6 +77,13 @@ std::pair<vertex_index, std::size_t> find_edge(const editable_mesh& m, vertex_in
     if (f.v[before(i)] == b) return {t, after(i)};
   }
   return {none, 0};
+}
+
+// True if the mesh still has the edge.
+bool is_edge(const editable_mesh& m, const measured_edge& e) {
+  const auto& v = m.faces()[e.face].v;
+  const auto has = [&v](vertex_index u) { return v[0] == u || v[1] == u || v[2] == u; };
+  return (has(e.a) && has(e.b)) || find_edge(m, e.a, e.b).first != none;
 }
 
 // Returns the place half way from a to b in a metric that changes geometrically between them.
@@ -105,17 +112,17 @@ double length_in_field(const metric_at& field, const node& a, const node& b, ver
 
 // Returns those of the edges that are longer than `length` in the field, in order. Tests them with
 // several threads: few edges that are long in the mesh's metric are long in the field.
-std::vector<long_edge> longer_in_field(const editable_mesh& m, const metric_at& field,
-                                       const std::vector<long_edge>& edges, double length) {
+std::vector<measured_edge> longer_in_field(const editable_mesh& m, const metric_at& field,
+                                           const std::vector<measured_edge>& edges, double length) {
   constexpr std::size_t edges_at_once = 1024;
-  const auto append = [&](std::size_t begin, std::size_t end, std::vector<long_edge>& longer) {
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<measured_edge>& longer) {
     for (std::size_t i = begin; i < end; ++i) {
       const node &a = m.at(edges[i].a), &b = m.at(edges[i].b);
       vertex_index hint_a = a.hint, hint_b = b.hint;
       if (length_in_field(field, a, b, hint_a, hint_b) > length) longer.push_back(edges[i]);
     }
   };
-  return collect_chunks<long_edge>(edges.size(), edges_at_once, append);
+  return collect_chunks<measured_edge>(edges.size(), edges_at_once, append);
 }
 
 }  // namespace
@@ -128,9 +135,9 @@ std::vector<vertex_index> unit_mesh_remesher::split_longer(metric_at wanted,
   std::vector<vertex_index> made_nodes;
   field_ = std::move(wanted);
   forget_shapes();
-  std::vector<long_edge> found = edges_where<than::longer>(m_, limits.own);
+  std::vector<measured_edge> found = edges_where<than::longer>(m_, limits.own);
   if (mesh_blocks::are_worth_it(m_)) found = longer_in_field(m_, field_, found, limits.wanted);
-  for (const long_edge& e : found) {
+  for (const measured_edge& e : found) {
     if (m_.count() >= most_nodes) break;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none) continue;
@@ -161,13 +168,14 @@ std::vector<vertex_index> unit_mesh_remesher::split_outliers(metric_at wanted) {
 
 // Queues the edges of t for flips and its nodes for moves, and forgets its energy.
 void unit_mesh_remesher::note_change(vertex_index t) {
-  if (is_due_.size() < m_.faces().size()) is_due_.resize(m_.faces().size(), 0);
-  if (is_restless_.size() < m_.nodes().size()) is_restless_.resize(m_.nodes().size(), 0);
-  for (const vertex_index v : m_.faces()[t].v) is_restless_[v] = 1;
-  if (t < shapes_.size()) shapes_[t] = shape_not_known;
-  if (is_due_[t] != 0) return;
-  is_due_[t] = 1;
-  due_.push_back(t);
+  ++changes_;
+  for (const vertex_index v : m_.faces()[t].v) node_state_of(v) = {changes_, true};
+  face_state& state = state_of(t);
+  const bool was_due = state.is_due;
+  state = {};
+  state.change = changes_;
+  state.is_due = true;
+  if (!was_due) due_.push_back(t);
 }
 
 void unit_mesh_remesher::note_changes_around(vertex_index v) {
@@ -180,14 +188,19 @@ bool unit_mesh_remesher::flip_if_better(vertex_index t, std::size_t edge) {
   const face& f = m_.faces()[t];
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
+  face_state &of_t = state_of(t), &of_s = state_of(s);
+  if (of_t.in_vain[edge] == of_s.change) return false;
   const double now = shape_of(t) + shape_of(s);
   // Least energy of two triangles at which a flip is tried. Two equilateral triangles have the
   // least possible energy, 2, so a flip can gain little below this.
   constexpr double good = 2.1;
   if (now < good) return false;
   const face& g = m_.faces()[s];
+  const std::size_t j = after(g.corner_of(f.v[after(edge)]));
+  of_t.in_vain[edge] = of_s.change;
+  of_s.in_vain[j] = of_t.change;
   const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
-  const node& d = m_.at(g.v[after(g.corner_of(f.v[after(edge)]))]);
+  const node& d = m_.at(g.v[j]);
   // Least part of the energy that a flip must gain. Far above rounding errors of an energy, unless
   // a triangle is nearly flat, so that flips do not undo each other; the callers' loops are bounded
   // as well.
@@ -196,11 +209,14 @@ bool unit_mesh_remesher::flip_if_better(vertex_index t, std::size_t edge) {
   // Returns false where the flip would turn a triangle over, whose energy is infinite, or gain too
   // little.
   const double one = shape_energy(c, a, d, 0);
-  if (!(one + least_energy < most) || !(one + shape_energy(d, b, c, 0) < most)) return false;
-  if (!is_allowed(c, a, d) || !is_allowed(d, b, c)) return false;
+  if (!(one + least_energy < most)) return false;
+  const double other = shape_energy(d, b, c, 0);
+  if (!(one + other < most) || !is_allowed(c, a, d) || !is_allowed(d, b, c)) return false;
   m_.flip(t, edge);
   note_change(t);
   note_change(s);
+  state_of(t).shape = one;
+  state_of(s).shape = other;
   return true;
 }
 
@@ -221,10 +237,17 @@ void unit_mesh_remesher::settle_around(vertex_index v) {
   }
 }
 
-std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most) {
+// Splits edges longer than this, of faces whose last change has a number above `changed_after`; 0
+// stands for all faces.
+std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most,
+                                           std::uint32_t changed_after) {
   std::size_t done = 0;
   const double shortest = 0.55 * unit_;
-  for (const long_edge& e : edges_where<than::longer>(m_, longest)) {
+  if (face_states_.size() < m_.faces().size()) face_states_.resize(m_.faces().size());
+  const auto is_looked_at = [&](vertex_index t) {
+    return changed_after == 0 || face_states_[t].change > changed_after;
+  };
+  for (const measured_edge& e : edges_where<than::longer>(m_, longest, is_looked_at)) {
     if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
@@ -290,19 +313,42 @@ bool unit_mesh_remesher::merge_if_good(vertex_index v, vertex_index w, double lo
   return true;
 }
 
+// True if the edge was tested in vain by the last call of merge_short(), and no face at its ends
+// has changed since. Edges must come shortest first; `next` is where the search in merges_in_vain_
+// is.
+bool unit_mesh_remesher::is_known_in_vain(const measured_edge& e,
+                                          std::vector<measured_edge>::const_iterator& next) {
+  while (next != merges_in_vain_.end() && longer(e, *next)) ++next;
+  return next != merges_in_vain_.end() && !longer(*next, e) &&
+         node_state_of(e.a).change <= merges_tested_at_ &&
+         node_state_of(e.b).change <= merges_tested_at_;
+}
+
 std::size_t unit_mesh_remesher::merge_short(double shortest, std::size_t most) {
   std::size_t done = 0;
   if (shortest <= 0) return done;  // no edge is: looks at none
-  std::vector<long_edge> found = edges_where<than::shorter>(m_, shortest);
+  std::vector<measured_edge> found = edges_where<than::shorter>(m_, shortest), in_vain;
   std::reverse(found.begin(), found.end());
-  for (const long_edge& e : found) {
-    if (done >= most) return done;
+  if (merges_tested_by_ != unit_) merges_in_vain_.clear();
+  const std::uint32_t begun_at = changes_;
+  auto known = merges_in_vain_.cbegin();
+  for (const measured_edge& e : found) {
+    if (done >= most) break;
     if (m_.at(e.a).kind == node_kind::gone || m_.at(e.b).kind == node_kind::gone) continue;
     if (was_inside(e.a) || was_inside(e.b)) continue;
-    if (find_edge(m_, e.a, e.b).first == none || !(m_.length(e.a, e.b) < shortest)) continue;
-    const double longest = std::numbers::sqrt2 * unit_;
-    if (merge_if_good(e.b, e.a, longest) || merge_if_good(e.a, e.b, longest)) ++done;
+    if (!is_known_in_vain(e, known)) {
+      if (!is_edge(m_, e) || !(m_.length(e.a, e.b) < shortest)) continue;
+      const double longest = std::numbers::sqrt2 * unit_;
+      if (merge_if_good(e.b, e.a, longest) || merge_if_good(e.a, e.b, longest)) {
+        ++done;
+        continue;
+      }
+    }
+    in_vain.push_back(e);
   }
+  merges_in_vain_ = std::move(in_vain);
+  merges_tested_at_ = begun_at;
+  merges_tested_by_ = unit_;
   return done;
 }
 
@@ -311,71 +357,26 @@ void unit_mesh_remesher::flip_all() {
   const std::size_t most = 20 * m_.faces().size();
   for (std::size_t next = 0; next < due_.size() && next < most; ++next) {
     const vertex_index t = due_[next];
-    is_due_[t] = 0;
+    state_of(t).is_due = false;
     for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) flip_if_better(t, i);
   }
   m_.note_looked_at(work_weights::faces_for_flip * due_.size());
-  for (const vertex_index t : due_) is_due_[t] = 0;
+  for (const vertex_index t : due_) state_of(t).is_due = false;
   due_.clear();
 }
 
-double unit_mesh_remesher::energies_of(const face_list& at, face_energies& each) {
-  double sum = 0;
-  each.clear();
-  for (const vertex_index t : at) {
-    each.push_back(energy(t));
-    sum += each.back();
-  }
-  return sum;
-}
-
-// Returns the weighted mean of the places that are best for the triangles around v: for each, the
-// apex of an equilateral triangle on the edge across from v. Poor triangles have more weight.
-point unit_mesh_remesher::pulled(vertex_index v, const face_list& at,
-                                 const face_energies& each) const {
-  double x = 0, y = 0, weights = 0;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const face& f = m_.faces()[at[k]];
-    const std::size_t i = f.corner_of(v);
-    const node &a = m_.at(f.v[after(i)]), &b = m_.at(f.v[before(i)]);
-    const metric_tensor m{a.metric.m11 + b.metric.m11, a.metric.m12 + b.metric.m12,
-                          a.metric.m22 + b.metric.m22};
-    const double root = plain_root_of_determinant(m);
-    const double ex = b.position.x - a.position.x, ey = b.position.y - a.position.y;
-    const double length = std::sqrt(squared(m, ex, ey) / 2);
-    if (!(root > 0 && length > 0)) continue;
-    // Rotates by a quarter turn in the metric, sqrt(det m) m^-1 J, scaled to the mean of two
-    // heights: of a unit triangle and of the equilateral one on this edge.
-    const double height = std::numbers::sqrt3 / 4 * (unit_ > 0 ? 1 + unit_ / length : 2);
-    const double tx = (-m.m22 * ey - m.m12 * ex) / root, ty = (m.m12 * ey + m.m11 * ex) / root;
-    const double w = each[k];
-    x += w * (a.position.x + ex / 2 + height * tx);
-    y += w * (a.position.y + ey / 2 + height * ty);
-    weights += w;
-  }
-  return {x / weights, y / weights};
-}
-
+// Moves v if the sum of its faces' energies is then below `most`; computes these energies.
 bool unit_mesh_remesher::try_move(vertex_index v, const point& to, const face_list& at,
-                                  double before) {
+                                  const node_ring& ring, double most, node_ring::energies& then) {
   const node old = m_.at(v);
   m_.move(v, to);
   measure(v);
-  double sum = 0;
-  std::size_t left = at.size();
-  const auto may_be_less = [&] {
-    return sum + least_energy * static_cast<double>(left) < before * (1 - least_gain_);
-  };
-  for (auto t = at.begin(); t != at.end() && may_be_less(); ++t) {
-    const face& f = m_.faces()[*t];
-    sum += shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
-    --left;
-  }
+  ring.measure(m_.at(v), unit_, then);
   const auto may_be = [this](vertex_index t) {
     const face& f = m_.faces()[t];
     return is_allowed(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
   };
-  if (may_be_less() && (!allowed_ || std::all_of(at.begin(), at.end(), may_be))) return true;
+  if (then.sum < most && (!allowed_ || std::all_of(at.begin(), at.end(), may_be))) return true;
   m_.at(v) = old;
   return false;
 }
@@ -383,22 +384,27 @@ bool unit_mesh_remesher::try_move(vertex_index v, const point& to, const face_li
 // Moves each queued node to the place that is best for its triangles, if that lowers their energy.
 void unit_mesh_remesher::smooth() {
   face_list at;
-  face_energies each;
-  is_restless_.resize(m_.nodes().size(), 0);
+  node_ring ring;
+  node_ring::energies now, then;
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
     const node_kind kind = m_.at(v).kind;
-    if (kind == node_kind::given || kind == node_kind::gone || is_restless_[v] == 0) continue;
+    if (kind == node_kind::given || kind == node_kind::gone || !node_state_of(v).is_restless)
+      continue;
     if (was_inside(v)) continue;
-    is_restless_[v] = 0;
+    node_state_of(v).is_restless = false;
     m_.around(v, at);
-    const double before = energies_of(at, each);
-    const point goal = pulled(v, at, each), here = m_.at(v).position;
+    if (!ring.gather(m_, v, at)) continue;
+    ring.measure(m_.at(v), unit_, now);
+    const point goal = ring.best_place(unit_, now), here = m_.at(v).position;
     if (!std::isfinite(goal.x) || !std::isfinite(goal.y)) continue;
     for (const double part : {0.8, 0.3}) {
       point to{here.x + part * (goal.x - here.x), here.y + part * (goal.y - here.y)};
       if (kind == node_kind::sliding) to = m_.on_segment(v, to);
-      if (!try_move(v, to, at, before)) continue;
-      for (const vertex_index t : at) note_change(t);
+      if (!try_move(v, to, at, ring, now.sum * (1 - least_gain_), then)) continue;
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        note_change(at[k]);
+        state_of(at[k]).shape = then.shape[k];
+      }
       break;
     }
   }
