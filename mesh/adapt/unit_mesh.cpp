@@ -122,16 +122,20 @@ void unit_mesh_remesher::fit(const effort& how) {
   constexpr int most_rounds = 10;
   // Power of the ratio of counts by which the crowding factor is corrected. The number of nodes
   // would follow the square of the unit if all edges had length one, but edges a little shorter are
-  // not merged.
-  constexpr double power = 0.75;
-  double off = 0;  // logarithm of the ratio
+  // not merged. Where these are most, it hardly changes: so with many nodes the power is doubled
+  // from round to round, as long as the count is off to the same side.
+  constexpr double usual_power = 0.75, most_power = 3;
+  const double growth = wants_few() ? 1 : 2;
+  double power = usual_power, off = 0;  // logarithm of the ratio
   for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
     if (round >= how.rounds && std::abs(off) < how.tolerable) break;
     measure_unit();
     if (split_all_long(std::numbers::sqrt2 * unit_)) measure_unit();
     merge_and_move(unit_ / std::numbers::sqrt2, how.sweeps);
     if (options_.count == 0) continue;
-    off = quick_log(static_cast<double>(m_.count()) / static_cast<double>(options_.count));
+    const double before = std::exchange(
+        off, quick_log(static_cast<double>(m_.count()) / static_cast<double>(options_.count)));
+    power = before * off > 0 ? std::min(growth * power, most_power) : usual_power;
     correct_crowding(off, power);
   }
 }
@@ -149,8 +153,8 @@ void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
   seed(seeds);
   // Leaves the count off by a few percent, as the mesh is fitted again: merging the shortest edges
   // for the last of them is mostly in vain here.
-  constexpr effort usual{2, 2, 0.05};
-  fit(usual);
+  constexpr effort usual{2, 2, 0.05}, rough{1, 1, 0.05};
+  fit(wants_few() ? usual : rough);
   spare_ = {};  // other steps need the room
 }
 
@@ -160,8 +164,11 @@ void unit_mesh_remesher::refit(metric_at field) {
   m_.each_node([this](vertex_index v) { measure(v); });
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists()) note_change(t);
-  // Starts from the square root of the last crowding factor: refitting a mesh needs about that.
-  crowding_ = std::sqrt(crowding_);
+  // Starts from the square root of the last crowding factor, but with many nodes from what
+  // refitting needs in most meshes, if that is more: with less, rounds are needed that only merge
+  // edges.
+  constexpr double usual = 1.12;
+  crowding_ = std::max(wants_few() ? 0 : usual, std::sqrt(crowding_));
   constexpr effort careful{2, 2, 0.015};
   fit(careful);
   if (options_.count > 0) meet_count();

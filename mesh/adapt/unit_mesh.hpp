@@ -88,6 +88,12 @@ class unit_mesh_remesher {
     double tolerable;
   };
   void fit(const effort& how);
+  // True if so few nodes are wanted that a first mesh fitted in one round of one sweep loses the
+  // finest parts of a metric more often.
+  bool wants_few() const {
+    constexpr std::size_t few = 1000;
+    return options_.count < few;
+  }
   void correct_crowding(double log_ratio, double power);
   bool is_crowded(vertex_index t, const node& there) const;
   struct located {
@@ -162,6 +168,7 @@ class unit_mesh_remesher {
   void smooth();
   void settle_around(vertex_index v);
   bool flip_if_better(vertex_index t, std::size_t edge);
+  bool is_near(const node& n, const point& goal) const;
   bool try_move(vertex_index v, const point& to, const face_list& at, const node_ring& ring,
                 double most, node_ring::energies& then);
   void note_change(vertex_index t);

@@ -53,7 +53,7 @@ TEST_CASE("as many nodes are made as are wanted, within three percent") {
     options.count = wanted;
     unit_mesh_remesher maker(m, options);
     maker.run(layer, {});
-    maker.meet_count(layer);
+    maker.refit(layer);
     INFO(wanted << " nodes wanted, " << m.count() << " made");
     CHECK(std::abs(static_cast<double>(m.count()) / static_cast<double>(wanted) - 1) < 0.03);
     CHECK(is_whole(m));
