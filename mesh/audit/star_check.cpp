@@ -196,9 +196,9 @@ bool star_check::is_outside(const prepared_fan& p, const fan_gap& gap, vertex_in
   const std::size_t i = &gap - p.gaps.data(), j = i + 1 < p.rays.size() ? i + 1 : 0;
   const auto [x, y] = to(p.v, w);
   const auto &ray = p.rays[i], &next = p.rays[j];
-  const std::array<outline_point, 4> others{outline_point{{ray.x, ray.y}}, p.on_rays[i],
-                                            outline_point{{next.x, next.y}}, p.on_rays[j]};
-  return is_outside_kite({x, y}, at(w).metric, gap.vertex, others);
+  const std::array<kite_side, 2> sides{kite_side{{ray.x, ray.y}, p.on_rays[i]},
+                                       kite_side{{next.x, next.y}, p.on_rays[j]}};
+  return is_outside_kite({x, y}, at(w).metric, gap.vertex, sides);
 }
 
 const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {

@@ -23,9 +23,15 @@ struct outline_point {
   double length = 0;  // no less than its distance from v, or 0 for a neighbour
 };
 
-// True if certainly the site w, at `to` from v, is accepted in no gap with this kite: `vertex`,
-// from which the covector is chosen, and its other points.
+// A neighbour of v, and the point up to which the way to it belongs to the kites beside it.
+struct kite_side {
+  point neighbour;
+  outline_point on_way;
+};
+
+// True if certainly the site w, at `to` from v, is not accepted in the gap of a kite: for the half
+// of the kite on either side of its vertex, one of two covectors suffices.
 bool is_outside_kite(const point& to, const metric_tensor& metric, const outline_point& vertex,
-                     std::span<const outline_point> others);
+                     std::span<const kite_side> sides);
 
 }  // namespace asterism::internal::audit_detail

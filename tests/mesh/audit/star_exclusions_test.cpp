@@ -47,10 +47,10 @@ bool is_outside_gap(const site& v, const site& x, const site& y, const site& w) 
   const measured_ray to_x = reaches.ray_to(x), to_y = reaches.ray_to(y);
   const gap_bound bound = bound_of(reaches, to_x, to_y);
   if (!std::isfinite(bound.reach)) return false;
-  const std::array<outline_point, 4> others{to_x.on_bisector(), outline_point{to_x.way},
-                                            to_y.on_bisector(), outline_point{to_y.way}};
+  const std::array<kite_side, 2> sides{kite_side{to_x.way, to_x.on_bisector()},
+                                       kite_side{to_y.way, to_y.on_bisector()}};
   const point d{w.position.x - v.position.x, w.position.y - v.position.y};
-  return is_outside_kite(d, w.metric, bound.vertex, others);
+  return is_outside_kite(d, w.metric, bound.vertex, sides);
 }
 
 }  // namespace
