@@ -470,7 +470,7 @@ class SplitAcrossTest(AdaptationTest):
         self.both_ways("mesh", "ring.poly", "--size", "0.8")
 
     def test_adapted_mesh_and_its_certificate(self):
-        self.both_ways("adapt", "g.mesh", "--solution", "u.sol", "--vertices", "200")
+        self.both_ways("adapt", "g.mesh", "--solution", "u.sol", "--vertices", "400")
         certificate = (self.folder / "n.certificate.json").read_text()
         self.assertIn('"split-across": "no"', certificate)
         done = self.run_command("adapt", "n.mesh", "--metric", "n.sol", "--no-split-across", "-o", "k.mesh")

@@ -223,7 +223,7 @@ class IncludeTest(unittest.TestCase):
             status, numbers, text, _ = call("x * x", options)
             self.assertEqual((status, numbers), (2, []), text)
             self.assertIn("is a whole number, and here it is " + options.split()[-1], text)
-        status, numbers, text, _ = call("x * x", "vertices = 60; hmin = 0")
+        status, numbers, text, _ = call("x * x + y * y", "vertices = 100; hmin = 0")
         self.assertEqual((status, len(numbers)), (0, 1), text)
 
     def test_included_twice(self):

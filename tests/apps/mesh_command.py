@@ -139,7 +139,7 @@ class Mesh(command.CommandTest):
         self.assertEqual(claim["asked"]["options"]["metric-tolerance"], "0")
 
     def test_a_metric_that_is_another_one_is_not_complete(self):
-        job = ("mesh", "square", "--metric", "expr:((x>0)==(y>0))?1e6:1;0;((x>0)==(y>0))?1:1e6", "--size", "3",
+        job = ("mesh", "square", "--metric", "expr:((x>0)==(y>0))?3e5:1;0;((x>0)==(y>0))?1:3e5", "--size", "3",
                "-o", "m.mesh")
         done = self.run_command(*job)
         self.assertEqual(done.returncode, 1, done.stdout)

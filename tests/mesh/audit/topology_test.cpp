@@ -138,7 +138,7 @@ TEST_CASE("one metric made indefinite, semidefinite or not finite") {
   p.m.sites[7].metric = {1, 1, 1};
   refused(p.m, finding_kind::metric_not_positive_definite, "vertex 8");
   p.m.sites[7].metric = {1, 0, std::numeric_limits<double>::infinity()};
-  refused(p.m, finding_kind::not_finite, "the metric tensor 1 0 inf of vertex 8");
+  refused(p.m, finding_kind::not_finite, "the metric tensor 1 0 too large of vertex 8");
 }
 
 TEST_CASE("a coordinate that is not a number") {
