@@ -167,7 +167,7 @@ void unit_mesh_remesher::refit(metric_at field) {
   // Starts from the square root of the last crowding factor, but with many nodes from what
   // refitting needs in most meshes, if that is more: with less, rounds are needed that only merge
   // edges.
-  constexpr double usual = 1.12;
+  constexpr double usual = 1.07;
   crowding_ = std::max(wants_few() ? 0 : usual, std::sqrt(crowding_));
   constexpr effort careful{2, 2, 0.015};
   fit(careful);
