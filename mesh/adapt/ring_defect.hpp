@@ -55,8 +55,8 @@ class ring_defect {
     products squares;
     double own_squared;  // length in its wanted tensor
   };
-  // What the angles between two spokes depend on: products of their coordinates, and twice the
-  // area.
+  // Determines the angles of the face between two spokes: products of their coordinates, and twice
+  // its area.
   struct face_products {
     products inner;
     double twice;

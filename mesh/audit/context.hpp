@@ -60,7 +60,7 @@ struct audit_context : triangulation_lists {
   // Indices of sites whose tensors were changed since all stars were checked; null to check
   // everything. With a list, only questions that involve one of the sites are asked (auditor.hpp).
   const std::vector<vertex_index>* changed = nullptr;
-  // What one audit passes to the next; may be null.
+  // Carries reaches, open questions and lists from one audit of a mesh to the next; may be null.
   audit_memory* memory = nullptr;
   bool leaves_open = false;        // hard questions about stars, to the memory
   std::size_t many_for_a_gap = 0;  // sites, for a gap of which no reach is known to be a hard one

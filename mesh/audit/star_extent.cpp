@@ -16,7 +16,8 @@ by_covector constant(double x, const by_covector&) { return all_of(x); }
 double size_of(double x) { return std::abs(x); }
 by_covector size_of(const by_covector& x) { return {absolute(x.axes), absolute(x.diagonals)}; }
 
-// What is known of E: its values at the lengths 0 and `own`, and its greatest slope.
+// Holds what the lines are made of: the values of E at the lengths 0 and `own`, and its greatest
+// slope.
 template <class Number>
 struct known_extent {
   Number none, at_own, steep;

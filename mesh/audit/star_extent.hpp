@@ -55,11 +55,12 @@ class star_extent {
     }
   };
 
-  // The extent of a star whose gaps have this reach, in v's metric; infinite: all sites matter.
+  // Bounds the star of v by a reach of its gaps, a length in v's metric. With an infinite one all
+  // sites matter.
   star_extent(const site& v, double reach);
-  // The extent of gaps with this outline, which must outlive it.
+  // Bounds the star of v by the outline of its gaps, which must outlive this object.
   star_extent(const site& v, std::span<const outline_point> outline);
-  // What covers the extents of several stars, at least one. Its own covector is that of the first.
+  // Covers the extents of several stars, at least one; takes the own covector of the first.
   explicit star_extent(std::span<const star_extent> stars);
 
   // The centre of the star, or of the first.

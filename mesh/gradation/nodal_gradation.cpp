@@ -41,7 +41,8 @@ bool are_surely_alike(const simultaneous_reduction& r, double most) {
 // Returns a factor that is less than e^(2 most), the ratio of squared lengths at the limit: by a
 // part of 7e-8 where `most` is 0.05, more than quick_log and roundings err.
 double factor_below(double most) {
-  // Sums the beginning of the series.
+  // Sums the first five terms of the exponential series: all terms are positive, so less than the
+  // whole.
   const double x = 2 * most;
   return 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4)));
 }

@@ -188,8 +188,8 @@ failure gmsh_reader::read_entity(int dimension, bool is_part) {
   for (std::size_t i = 0; i < groups.value(); ++i) {
     const auto number = to_marker(source_, source_.next(), "physical group");
     if (!number.ok()) return number.failure();
-    // Drops the group's sign: it is the entity's orientation, which edges and triangles do not
-    // need.
+    // Drops the sign of the physical group: it is the entity's orientation, and edges and triangles
+    // are oriented by their own vertices.
     if (number.value() != std::numeric_limits<int>::min()) tags.push_back(std::abs(number.value()));
   }
   if (dimension < 3)

@@ -16,8 +16,8 @@
 namespace asterism::internal {
 namespace {
 
-// Returns the power of two by which a field is divided whose greatest modulus this is; 0 for
-// ordinary ones.
+// Returns the exponent of the power of two by which the values of a field are divided before their
+// derivatives are computed, from their greatest modulus; 0 for moduli of ordinary size.
 int power_of(double greatest) {
   constexpr int ordinary = 200;  // of 1023: room for squares, and for the sizes of triangles
   const int power = greatest > 0 ? std::ilogb(greatest) : 0;

@@ -29,7 +29,8 @@ class proximity {
   const box_index& influences() const { return influences_; }
   // Returns the sites along a space-filling curve, those added later after all others.
   const std::vector<vertex_index>& order() const { return order_; }
-  // Returns the sites along the space-filling curve; a few sites added later may be at the end.
+  // Returns the numbers of the sites in their order along the space-filling curve; a few sites that
+  // were added later may be at the end.
   // Loops in this order find what they read in the cache.
   std::vector<vertex_index> order_anew(const std::vector<site>& sites) const;
   // Returns the box around all sites; some may lie outside it by rounding.

@@ -32,7 +32,8 @@ class thread_limit {
 
  private:
   static bool& one() {
-    // Of the thread, as its oneTBB arena is: all loops below a caller find it.
+    // Keeps one flag a thread, as oneTBB keeps its arenas, since loops read it at any depth of
+    // calls.
     thread_local bool is_one = false;
     return is_one;
   }

@@ -123,8 +123,8 @@ struct curve_and_chord {
   std::array<double, 2> units;
   std::vector<trim_piece> pieces;
 
-  // Returns the parameter of the chord's point with which the point p of the plane is compared:
-  // about the foot of p on the chord.
+  // Returns the parameter, from 0 to 1, of the chord's point near the foot of the point p of the
+  // plane. The distance from p is measured to that point.
   double share_at(const plane_point& p) const {
     double along = 0, length = 0;
     for (std::size_t k = 0; k < 2; ++k) {
