@@ -200,6 +200,9 @@ void consistency_repair::check_edge(vertex_index t, std::size_t i) {
   for (const vertex_index v : {q.a, q.b, q.c, q.d}) next_[v] = 1;
   if (m_.can_flip(t, i)) {
     const double then = tests_.worst_clearance({q.d, q.c, q.a, q.b});
+    const bool is_tie = std::abs(now) <= least_clearance && std::abs(then) <= least_clearance;
+    if (is_tie && (move_off_circle(q.d, q.a, q.b, q.c) || move_off_circle(q.c, q.b, q.a, q.d)))
+      return;
     if (then > now) {
       const vertex_index s = m_.faces()[t].next[i];
       m_.flip(t, i);
@@ -211,6 +214,34 @@ void consistency_repair::check_edge(vertex_index t, std::size_t i) {
   }
   constexpr double part = 0.7;
   clip_distortion_at({q.a, q.b, q.c, q.d}, part);
+}
+
+// Moves d away from the Voronoi vertex of the face a, b, c, where the four nodes are on one circle,
+// as those of a square of a grid are: neither a flip nor equal tensors would give the edge ab a
+// clearance. Returns false, and moves nothing, if d is not inside the domain or angles became worse.
+bool consistency_repair::move_off_circle(vertex_index d, vertex_index a, vertex_index b,
+                                         vertex_index c) {
+  constexpr double part = 0.05;  // of the radius: a clearance of a tenth
+  const node here = m_.at(d);
+  const face_centre z = tests_.centre_of({a, b, c});
+  if (here.kind != node_kind::free || !(z.squared_radius > 0)) return false;
+  face_list at;
+  m_.around(d, at);
+  const double before = defect_at(at, infinity);
+  const auto asked = options_.wanted(here.position);
+  const point to{here.position.x + part * (here.position.x - z.at.x),
+                 here.position.y + part * (here.position.y - z.at.y)};
+  m_.move(d, to);
+  if (asked && identical(*asked, here.metric))
+    if (const auto there = options_.wanted(to)) m_.set_metric(d, *there);
+  if (defect_at(at, infinity) > before || !(tests_.worst_clearance({a, b, c, d}) > least_clearance)) {
+    m_.at(d) = here;
+    return false;
+  }
+  ++report_.moves;
+  m_.neighbours(d, at);
+  for (const vertex_index u : at) next_[u] = 1;
+  return true;
 }
 
 void consistency_repair::check_angles(vertex_index t) {

@@ -68,6 +68,7 @@ class consistency_repair {
   void find_clear_edges();
   void find_fine_faces();
   void check_edge(vertex_index t, std::size_t i);
+  bool move_off_circle(vertex_index d, vertex_index a, vertex_index b, vertex_index c);
   void check_angles(vertex_index t);
   double excess(const node& a, const node& b, const node& c) const;
   bool merge_away(vertex_index t);

@@ -64,8 +64,11 @@ double local_tests::worst_clearance(const edge_quad& q) const {
 }
 
 face_centre local_tests::centre_of(vertex_index t) const {
-  const face& f = m_.faces()[t];
-  return find_centre(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]));
+  return centre_of(m_.faces()[t].v);
+}
+
+face_centre local_tests::centre_of(const std::array<vertex_index, 3>& v) const {
+  return find_centre(m_.at(v[0]), m_.at(v[1]), m_.at(v[2]));
 }
 
 bool local_tests::is_low(vertex_index t) const {

@@ -8,6 +8,7 @@
 // may still disagree; the auditor decides. Internal to mesh/adapt.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -61,6 +62,8 @@ class local_tests {
   // Returns edge i of face t with its four nodes. Requires a face beyond the edge.
   edge_quad quad_at(vertex_index t, std::size_t i) const;
   face_centre centre_of(vertex_index t) const;
+  // Returns the Voronoi vertex of a face with these nodes, counter-clockwise, in the mesh or not.
+  face_centre centre_of(const std::array<vertex_index, 3>& v) const;
   // Returns the lesser of the clearances that both faces of an edge have from the site across: a
   // part of the squared radius, minus infinity where a face has no Voronoi vertex.
   double worst_clearance(const edge_quad& q) const;

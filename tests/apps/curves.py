@@ -210,7 +210,7 @@ class Curves(command.CommandTest):
         # The circle begins at another vertex, so that no end of its chords is a vertex of the mesh.
         self.write("turned.poly", poly([*square, (0.3, 0.4)], sides, ["circle 5 0 0 2"], [(0, 0)]))
         solved = self.solved("d.mesh")
-        for wanted in (900, 2500):
+        for wanted in (900, 2250):
             done = self.run_command("adapt", *solved, "--vertices", str(wanted), "--domain", "turned.poly",
                                     "--chord-tolerance", "1e-4", "-o", "next.mesh")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
