@@ -218,7 +218,8 @@ void consistency_repair::check_edge(vertex_index t, std::size_t i) {
 
 // Moves d away from the Voronoi vertex of the face a, b, c, where the four nodes are on one circle,
 // as those of a square of a grid are: neither a flip nor equal tensors would give the edge ab a
-// clearance. Returns false, and moves nothing, if d is not inside the domain or angles became worse.
+// clearance. Returns false, and moves nothing, if d is not inside the domain or angles became
+// worse.
 bool consistency_repair::move_off_circle(vertex_index d, vertex_index a, vertex_index b,
                                          vertex_index c) {
   constexpr double part = 0.05;  // of the radius: a clearance of a tenth
@@ -234,7 +235,8 @@ bool consistency_repair::move_off_circle(vertex_index d, vertex_index a, vertex_
   m_.move(d, to);
   if (asked && identical(*asked, here.metric))
     if (const auto there = options_.wanted(to)) m_.set_metric(d, *there);
-  if (defect_at(at, infinity) > before || !(tests_.worst_clearance({a, b, c, d}) > least_clearance)) {
+  if (defect_at(at, infinity) > before ||
+      !(tests_.worst_clearance({a, b, c, d}) > least_clearance)) {
     m_.at(d) = here;
     return false;
   }

@@ -63,9 +63,7 @@ double local_tests::worst_clearance(const edge_quad& q) const {
   return std::min(clearance(find_centre(c, a, b), d), clearance(find_centre(d, b, a), c));
 }
 
-face_centre local_tests::centre_of(vertex_index t) const {
-  return centre_of(m_.faces()[t].v);
-}
+face_centre local_tests::centre_of(vertex_index t) const { return centre_of(m_.faces()[t].v); }
 
 face_centre local_tests::centre_of(const std::array<vertex_index, 3>& v) const {
   return find_centre(m_.at(v[0]), m_.at(v[1]), m_.at(v[2]));
