@@ -37,7 +37,7 @@ fs::path certificate_beside(const std::vector<fs::path>& outputs) {
 std::optional<error> check_files(const run_files& files, const std::vector<fs::path>& read) {
   std::vector<fs::path> written;
   for (const fs::path& output : files.outputs) {
-    const auto format = check_output(output);
+    const auto format = check_place_of_output(output);
     if (!format) return format.failure();
     for (const fs::path& file : files_of_output(output)) written.push_back(file);
   }
@@ -45,10 +45,7 @@ std::optional<error> check_files(const run_files& files, const std::vector<fs::p
   for (const fs::path& file : {files.proof, files.certificate})
     if (!file.empty()) written.push_back(file);
   if (auto failure = check_distinct(read, written)) return failure;
-  for (const fs::path& file : {files.proof, files.certificate})
-    if (!file.empty())
-      if (auto place = check_writable(file); !place) return place.failure();
-  return std::nullopt;
+  return check_all_writable(written);
 }
 
 std::vector<fs::path> written_files(const run_files& files, const proof_output& proof) {

@@ -182,7 +182,8 @@ bool takes_files(const fs::path& folder) {
   return true;
 }
 
-// Checks what is known of a place without creating a file there.
+}  // namespace
+
 std::optional<error> check_place(const fs::path& path) {
   std::error_code status;
   if (path.filename().empty())
@@ -197,8 +198,6 @@ std::optional<error> check_place(const fs::path& path) {
     return error{path.string() + ": exists and is not a regular file", error_code::unwritable_file};
   return std::nullopt;
 }
-
-}  // namespace
 
 result<fs::path> check_writable(const fs::path& path) {
   if (auto failed = check_all_writable({path})) return *std::move(failed);

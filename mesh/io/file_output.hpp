@@ -59,6 +59,10 @@ class pending_files {
 // Writes all of the files, or none. Returns their paths.
 result<std::vector<std::filesystem::path>> write_files(const std::vector<output_file>& files);
 
+// Checks all that is known of a place without creating a file there: its directory exists, its
+// permissions allow files, and the place is free or has a regular file.
+std::optional<error> check_place(const std::filesystem::path& place);
+
 // Checks that the directory of `path`, links followed, exists and can be written to, and that
 // `path` itself is free or a regular file. Returns `path`.
 result<std::filesystem::path> check_writable(const std::filesystem::path& path);

@@ -9,6 +9,7 @@
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/file_output.hpp"
 #include "asterism/mesh/io/medit.hpp"
+#include "asterism/mesh/io/render_mesh.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -49,6 +50,13 @@ std::vector<fs::path> files_of_output(const fs::path& path) {
 }
 
 result<mesh_format> check_output(const std::filesystem::path& path) {
+  auto format = check_place_of_output(path);
+  if (!format.ok()) return format;
+  if (const auto failed = check_all_writable(files_of_output(path))) return *failed;
+  return format;
+}
+
+result<mesh_format> internal::check_place_of_output(const std::filesystem::path& path) {
   auto format = mesh_format_of(path);
   std::error_code ignored;
   if (!format.ok() && fs::is_directory(path, ignored))
@@ -58,7 +66,8 @@ result<mesh_format> check_output(const std::filesystem::path& path) {
   if (!format.ok()) return format;
   if (is_picture(format.value()))
     if (const auto missing = missing_for_pictures()) return missing->at(path.string());
-  if (const auto failed = check_all_writable(files_of_output(path))) return *failed;
+  for (const fs::path& file : files_of_output(path))
+    if (const auto failed = check_place(place_of(file))) return *failed;
   return format;
 }
 

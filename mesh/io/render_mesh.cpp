@@ -244,7 +244,7 @@ fs::path fields_path(const fs::path& mesh_path) {
 
 result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,
                                              const write_options& options) {
-  const auto format = check_output(path);
+  const auto format = check_place_of_output(path);
   if (!format.ok()) return format.failure();
   if (auto failed = check_indices(m)) return failed->at(path.string());
   // Renders pictures and pages of the mesh with one vertex at each place, to which their facts

@@ -9,9 +9,14 @@
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/io/file_output.hpp"
+#include "asterism/mesh/io/mesh_format.hpp"
 #include "asterism/mesh/io/write_options.hpp"
 
 namespace asterism::internal {
+
+// Checks as check_output() does, without creating a file: for outputs that are written next, or
+// whose directories check_all_writable() tests together.
+result<mesh_format> check_place_of_output(const std::filesystem::path& path);
 
 // Returns NAME.fields.sol for NAME.mesh, NAME.fields.solb for NAME.meshb: the fields on a mesh
 // whose metric is beside it.
