@@ -12,7 +12,7 @@ namespace asterism::internal::audit_detail {
 
 void star_check::run(const vertex_index* begin, const vertex_index* end, const vertex_index* last,
                      bool neighbours_alone) {
-  used_ = 0;
+  if (!neighbours_alone) make_room({begin, end});
   for (const vertex_index* v = begin; v != end; ++v) {
     if (!neighbours_alone) {
       prepare(*v);
@@ -22,14 +22,30 @@ void star_check::run(const vertex_index* begin, const vertex_index* end, const v
     context_.fans.visit(*v, [&](const vertex_fan& fan) { check_neighbours(*v, fan); });
   }
   if (neighbours_alone) return;
-  const std::span<const prepared_fan> fans(prepared_.data(), used_);
-  hold_all(fans);
+  hold_all(prepared_);
   outlines_.resize(std::max(outlines_.size(), std::size_t{1}));
-  for (const prepared_fan& p : fans)
+  for (const prepared_fan& p : prepared_)
     if (p.has_others)
       around_.changed_sites.visit_near(
           extent_of(p, false, outlines_.front()),
           [&](vertex_index nth) { look(p, (*context_.changed)[nth], false); });
+}
+
+void star_check::make_room(std::span<const vertex_index> vertices) {
+  std::size_t fans = 0, rays = 0;
+  for (const vertex_index v : vertices)
+    context_.fans.visit(v, [&](const vertex_fan& fan) {
+      ++fans;
+      rays += fan.link.size();
+    });
+  prepared_.clear();
+  rays_.clear();
+  gaps_.clear();
+  kernel_gaps_.clear();
+  filters_.clear();
+  prepared_.reserve(fans);
+  rays_.reserve(rays);
+  gaps_.reserve(rays);
 }
 
 void star_check::hold_all(std::span<const prepared_fan> fans) {
@@ -62,8 +78,9 @@ star_extent star_check::extent_of(const prepared_fan& p, bool of_concerned,
       return {at(p.v), of_concerned ? p.reach_concerned : p.reach};
     if (is_after) outline.push_back(p.gaps[i].vertex);
     if (!is_after && !is_in(i == 0 ? p.rays.size() - 1 : i - 1)) continue;
-    outline.push_back(p.on_rays[i]);
-    outline.push_back({{p.rays[i].x, p.rays[i].y}});
+    const auto& [way, on_way] = p.rays[i];
+    outline.push_back(on_way);
+    outline.push_back({{way.x, way.y}});
   }
   return {at(p.v), std::span<const outline_point>(outline)};
 }
@@ -111,7 +128,7 @@ void star_check::prepare(vertex_index v) {
       return;
     }
     prepare(v, fan);
-    reach = greatest_bound(reach, prepared_[used_ - 1].reach);
+    reach = greatest_bound(reach, prepared_.back().reach);
   });
   known = reach;
 }
@@ -132,25 +149,20 @@ bool star_check::is_reached(vertex_index v, double reach) {
 }
 
 void star_check::prepare(vertex_index v, const vertex_fan& fan) {
-  if (used_ == prepared_.size()) prepared_.emplace_back();
-  prepared_fan& p = prepared_[used_++];
+  prepared_fan& p = prepared_.emplace_back();
   p.v = v;
   p.link = fan.link;
-  p.reach = 0;
-  p.reach_concerned = 0;
-  p.has_concerned = p.has_others = false;
-  p.rays.clear();
-  p.on_rays.clear();
   const quick_reaches reaches(at(v));
+  const std::size_t first_ray = rays_.size(), first_gap = gaps_.size();
   measured_.clear();
+  measured_.reserve(fan.link.size());
   for (const vertex_index r : fan.link) {
-    p.rays.push_back(to(v, r));
-    p.on_rays.push_back(measured_.emplace_back(reaches.ray_to(at(r))).on_bisector());
+    const measured_ray& measured = measured_.emplace_back(reaches.ray_to(at(r)));
+    rays_.push_back({to(v, r), measured.on_bisector()});
   }
-  p.gaps.clear();
   const std::size_t n = fan.link.size();
   for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
-    fan_gap& gap = p.gaps.emplace_back(fan.link[i], fan.link[(i + 1) % n]);
+    fan_gap& gap = gaps_.emplace_back(fan.link[i], fan.link[(i + 1) % n]);
     gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
     if (gap.is_skipped) continue;
     gap.is_concerned = around_.concerns(v, gap.x, gap.y);
@@ -164,6 +176,8 @@ void star_check::prepare(vertex_index v, const vertex_fan& fan) {
     (gap.is_concerned ? p.has_concerned : p.has_others) = true;
     if (gap.is_concerned) p.reach_concerned = greatest_bound(p.reach_concerned, gap.reach);
   }
+  p.rays = std::span(rays_).subspan(first_ray);
+  p.gaps = std::span(gaps_).subspan(first_gap);
 }
 
 bool star_check::is_left_open(const fan_gap& gap) const {
@@ -172,7 +186,7 @@ bool star_check::is_left_open(const fan_gap& gap) const {
 }
 
 void star_check::bound(vertex_index v, fan_gap& gap, const quick_reaches& reaches,
-                       const measured_ray& to_x, const measured_ray& to_y) const {
+                       const measured_ray& to_x, const measured_ray& to_y) {
   constexpr double edges = 2;
   const gap_bound quick = reaches.between(to_x, to_y);
   gap.reach = quick.reach;
@@ -186,7 +200,7 @@ void star_check::bound(vertex_index v, fan_gap& gap, const quick_reaches& reache
   gap.has_kite = is_finite(midway.reach);
 }
 
-void star_check::sharpen(vertex_index v, fan_gap& gap) const {
+void star_check::sharpen(vertex_index v, fan_gap& gap) {
   const star_gap* prepared = prepared_gap(v, gap);
   if (prepared != nullptr) gap.reach = std::min(gap.reach, prepared->reach());
   if (!is_finite(gap.reach)) gap.reach = filter_of(v, gap).reach();
@@ -195,13 +209,14 @@ void star_check::sharpen(vertex_index v, fan_gap& gap) const {
 bool star_check::is_outside(const prepared_fan& p, const fan_gap& gap, vertex_index w) const {
   const std::size_t i = &gap - p.gaps.data(), j = i + 1 < p.rays.size() ? i + 1 : 0;
   const auto [x, y] = to(p.v, w);
-  const auto &ray = p.rays[i], &next = p.rays[j];
-  const std::array<kite_side, 2> sides{kite_side{{ray.x, ray.y}, p.on_rays[i]},
-                                       kite_side{{next.x, next.y}, p.on_rays[j]}};
+  const auto side_of = [](const fan_ray& ray) {
+    return kite_side{{ray.way.x, ray.way.y}, ray.on_way};
+  };
+  const std::array<kite_side, 2> sides{side_of(p.rays[i]), side_of(p.rays[j])};
   return is_outside_kite({x, y}, at(w).metric, gap.vertex, sides);
 }
 
-const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
+fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
   const auto to_w = to(p.v, w);
   const std::size_t n = p.rays.size();
   sign before = side(p, 0, to_w, w);
@@ -214,7 +229,7 @@ const fan_gap* star_check::gap_of(const prepared_fan& p, vertex_index w) const {
 }
 
 void star_check::check_other(const prepared_fan& p, vertex_index w, bool at_concerned) {
-  const fan_gap* gap = gap_of(p, w);
+  fan_gap* gap = gap_of(p, w);
   if (gap == nullptr || gap->is_skipped || gap->is_concerned != at_concerned) return;
   if (gap->has_kite && is_outside(p, *gap, w)) return;
   if (is_too_far(at(p.v), gap->reach, at(w))) return;
@@ -227,7 +242,7 @@ void star_check::check_other(const prepared_fan& p, vertex_index w, bool at_conc
                {p.v, w, gap->x, gap->y});
 }
 
-bool star_check::is_accepted(vertex_index v, vertex_index w, const fan_gap& gap) {
+bool star_check::is_accepted(vertex_index v, vertex_index w, fan_gap& gap) {
   const star_gap* prepared = prepared_gap(v, gap);
   if (prepared != nullptr) {
     const uncertain_bool by_v = prepared->accepts(at(w));

@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,26 +33,32 @@ namespace asterism::internal::audit_detail {
 
 // A gap of a fan, from neighbour x counter-clockwise to neighbour y.
 struct fan_gap {
-  // Leaves the prepared members uninitialised: they are made when a test needs them.
-  fan_gap(vertex_index before, vertex_index after) : x(before), y(after) {}
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   vertex_index x, y;
   bool is_skipped = false;   // x -> y is a subsegment, beyond which nothing is seen, or left open
   bool is_concerned = true;  // or else changed sites alone are to be held against it
   double reach = 0;          // how far from v sites matter to it
   bool has_kite = false;
-  outline_point vertex;                      // of the kite
-  mutable std::optional<star_gap> prepared;  // made for the first question, if it may be shared
-  mutable std::optional<star_gap_filter> filter;  // made when `prepared` does not know something
+  outline_point vertex;  // of the kite
+  // Numbers of the kernel's gap, made for the first question if it may be shared, and of the filter,
+  // made when that gap does not know something. Few gaps need either, and both are large.
+  std::uint32_t prepared = none, filter = none;
 };
 
-// One fan of v's star, prepared for tests of other sites.
+// The way from v to a neighbour.
+struct fan_ray {
+  vector2<double> way;
+  outline_point on_way;  // up to which it belongs to the kites
+};
+
+// One fan of v's star, prepared for tests of other sites. Rays and gaps are in lists of all fans
+// that are prepared together.
 struct prepared_fan {
   vertex_index v = 0;
   std::span<const vertex_index> link;
-  std::vector<vector2<double>> rays;
-  std::vector<outline_point> on_rays;  // up to which these belong to the kites
-  std::vector<fan_gap> gaps;
+  std::span<fan_ray> rays;
+  std::span<fan_gap> gaps;
   double reach = 0;            // how far from v sites matter to one of the gaps
   double reach_concerned = 0;  // to one of those that are concerned
   bool has_concerned = false;  // gaps that all sites are to be held against
@@ -85,6 +91,8 @@ class star_check {
 
   static bool is_finite(double reach) { return reach < std::numeric_limits<double>::infinity(); }
 
+  // Empties the lists of prepared fans, and makes room for those of these vertices.
+  void make_room(std::span<const vertex_index> vertices);
   // Tests all sites within the extents of the fans against their gaps. Descends the tree once for
   // all fans.
   void hold_all(std::span<const prepared_fan> fans);
@@ -128,18 +136,25 @@ class star_check {
   // Computes a sharper reach only where the quick one is more than twice the length of the gap's
   // edges: elsewhere it would cost more than it saves.
   void bound(vertex_index v, fan_gap& gap, const quick_reaches& reaches, const measured_ray& to_x,
-             const measured_ray& to_y) const;
-  [[gnu::noinline]] void sharpen(vertex_index v, fan_gap& gap) const;
-  // Returns the kernel's gap, made when a test first needs it; null where the kernel is not to be
-  // shared.
-  const star_gap* prepared_gap(vertex_index v, const fan_gap& gap) const {
+             const measured_ray& to_y);
+  [[gnu::noinline]] void sharpen(vertex_index v, fan_gap& gap);
+  // Return the kernel's gap, null where the kernel is not to be shared, and the filter, made when a
+  // test first needs them. They stay in place until the next call.
+  const star_gap* prepared_gap(vertex_index v, fan_gap& gap) {
     if (context_.options.own_filter_alone) return nullptr;
-    if (!gap.prepared) gap.prepared.emplace(at(v), at(gap.x), at(gap.y));
-    return &*gap.prepared;
+    return &made_once(kernel_gaps_, gap.prepared, v, gap);
   }
-  const star_gap_filter& filter_of(vertex_index v, const fan_gap& gap) const {
-    if (!gap.filter) gap.filter.emplace(at(v), at(gap.x), at(gap.y));
-    return *gap.filter;
+  const star_gap_filter& filter_of(vertex_index v, fan_gap& gap) {
+    return made_once(filters_, gap.filter, v, gap);
+  }
+  template <class Test>
+  const Test& made_once(std::vector<Test>& made, std::uint32_t& nth, vertex_index v,
+                        const fan_gap& gap) {
+    if (nth == fan_gap::none) {
+      nth = static_cast<std::uint32_t>(made.size());
+      made.emplace_back(at(v), at(gap.x), at(gap.y));
+    }
+    return made[nth];
   }
 
   vector2<double> to(vertex_index v, vertex_index w) const {
@@ -152,7 +167,8 @@ class star_check {
   // every ray.
   sign side(const prepared_fan& p, std::size_t i, const vector2<double>& to_w,
             vertex_index w) const {
-    const double left = p.rays[i].x * to_w.y, right = p.rays[i].y * to_w.x;
+    const vector2<double>& way = p.rays[i].way;
+    const double left = way.x * to_w.y, right = way.y * to_w.x;
     const double turned = left - right, size = std::abs(left) + std::abs(right);
     if (std::abs(turned) > 0x1p-49 * size && size > 0x1p-900 && size < 0x1p1000)
       return turned > 0 ? sign::positive : sign::negative;
@@ -160,10 +176,10 @@ class star_check {
   }
   // Returns the gap whose two rays w lies strictly between; none if w is on a ray or outside an
   // open fan.
-  const fan_gap* gap_of(const prepared_fan& p, vertex_index w) const;
+  fan_gap* gap_of(const prepared_fan& p, vertex_index w) const;
   // Tests w against the gap that contains it, if that gap is among those to be tested.
   void check_other(const prepared_fan& p, vertex_index w, bool at_concerned);
-  bool is_accepted(vertex_index v, vertex_index w, const fan_gap& gap);
+  bool is_accepted(vertex_index v, vertex_index w, fan_gap& gap);
   // Returns whether the star accepts the neighbour w. Where that is left open, notes the question
   // and returns true.
   bool is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
@@ -179,8 +195,11 @@ class star_check {
   const star_surroundings& around_;
   site_visibility sight_;
   // Scratch vectors for the present vertices; members, so that they are not allocated each time.
-  std::vector<prepared_fan> prepared_;  // the first used_
-  std::size_t used_ = 0;
+  std::vector<prepared_fan> prepared_;
+  std::vector<fan_ray> rays_;
+  std::vector<fan_gap> gaps_;
+  std::vector<star_gap> kernel_gaps_;
+  std::vector<star_gap_filter> filters_;
   std::vector<std::vector<outline_point>> outlines_;
   std::vector<star_extent> extents_;
   std::vector<std::size_t> leaves_;
