@@ -14,7 +14,8 @@ namespace asterism::internal {
 
 namespace audit_detail {
 class checked_triangulation;
-}
+class site_tree;
+}  // namespace audit_detail
 
 // Kind of an open question about a star: whether it accepts a neighbour, as it should; whether it
 // accepts another site, as it should not; or any site at all, in a gap of unknown reach.
@@ -36,6 +37,8 @@ struct audit_memory {
   int power_of_squares = 0;
   // The triangulation, if all checks of it that no tensor affects are passed; else null.
   std::shared_ptr<const audit_detail::checked_triangulation> triangulation;
+  // The tree of its sites, with their metrics; null where none was needed.
+  std::shared_ptr<audit_detail::site_tree> tree;
   // Bound of the angles of each of its triangles (audit_context::angle_bounds); may be empty.
   std::vector<double> angle_bounds;
 };

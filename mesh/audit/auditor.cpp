@@ -48,6 +48,7 @@ bool check_covering(audit_context& context) {
 bool take_checked(audit_context& context) {
   if (context.memory == nullptr) return false;
   const auto before = std::move(context.memory->triangulation);
+  auto tree = std::move(context.memory->tree);
   context.angle_bounds = std::move(context.memory->angle_bounds);
   const bool is_same = context.changed != nullptr && before != nullptr &&
                        before->is_of(context.subject, context.options.original);
@@ -58,6 +59,7 @@ bool take_checked(audit_context& context) {
   static_cast<triangulation_lists&>(context) = before->lists();
   before->enter_measurements(context.report);
   context.memory->triangulation = before;
+  context.former_tree = std::move(tree);
   return true;
 }
 
@@ -78,6 +80,7 @@ bool check_triangulation(audit_context& context) {
 // Passes what was checked of the triangulation and its angles to the next audit.
 void remember_triangulation(audit_context& context) {
   if (context.memory == nullptr) return;
+  context.memory->tree = context.tree != nullptr ? context.tree : context.former_tree;
   context.memory->angle_bounds = std::move(context.angle_bounds);
   if (context.is_new)
     context.memory->triangulation = std::make_shared<const checked_triangulation>(

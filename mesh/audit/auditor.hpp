@@ -105,7 +105,7 @@ class auditor {
   audit_options asked_;
   audit_report report_;
   audit_memory memory_;
-  std::unique_ptr<audit_detail::site_tree> tree_;  // of the mesh's sites; null if none was needed
+  std::shared_ptr<audit_detail::site_tree> tree_;  // of the mesh's sites; null if none was needed
 };
 
 }  // namespace asterism::internal

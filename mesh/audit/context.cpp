@@ -42,6 +42,19 @@ void audit_tally::found(finding_kind kind, std::string witness,
   keep(part, findings_kept, {kind, std::move(witness), std::move(vertices)});
 }
 
+const site_tree& audit_context::plant() {
+  if (tree != nullptr) return *tree;
+  if (former_tree == nullptr) {
+    tree = std::make_shared<site_tree>(subject.sites);
+    return *tree;
+  }
+  // Copies the tree where somebody else has it, too.
+  tree = former_tree.use_count() == 1 ? std::move(former_tree)
+                                      : std::make_shared<site_tree>(*former_tree);
+  tree->take_metrics(subject.sites);
+  return *tree;
+}
+
 void audit_context::found(finding_kind kind, std::string witness,
                           std::vector<vertex_index> vertices) {
   keep(report, options.findings_kept, {kind, std::move(witness), std::move(vertices)});

@@ -48,11 +48,9 @@ struct audit_context : triangulation_lists {
   audit_context(const mesh& m, const audit_options& o, audit_report& r)
       : subject(m), options(o), report(r) {}
 
-  // Returns the tree of the mesh's sites, which is made where it is first asked for.
-  const site_tree& plant() {
-    if (!tree) tree = std::make_unique<site_tree>(subject.sites);
-    return *tree;
-  }
+  // Returns the tree of the mesh's sites, which is made where it is first asked for: from that of
+  // the audit before, if the triangulation is the same.
+  const site_tree& plant();
 
   const mesh& subject;
   const audit_options& options;
@@ -80,7 +78,9 @@ struct audit_context : triangulation_lists {
   bool unfinished = false;
   std::optional<std::string> told;  // the reason, if it was told to end
   double share_of_work = 1;         // of the most that an audit may do
-  std::unique_ptr<site_tree> tree;  // of the mesh's sites; none where it was not asked for
+  // Tree of the mesh's sites; none where it was not asked for. `former_tree` is of the same places
+  // with the metrics of the audit before; none where there was no such audit.
+  std::shared_ptr<site_tree> tree, former_tree;
 
   // Prefetches the sites of one of `triangles`, or of the edges that leave v.
   void prefetch_corners(std::size_t nth) const {

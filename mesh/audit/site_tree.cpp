@@ -41,20 +41,45 @@ double product_bound(double a, double b) {
 
 }  // namespace
 
-site_tree::site_tree(const std::vector<site>& sites) : sites_(sites), order_(sites.size()) {
+site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
   std::iota(order_.begin(), order_.end(), vertex_index{0});
   double greatest = 0;
   for (const site& s : sites)
     greatest = std::max(greatest, std::abs(s.position.x) + std::abs(s.position.y));
   lost_ = roundings::step * greatest;
-  places_.resize(sites.size());
+  sites_.resize(sites.size());
   if (!sites.empty()) {
     nodes_.resize(node_count(sites.size()));
-    build(0, 0, sites.size());
+    build(sites, 0, 0, sites.size());
   }
   for (const node& n : nodes_)
     if (n.right == 0) groups_.push_back(n.first);
   groups_.push_back(sites.size());
+}
+
+// Visits the nodes from the last to the first: both children follow their parent.
+void site_tree::take_metrics(const std::vector<site>& sites) {
+  std::vector<char> has_changed(nodes_.size(), 0);
+  for (std::size_t self = nodes_.size(); self-- > 0;) {
+    node& n = nodes_[self];
+    if (n.right == 0) {
+      has_changed[self] = take_metrics_of_leaf(n, sites);
+      if (has_changed[self] != 0) bound_leaf(n);
+      continue;
+    }
+    has_changed[self] = has_changed[self + 1] | has_changed[n.right];
+    if (has_changed[self] != 0) bound_parent(n, nodes_[self + 1], nodes_[n.right]);
+  }
+}
+
+bool site_tree::take_metrics_of_leaf(const node& n, const std::vector<site>& sites) {
+  bool has_changed = false;
+  for (std::size_t i = n.first; i < n.last; ++i) {
+    const metric_tensor& metric = sites[order_[i]].metric;
+    has_changed = has_changed || !identical(sites_[i].metric, metric);
+    sites_[i].metric = metric;
+  }
+  return has_changed;
 }
 
 void site_tree::bound_leaf(node& n) const {
@@ -62,10 +87,10 @@ void site_tree::bound_leaf(node& n) const {
   n.greatest = all_of(-infinity);
   by_covector squares = all_of(0);
   for (std::size_t i = n.first; i < n.last; ++i) {
-    const by_covector values = values_at(places_[i]);
+    const by_covector values = values_at(sites_[i].position);
     n.least = -greater_of(-n.least, -values);
     n.greatest = greater_of(n.greatest, values);
-    const metric_tensor& m = sites_[order_[i]].metric;
+    const metric_tensor& m = sites_[i].metric;
     squares = greater_of(squares, squared_lengths(m, inverse_determinant_above(m)));
   }
   n.length = roots_above(squares);
@@ -77,14 +102,13 @@ void site_tree::bound_leaf(node& n) const {
 void site_tree::bound_metrics_of_leaf(node& n) const {
   n.inverse = {0, 0, 0};
   for (std::size_t i = n.first; i < n.last; ++i)
-    n.inverse = sum(n.inverse, plain_inverse(sites_[order_[i]].metric));
+    n.inverse = sum(n.inverse, plain_inverse(sites_[i].metric));
   n.spread_squared = determinant_below(n.inverse) > 0 ? 0 : infinity;
   if (n.spread_squared == infinity) return;
   const tensor<bounded> b = tensor_of_doubles(n.inverse);
   for (std::size_t i = n.first; i < n.last; ++i) {
-    const metric_tensor& metric = sites_[order_[i]].metric;
-    if (i > n.first && identical(metric, sites_[order_[i - 1]].metric))
-      continue;  // bounded already
+    const metric_tensor& metric = sites_[i].metric;
+    if (i > n.first && identical(metric, sites_[i - 1].metric)) continue;  // bounded already
     const tensor<bounded> m = tensor_of_doubles(metric);
     const bounded determinant = b.determinant() * m.determinant();
     const double greatest = greatest_eigenvalue(trace_of_product(b, m), determinant);
@@ -126,10 +150,11 @@ std::size_t site_tree::node_count(std::size_t sites) {
 
 // Puts the lesser half of these sites first, along the greater extent of their box. The order
 // decides cost alone, and is total because positions are distinct.
-void site_tree::halve(std::size_t first, std::size_t middle, std::size_t last) {
+void site_tree::halve(const std::vector<site>& sites, std::size_t first, std::size_t middle,
+                      std::size_t last) {
   point low{infinity, infinity}, high{-infinity, -infinity};
   for (std::size_t i = first; i < last; ++i) {
-    const point& q = sites_[order_[i]].position;
+    const point& q = sites[order_[i]].position;
     low = {std::min(low.x, q.x), std::min(low.y, q.y)};
     high = {std::max(high.x, q.x), std::max(high.y, q.y)};
   }
@@ -137,14 +162,15 @@ void site_tree::halve(std::size_t first, std::size_t middle, std::size_t last) {
   const bool wide = high.x / 2 - low.x / 2 > high.y / 2 - low.y / 2;
   const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
   std::nth_element(at(first), at(middle), at(last), [&](vertex_index a, vertex_index b) {
-    const point &p = sites_[a].position, &q = sites_[b].position;
+    const point &p = sites[a].position, &q = sites[b].position;
     if (wide) return lexicographically_less(p, q);
     return p.y < q.y || (p.y == q.y && p.x < q.x);
   });
 }
 
 // Builds the node with this number, and those below it: large halves in parallel.
-void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
+void site_tree::build(const std::vector<site>& sites, std::size_t self, std::size_t first,
+                      std::size_t last) {
   node n;
   n.first = static_cast<std::uint32_t>(first);
   n.last = static_cast<std::uint32_t>(last);
@@ -153,19 +179,19 @@ void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
     // Sorts by number: std::nth_element leaves another order in each standard library.
     std::sort(order_.begin() + static_cast<std::ptrdiff_t>(first),
               order_.begin() + static_cast<std::ptrdiff_t>(last));
-    for (std::size_t i = first; i < last; ++i) places_[i] = sites_[order_[i]].position;
+    for (std::size_t i = first; i < last; ++i) sites_[i] = sites[order_[i]];
     bound_leaf(n);
     nodes_[self] = n;
     return;
   }
   const std::size_t middle = first + (last - first) / 2;
-  halve(first, middle, last);
+  halve(sites, first, middle, last);
   n.right = static_cast<std::uint32_t>(self + 1 + node_count(middle - first));
   const auto build_half = [&](std::size_t half) {
     if (half == 0)
-      build(self + 1, first, middle);
+      build(sites, self + 1, first, middle);
     else
-      build(n.right, middle, last);
+      build(sites, n.right, middle, last);
   };
   constexpr std::size_t worth_a_task = 4096;
   if (last - first >= worth_a_task)
@@ -174,6 +200,30 @@ void site_tree::build(std::size_t self, std::size_t first, std::size_t last) {
     for (std::size_t half = 0; half < 2; ++half) build_half(half);
   bound_parent(n, nodes_[self + 1], nodes_[n.right]);
   nodes_[self] = n;
+}
+
+// For the covector x, sites w in a node matter only with |w.x - v.x| <= (|x|_v + max(|x|_v, |x|_w))
+// reach, of which `most` is an upper bound: its three roundings and that of the difference are
+// within `up`, and underflow within the summand.
+bool site_tree::may_reach(const site& v, double reach) const {
+  if (!(reach < infinity)) return true;
+  const by_covector own =
+      roots_above(squared_lengths(v.metric, inverse_determinant_above(v.metric)));
+  const two_doubles at = pair(v.position.x, v.position.y);
+  std::array<std::size_t, most_depth> open;
+  std::size_t waiting = 0;
+  if (!nodes_.empty()) open[waiting++] = 0;
+  while (waiting > 0) {
+    const std::size_t self = open[--waiting];
+    const node& n = nodes_[self];
+    const two_doubles most =
+        (own.axes + greater_of(own, n.length).axes) * both(reach * roundings::up) + both(0x1p-900);
+    if (any_less(most, n.least.axes - at) || any_less(most, at - n.greatest.axes)) continue;
+    if (n.right == 0) return true;
+    open[waiting++] = n.right;
+    open[waiting++] = self + 1;
+  }
+  return false;
 }
 
 void site_tree::gather(std::span<const star_extent> stars, std::vector<std::size_t>& leaves,

@@ -29,8 +29,12 @@ namespace asterism::internal::audit_detail {
 
 class site_tree {
  public:
-  // Builds the tree of sites that are finite and positive definite, and that must outlive it.
+  // Builds the tree of sites that are finite and positive definite.
   explicit site_tree(const std::vector<site>& sites);
+
+  // Takes the metrics of sites at the places of which the tree was built, and bounds the nodes with
+  // a metric that has changed again.
+  void take_metrics(const std::vector<site>& sites);
 
   // Returns the numbers of all sites, ordered so that sites near each other are close in the list.
   const std::vector<vertex_index>& order() const { return order_; }
@@ -44,6 +48,10 @@ class site_tree {
   void visit_near(const star_extent& star, const Visit& visit) const {
     visit_leaves(star, 0, [&](std::size_t leaf) { return visit_leaf(leaf, star, 0, visit); });
   }
+
+  // True unless the extents along the axes alone show that no site matters to gaps of this reach, a
+  // length in v's metric. Takes a part of the time of a search.
+  bool may_reach(const site& v, double reach) const;
 
   // Descends once for several stars: sets `leaves` to those that contain all sites which visit_near
   // visits for any of them, except leaves that end before `from` in the order.
@@ -74,8 +82,11 @@ class site_tree {
 
   // Returns the number of nodes of a tree with this number of sites, at least one.
   static std::size_t node_count(std::size_t sites);
-  void build(std::size_t self, std::size_t first, std::size_t last);
-  void halve(std::size_t first, std::size_t middle, std::size_t last);
+  void build(const std::vector<site>& sites, std::size_t self, std::size_t first, std::size_t last);
+  void halve(const std::vector<site>& sites, std::size_t first, std::size_t middle,
+             std::size_t last);
+  // Takes the metrics of a leaf's sites. Returns whether one has changed.
+  bool take_metrics_of_leaf(const node& n, const std::vector<site>& sites);
   void bound_leaf(node& n) const;
   void bound_metrics_of_leaf(node& n) const;
   static void bound_parent(node& n, const node& left, const node& right);
@@ -100,10 +111,9 @@ class site_tree {
   template <class Visit>
   void visit_leaves(const star_extent& stars, std::size_t from, const Visit& visit) const;
 
-  const std::vector<site>& sites_;
   std::vector<vertex_index> order_;
   std::vector<std::size_t> groups_;
-  std::vector<point> places_;  // in that order
+  std::vector<site> sites_;  // in that order
   std::vector<node> nodes_;
   double lost_ = 0;  // at least the errors of values at sites
 };
@@ -135,7 +145,7 @@ bool site_tree::visit_leaf(std::size_t leaf, const star_extent& star, std::size_
   const star_extent::box box = star.box_for(n.length, lost_);
   if (box.excludes(n.least, n.greatest)) return true;
   for (std::size_t i = n.first < from ? from : n.first; i < n.last; ++i)
-    if (!box.excludes(places_[i]) && !is_beyond(sites_[order_[i]], star) &&
+    if (!box.excludes(sites_[i].position) && !is_beyond(sites_[i], star) &&
         !goes_on(visit, order_[i]))
       return false;
   return true;

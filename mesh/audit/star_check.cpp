@@ -18,6 +18,7 @@ void star_check::run(const vertex_index* begin, const vertex_index* end, const v
       prepare(*v);
       continue;
     }
+    if (!around_.concerns_star_of(*v)) continue;
     if (last - v > std::ptrdiff_t{sites_ahead}) context_.prefetch_around(v[sites_ahead]);
     context_.fans.visit(*v, [&](const vertex_fan& fan) { check_neighbours(*v, fan); });
   }
@@ -123,7 +124,7 @@ void star_check::prepare(vertex_index v) {
   double& known = context_.memory == nullptr ? none : context_.memory->reaches[v];
   double reach = 0;
   context_.fans.visit(v, [&](const vertex_fan& fan) {
-    if (!concerns(v, fan) && !is_reached(v, known)) {
+    if (!around_.concerns_star_of(v) && !is_reached(v, known)) {
       reach = greatest_bound(reach, known);
       return;
     }
@@ -133,13 +134,9 @@ void star_check::prepare(vertex_index v) {
   known = reach;
 }
 
-bool star_check::concerns(vertex_index v, const vertex_fan& fan) const {
-  return around_.concerns(v) || std::any_of(fan.link.begin(), fan.link.end(),
-                                            [this](vertex_index r) { return around_.concerns(r); });
-}
-
 bool star_check::is_reached(vertex_index v, double reach) {
   guard_.count(unit_of_look);
+  if (!around_.changed_sites.may_reach(at(v), reach)) return false;
   bool any = false;
   around_.changed_sites.visit_near({at(v), reach}, [&any](vertex_index) {
     any = true;

@@ -41,8 +41,8 @@ struct fan_gap {
   double reach = 0;          // how far from v sites matter to it
   bool has_kite = false;
   outline_point vertex;  // of the kite
-  // Numbers of the kernel's gap, made for the first question if it may be shared, and of the filter,
-  // made when that gap does not know something. Few gaps need either, and both are large.
+  // Numbers of the kernel's gap, made for the first question if it may be shared, and of the
+  // filter, made when that gap does not know something. Few gaps need either, and both are large.
   std::uint32_t prepared = none, filter = none;
 };
 
@@ -120,7 +120,6 @@ class star_check {
   // Prepares the fans of v and remembers their reaches. Leaves out fans that have no changed site
   // within reach.
   void prepare(vertex_index v);
-  bool concerns(vertex_index v, const vertex_fan& fan) const;
   // True if a changed site is within this reach of v, and may matter to its star.
   bool is_reached(vertex_index v, double reach);
   void prepare(vertex_index v, const vertex_fan& fan);

@@ -54,7 +54,12 @@ star_surroundings::star_surroundings(const audit_context& context)
       subsegments(context) {
   if (context.changed == nullptr) return;
   is_changed.assign(at.size(), 0);
-  for (const vertex_index v : *context.changed) is_changed[v] = 1;
+  is_near.assign(at.size(), 0);
+  for (const vertex_index v : *context.changed) {
+    is_changed[v] = is_near[v] = 1;
+    for (std::size_t i = context.edge_start[v]; i < context.edge_start[v + 1]; ++i)
+      is_near[context.edges[i].b] = is_near[context.edges[i].apex] = 1;
+  }
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -25,6 +25,9 @@ struct star_surroundings {
     return is_changed.empty() || (is_changed[v] | ...);
   }
 
+  // True if an answer about the star of v may have changed: v, or a corner of a triangle at v, has.
+  bool concerns_star_of(vertex_index v) const { return is_near.empty() || is_near[v] != 0; }
+
   // Builds the tree of all sites, or takes that of the mesh's own sites unless they were scaled to
   // unit size.
   void plant(audit_context& context) {
@@ -40,6 +43,7 @@ struct star_surroundings {
   std::vector<site> changed_list;  // the changed ones, in the context's order
   site_tree changed_sites;
   std::vector<char> is_changed;  // one flag a site; none where all is to be looked at
+  std::vector<char> is_near;     // and of sites in a triangle with a changed one
   subsegment_tree subsegments;
 };
 

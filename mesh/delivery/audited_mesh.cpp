@@ -33,6 +33,7 @@ void audited_mesh::take_changed(const adapting::editable_mesh& m) {
   for (const vertex_index v : node_of_) memory_.reaches.push_back(reaches[v]);
   memory_.power_of_squares = before.power_of_squares;
   memory_.triangulation = before.triangulation;
+  memory_.tree = std::move(before.tree);
   memory_.angle_bounds = std::move(before.angle_bounds);
 }
 

@@ -131,6 +131,53 @@ TEST_CASE("one descent for several stars leaves out only sites that are too far 
   CHECK(left_out.all > 1000000);
 }
 
+TEST_CASE("a search is passed over only where all sites are too far") {
+  const std::uint64_t seed = 36;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  left_out_sites left_out;
+  for (int round = 0; round < 60; ++round) {
+    const double offset = round % 4 == 3 ? 1e8 : 0, scale = std::ldexp(1.0, 200 * (round % 5 - 2));
+    const auto draw_site = [&] {
+      return site{{(offset + random.real(-1, 1)) * scale, random.real(-1, 1) * scale},
+                  random_metric(random, round % 3 * 3.0)};
+    };
+    std::vector<site> sites;
+    for (int i = 0; i < 20; ++i) sites.push_back(draw_site());
+    const site_tree tree(sites);
+    for (int i = 0; i < 200; ++i) {
+      const site v = draw_site();
+      const double reach = scale * std::exp(random.real(-8, -1));
+      if (!tree.may_reach(v, reach)) left_out.count(sites, v, reach, [](auto) {});
+    }
+    CHECK(tree.may_reach(draw_site(), std::numeric_limits<double>::infinity()));
+  }
+  CHECK(left_out.wrong == 0);
+  CHECK(left_out.all > 10000);
+}
+
+TEST_CASE("a tree that takes other metrics finds what a new tree finds") {
+  splitmix64 random(37);
+  std::vector<site> sites;
+  for (int i = 0; i < 500; ++i)
+    sites.push_back({{random.real(-1, 1), random.real(-1, 1)}, random_metric(random, 2)});
+  site_tree kept(sites);
+  for (int round = 0; round < 10; ++round) {
+    for (int i = 0; i < 2 * round; ++i)
+      sites[static_cast<std::size_t>(random.real(0, 500))].metric = random_metric(random, 2);
+    kept.take_metrics(sites);
+    const site_tree renewed(sites);
+    CHECK(kept.order() == renewed.order());
+    for (const site& v : sites) {
+      const star_extent star(v, std::exp(random.real(-4, 0)));
+      std::vector<vertex_index> of_kept, of_renewed;
+      kept.visit_near(star, [&](auto w) { of_kept.push_back(w); });
+      renewed.visit_near(star, [&](auto w) { of_renewed.push_back(w); });
+      REQUIRE(of_kept == of_renewed);
+    }
+  }
+}
+
 TEST_CASE("stars stretched a thousandfold in any direction are compared with few sites") {
   for (const double turn : {0.0, 0.4, 1.2, 2.5}) {
     splitmix64 random(35);
