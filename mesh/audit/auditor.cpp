@@ -158,6 +158,7 @@ void auditor::ask(const std::vector<vertex_index>* changed, audit_memory* memory
   context.memory = memory;
   context.leaves_open = effort.hard == hard_questions::left_open;
   context.many_for_a_gap = effort.many_for_a_gap;
+  context.many_open_at_a_gap = effort.many_open_at_a_gap;
   if (memory != nullptr) memory->open.clear();
   check_all(context);
   charge(context);

@@ -24,6 +24,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -48,6 +49,9 @@ struct audit_effort {
   // Number of sites from which a gap of unknown reach counts as a hard question, and may be left
   // open. With fewer sites, each is tested against the gap.
   std::size_t many_for_a_gap = 0;
+  // Number of questions left open about one gap from which on the gap itself is left open, and no
+  // further site is tested against it.
+  std::size_t many_open_at_a_gap = std::numeric_limits<std::size_t>::max();
 };
 
 class auditor {

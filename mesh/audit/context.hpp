@@ -62,6 +62,7 @@ struct audit_context : triangulation_lists {
   audit_memory* memory = nullptr;
   bool leaves_open = false;        // hard questions about stars, to the memory
   std::size_t many_for_a_gap = 0;  // sites, for a gap of which no reach is known to be a hard one
+  std::size_t many_open_at_a_gap = 0;  // questions about a gap, for the gap itself to be left open
 
   // Returns a kernel that counts its decisions in the report: for the thread that owns the context.
   filtered_kernel kernel() const { return filtered_kernel(report.counters); }

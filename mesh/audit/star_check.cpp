@@ -257,7 +257,7 @@ bool star_check::is_accepted(vertex_index v, vertex_index w, fan_gap& gap) {
   // times as long when it needs intervals.
   if (star_gap_filter(at(w), at(gap.y), at(gap.x)).excludes(at(v))) return false;
   if (context_.leaves_open) {
-    if (sight_.clear(v, w)) leave_open(v, w, gap.x, gap.y, open_question::about::other_site);
+    if (sight_.clear(v, w)) leave_open(v, w, gap);
     return false;
   }
   ++tally_.part.star_pairs_tested;
@@ -272,6 +272,13 @@ bool star_check::is_accepted_or_open(vertex_index v, vertex_index w, vertex_inde
   if (answer.certain()) return answer.value();
   leave_open(v, w, x, y, open_question::about::neighbour);
   return true;
+}
+
+void star_check::leave_open(vertex_index v, vertex_index w, fan_gap& gap) {
+  leave_open(v, w, gap.x, gap.y, open_question::about::other_site);
+  if (++gap.left_open < context_.many_open_at_a_gap) return;
+  leave_open(v, v, gap.x, gap.y, open_question::about::gap);
+  gap.is_skipped = true;
 }
 
 void star_check::leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,

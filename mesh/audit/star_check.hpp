@@ -44,6 +44,7 @@ struct fan_gap {
   // Numbers of the kernel's gap, made for the first question if it may be shared, and of the
   // filter, made when that gap does not know something. Few gaps need either, and both are large.
   std::uint32_t prepared = none, filter = none;
+  std::size_t left_open = 0;  // number of questions about single sites
 };
 
 // The way from v to a neighbour.
@@ -184,6 +185,8 @@ class star_check {
   bool is_accepted_or_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y);
   void leave_open(vertex_index v, vertex_index w, vertex_index x, vertex_index y,
                   open_question::about what);
+  // Leaves open whether the gap accepts w, and after many such questions the gap itself.
+  void leave_open(vertex_index v, vertex_index w, fan_gap& gap);
   // Work units of comparing a site with a ray, and of preparing the ray: 50 and 5
   // nanoseconds.
   static constexpr double unit_of_look = 0.005, unit_of_gap = 0.0005;

@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
 
+// Number of open questions above which a star counts as one whose gaps reach far: few stars are
+// such, and they have nearly all questions.
+constexpr std::size_t many_open = 20;
+
 }  // namespace
 
 void audited_mesh::take(const adapting::editable_mesh& m) {
@@ -60,7 +64,7 @@ void audited_mesh::judge(std::size_t findings_kept) {
 
 void audited_mesh::judge_quickly() {
   auditor judge(subject_, question(all_findings));
-  judge.run({hard_questions::left_open, many_for_a_gap_});
+  judge.run({hard_questions::left_open, many_for_a_gap_, many_open + 1});
   keep(judge);
 }
 
@@ -71,7 +75,7 @@ void audited_mesh::judge_again(node_list changed, hard_questions hard) {
   for (vertex_index s = 0; s < node_of_.size(); ++s)
     if (std::binary_search(changed.begin(), changed.end(), node_of_[s])) sites.push_back(s);
   auditor judge(subject_, question(all_findings), *report_, std::move(memory_));
-  judge.recheck(sites, {hard, many_for_a_gap_});
+  judge.recheck(sites, {hard, many_for_a_gap_, many_open + 1});
   keep(judge);
 }
 
@@ -104,12 +108,12 @@ std::vector<node_list> audited_mesh::nodes_found() const {
   return all;
 }
 
-std::vector<node_list> audited_mesh::stars_with_open(std::size_t most) const {
+std::vector<node_list> audited_mesh::stars_with_many_open() const {
   std::map<vertex_index, std::vector<const open_question*>> stars;
   for (const open_question& q : memory_.open) stars[q.sites[0]].push_back(&q);
   std::vector<node_list> found;
   for (const auto& [centre, questions] : stars) {
-    if (questions.size() <= most) continue;
+    if (questions.size() <= many_open) continue;
     node_list& nodes = found.emplace_back();
     nodes.push_back(node_of_[centre]);
     for (const open_question* q : questions)

@@ -59,9 +59,9 @@ class audited_mesh {
   // Returns the nodes of each finding, a list for each: of findings about stars, and of triangles
   // with an angle below the bound.
   std::vector<node_list> nodes_found() const;
-  // Returns the stars that have more than `most` open questions, a list of nodes for each: its
-  // centre, and the neighbours that the questions are about.
-  std::vector<node_list> stars_with_open(std::size_t most) const;
+  // Returns the stars that have many open questions, a list of nodes for each: its centre, and the
+  // neighbours that the questions are about.
+  std::vector<node_list> stars_with_many_open() const;
   // Returns the nodes of each open question.
   std::vector<node_list> nodes_of_open() const;
 

@@ -125,10 +125,7 @@ class giver {
     const auto take_back = [&](const node_list& nodes) { giving_.take_back(nodes, taken); };
     const std::vector<node_list> found = audited_.nodes_found();
     for (const node_list& nodes : found) take_back(nodes);
-    // Number of open questions from which a star counts as one whose gaps reach far: few stars are
-    // such, and they have nearly all questions.
-    constexpr std::size_t many = 20;
-    for (const node_list& star : audited_.stars_with_open(many)) {
+    for (const node_list& star : audited_.stars_with_many_open()) {
       const std::size_t before = taken.size();
       take_back({star.front()});
       if (taken.size() == before) take_back({star.begin() + 1, star.end()});

@@ -5,9 +5,11 @@
 #include "asterism/mesh/audit/auditor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -261,6 +263,42 @@ TEST_CASE("a gap of which no reach is known is left open where there are many si
   CHECK(with_many > 0);
   CHECK(with_few == 0);
   CHECK(found > 0);
+}
+
+TEST_CASE("a gap with many open questions is left open itself") {
+  splitmix64 random{8};
+  constexpr std::size_t most = 2;
+  std::size_t gaps = 0, fewer = 0;
+  for (int round = 0; round < 20; ++round) {
+    const patch p = make_turned_patch(random);
+    audit_options asked;
+    asked.findings_kept = std::numeric_limits<std::size_t>::max();
+    const std::size_t of_few = p.m.sites.size() + 1;
+    auditor all(p.m, asked), some(p.m, asked);
+    all.run({hard_questions::left_open, of_few});
+    some.run({hard_questions::left_open, of_few, most});
+    std::map<std::array<asterism::vertex_index, 3>, std::size_t> questions, kept;
+    const auto count = [](const std::vector<open_question>& open, auto& by_gap) {
+      for (const open_question& q : open)
+        if (q.what == open_question::about::other_site)
+          ++by_gap[{q.sites[0], q.sites[2], q.sites[3]}];
+    };
+    count(all.open(), questions);
+    count(some.open(), kept);
+    std::size_t many = 0;
+    for (const auto& [gap, number] : questions) {
+      CHECK(kept[gap] == std::min(number, most));
+      many += number >= most;
+      fewer += number - kept[gap];
+    }
+    CHECK(count_open_gaps(some.open()) == many);
+    gaps += many;
+    std::vector<asterism::vertex_index> every(p.m.sites.size());
+    std::iota(every.begin(), every.end(), asterism::vertex_index{0});
+    CHECK(stars_found(some.recheck(every)) == stars_found(audit(p.m, asked)));
+  }
+  CHECK(gaps > 5);
+  CHECK(fewer > 5);
 }
 
 TEST_CASE("parts of an audit find what the whole of it finds") {
