@@ -92,5 +92,5 @@ def picture(path, points, triangles, values, title, window=None):
             each.set_ylim(*window[2:])
     axes[0].set_title(title, fontsize=9)
     figure.tight_layout()
-    figure.savefig(path, dpi=110)
+    figure.savefig(path, dpi=110, bbox_inches="tight")  # the title lies above the axes, where a figure is cut off
     pyplot.close(figure)
