@@ -31,7 +31,8 @@ DOMAIN = """5 2
 curves 1
 1 circle 5  0.2 0.2  5
 """
-WAYS = {"circle": ["--domain", "cylinder.poly"], "polygon": []}
+WAYS = {"circle": ["--domain", "cylinder.poly"], "polygon": [],
+        "short-chords": ["--domain", "cylinder.poly", "--chord-tolerance", "1e-5"]}
 
 
 def run(options, folder, *words):
@@ -64,7 +65,7 @@ def main():
     parser.add_argument("--freefem", default="FreeFem++-nw")
     parser.add_argument("--work", default="/tmp/bench-cylinder")
     parser.add_argument("--vertices", nargs="+", type=int, default=[1500, 3000, 6000, 12000])
-    parser.add_argument("--ways", nargs="+", choices=WAYS, default=list(WAYS))
+    parser.add_argument("--ways", nargs="+", choices=WAYS, default=["circle", "polygon"])
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--limit", type=float, default=1800)
     options = parser.parse_args()
