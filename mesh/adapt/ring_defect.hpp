@@ -2,15 +2,16 @@
 //
 // Measures the defect of a node at several places: how far angles of its faces are below an aim in
 // the wanted tensors, and by how much the node is too near to the Voronoi vertices of the faces
-// across from it. Values that do not depend on the place are collected once. Internal to
-// mesh/adapt.
+// across from it. Values that do not depend on the place are collected once, in arrays, for loops
+// over all faces without branches. Internal to mesh/adapt.
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <vector>
 
 #include "asterism/core/site.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/adapt/node_ring.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -22,57 +23,56 @@ struct wanted_tensor {
 
 class ring_defect {
  public:
+  // Largest number of faces around a node.
+  static constexpr std::size_t most_faces = node_ring::most_faces;
+
   // Takes the cotangent of the least angle without defect.
   explicit ring_defect(double cotangent) : cotangent_(cotangent) {}
 
   // Begins with a node of no faces.
-  void clear();
+  void clear() { neighbours_ = centres_ = 0; }
   // Adds a neighbour, counter-clockwise: one face lies between each two in a row. The first one is
-  // added again at the end where the faces close.
+  // added again at the end where the faces close. Requires room for one more face.
   void add_neighbour(const point& at, const wanted_tensor& wanted);
-  // Adds the Voronoi vertex of a face across from the node.
-  void add_centre(const face_centre& c) { centres_.push_back(c); }
+  // Adds the Voronoi vertex of a face across from the node, of one for each face.
+  void add_centre(const face_centre& c);
 
   // Returns the defect of the faces in the wanted tensors of the neighbours, with the node at this
   // place. Ends once the sum reaches `most`.
   double of_others(const point& at, double most);
   // Returns the defect of the faces in the wanted tensor of the node, plus that of the faces across
-  // towards it, at the place of the last call of of_others(), which must not have ended early. Ends
-  // once the sum reaches `most`.
-  double of_own(const wanted_tensor& wanted, double most) const;
+  // towards it, at the place of the last call of of_others(). Ends once the sum reaches `most`.
+  double of_own(const wanted_tensor& wanted, double most);
 
  private:
-  // Squares and product of the two coordinates of a vector, or products of those of two; the
-  // product of different coordinates is doubled.
-  struct products {
-    double xx, xy, yy;
-  };
-  // A neighbour, and its displacement from the node at the place that is tried.
-  struct spoke {
-    point at;
-    wanted_tensor wanted;
-    point from_node;
-    products squares;
-    double own_squared;  // length in its wanted tensor
-  };
-  // Determines the angles of the face between two spokes: products of their coordinates, and twice
-  // its area.
-  struct face_products {
-    products inner;
-    double twice;
+  // One value for each neighbour, or for the face from a neighbour to the next one. Padded to an
+  // even number of faces.
+  using values = std::array<double, most_faces + 2>;
+  // Greatest cotangents of faces' angles in a tensor, times the area there, the areas, and by how
+  // much the former are surely below the bound, if positive. Areas are doubled.
+  struct cotangents {
+    values greatest, area, below;
   };
 
-  static double measured(const metric_tensor& m, const products& p) {
-    return m.m11 * p.xx + m.m12 * p.xy + m.m22 * p.yy;
-  }
-  static void measure_from(const point& at, spoke& s);
-  static face_products between(const spoke& p, const spoke& q);
-  double of_angles(double uu, double ww, double uw, double area) const;
+  void put(std::size_t k, const point& at, const wanted_tensor& wanted);
+  void measure_from(point place);
+  std::size_t faces() const { return neighbours_ == 0 ? 0 : neighbours_ - 1; }
+  double of_angles(const cotangents& c, std::size_t k) const;
+  double of_centres(metric_tensor m, double most, double sum);
 
   double cotangent_;
   point place_;
-  std::vector<spoke> spokes_;
-  std::vector<face_centre> centres_;
+  std::size_t neighbours_ = 0, centres_ = 0;
+  values x_, y_, m11_, m12_, m22_, root_;  // of the neighbours, with their wanted tensors
+  // Displacements of the neighbours from the place, their squares, the doubled product of their
+  // coordinates, and their squared lengths in the wanted tensors.
+  values to_x_, to_y_, xx_, xy_, yy_, own_;
+  // Products of the displacements at both ends of a face, and twice the face's area.
+  values inner_xx_, inner_xy_, inner_yy_, twice_;
+  cotangents by_first_, by_second_, by_node_;
+  // Of the faces across: their Voronoi vertices, squared radii, and the squared distances from
+  // which these are far enough, and those from the node.
+  values centre_x_, centre_y_, squared_radius_, far_, distance_;
 };
 
 }  // namespace asterism::internal::adapting

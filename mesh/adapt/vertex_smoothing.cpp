@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
@@ -121,8 +120,8 @@ void vertex_smoothing::find_defect_free() {
       const node_kind kind = m_.at(v).kind;
       if (kind != node_kind::free && kind != node_kind::sliding) continue;
       at.turn_to(v);
-      collect(at, v, ring);
-      is_defect_free_[v] = present_defect(ring, v) > 0 ? 0 : 1;
+      const bool has_defect = collect(at, v, ring) && present_defect(ring, v) > 0;
+      is_defect_free_[v] = has_defect ? 0 : 1;
     }
   });
 }
@@ -153,9 +152,11 @@ vertex_smoothing::side_products vertex_smoothing::sides_of(vertex_index t) const
           across - back};
 }
 
-// Collects what the defect of v depends on, besides its place and its tensor.
-void vertex_smoothing::collect(edges_around& at, vertex_index v, ring_defect& ring) const {
+// Collects what the defect of v depends on, besides its place and its tensor. Returns false where
+// there are too many faces: such a node stays.
+bool vertex_smoothing::collect(edges_around& at, vertex_index v, ring_defect& ring) const {
   ring.clear();
+  if (at.faces().size() > ring_defect::most_faces) return false;
   const auto add = [&](vertex_index u) { ring.add_neighbour(m_.at(u).position, wanted_[u]); };
   for (const vertex_index t : at.faces()) {
     const face& f = m_.faces()[t];
@@ -167,6 +168,7 @@ void vertex_smoothing::collect(edges_around& at, vertex_index v, ring_defect& ri
     ring.add_centre(c);
     return true;
   });
+  return true;
 }
 
 double vertex_smoothing::present_defect(ring_defect& ring, vertex_index v) const {
@@ -174,14 +176,11 @@ double vertex_smoothing::present_defect(ring_defect& ring, vertex_index v) const
   return of_others + ring.of_own(wanted_[v], infinity);
 }
 
-// Returns the energy of the faces around the node: the one to which the mesh was fitted.
-double vertex_smoothing::energy() const {
-  double sum = 0;
-  for (const vertex_index t : edges_.faces()) {
-    const face& f = m_.faces()[t];
-    sum += shape_energy(m_.at(f.v[0]), m_.at(f.v[1]), m_.at(f.v[2]), unit_);
-  }
-  return sum;
+// Returns the energy of the faces around the node at hand if it were like this: the one to which
+// the mesh was fitted.
+double vertex_smoothing::energy_of(const node& there) {
+  shapes_.measure(there, unit_, energies_);
+  return energies_.sum;
 }
 
 // Lists the places at this distance from v, in units, with a smaller defect than `now`, the best
@@ -192,28 +191,25 @@ void vertex_smoothing::find_better_places(vertex_index v, double step, double no
   constexpr double weight_of_energy = 4;
   better_.clear();
   const node here = m_.at(v);
+  node there = here;
   const unit_displacements unit = unit_circle(here.metric);
   m_.note_looked_at(2 * work_weights::faces_for_place * directions.size() * edges_.faces().size());
   for (const point& d : directions) {
     const double x = unit_ * step * d.x, y = unit_ * step * d.y;
-    point to{here.position.x + x * unit.first.x + y * unit.second.x,
-             here.position.y + x * unit.first.y + y * unit.second.y};
-    if (here.kind == node_kind::sliding) {
-      m_.move(v, here.position);
-      to = m_.on_segment(v, to);
-    }
+    point& to = there.position;
+    to = {here.position.x + x * unit.first.x + y * unit.second.x,
+          here.position.y + x * unit.first.y + y * unit.second.y};
+    if (here.kind == node_kind::sliding) to = m_.on_segment(v, to);
     double then = ring_.of_others(to, now);
     if (!(then < now)) continue;
     vertex_index hint = here.hint;
     const wanted_tensor wanted = look_up(to, hint);
     then += ring_.of_own(wanted, now - then);
     if (!(then < now)) continue;
-    m_.move(v, to);
     // The energy is infinite where a face turns over, though its defect is finite.
-    then += weight_of_energy * (energy() - energy_now);
+    then += weight_of_energy * (energy_of(there) - energy_now);
     if (then < now) better_.push_back({to, wanted, hint, then});
   }
-  m_.move(v, here.position);
   std::stable_sort(better_.begin(), better_.end(),
                    [](const place& p, const place& q) { return p.defect < q.defect; });
 }
@@ -271,10 +267,10 @@ bool vertex_smoothing::take_place(vertex_index v) {
 // taken.
 bool vertex_smoothing::settle(vertex_index v) {
   edges_.turn_to(v);
-  collect(edges_, v, ring_);
+  if (!collect(edges_, v, ring_)) return false;
   const double now = present_defect(ring_, v);
-  if (!(now > 0)) return false;
-  const double energy_now = energy();
+  if (!(now > 0) || !shapes_.gather(m_, v, edges_.faces())) return false;
+  const double energy_now = energy_of(m_.at(v));
   for (const double step : {0.15, 0.05}) {
     find_better_places(v, step, now, energy_now);
     if (!take_place(v)) continue;

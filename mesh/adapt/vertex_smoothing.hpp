@@ -18,6 +18,7 @@
 #include "asterism/mesh/adapt/edges_around.hpp"
 #include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/adapt/node_ring.hpp"
 #include "asterism/mesh/adapt/ring_defect.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -53,9 +54,9 @@ class vertex_smoothing {
   // on.
   struct side_products;
   side_products sides_of(vertex_index t) const;
-  void collect(edges_around& at, vertex_index v, ring_defect& ring) const;
+  bool collect(edges_around& at, vertex_index v, ring_defect& ring) const;
   double present_defect(ring_defect& ring, vertex_index v) const;
-  double energy() const;
+  double energy_of(const node& there);
   void find_better_places(vertex_index v, double step, double now, double energy_now);
   bool stretches_edge(vertex_index v, const point& here, const place& there) const;
   bool may_be_at(vertex_index v, const place& there);
@@ -67,6 +68,8 @@ class vertex_smoothing {
   present_centres present_;
   edges_around edges_;
   ring_defect ring_;  // of the node at hand
+  node_ring shapes_;  // of its faces
+  node_ring::energies energies_;
   double angle_bound_, unit_;
   wanted_at field_;
   std::vector<wanted_tensor> wanted_;  // of each node
