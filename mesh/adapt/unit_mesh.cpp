@@ -11,6 +11,12 @@
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
+namespace {
+
+constexpr double area_of_face = std::numbers::sqrt3 / 4;  // with edges of length one
+
+}  // namespace
+
 // Walks from a face to the one that has the place, or to the edge of the boundary, or of a frame,
 // beyond which it is. Returns no face where the walk does not end.
 unit_mesh_remesher::located unit_mesh_remesher::locate(const point& q, vertex_index from) const {
@@ -80,16 +86,42 @@ std::pair<double, std::size_t> unit_mesh_remesher::measured_area() const {
   return whole;
 }
 
+// Returns the sum of the lengths of the boundary's edges.
+double unit_mesh_remesher::boundary_length() const {
+  double sum = 0;
+  m_.note_looked_at(m_.faces().size());
+  for (const face& f : m_.faces())
+    for (std::size_t i = 0; f.exists() && i < 3; ++i)
+      if (f.next[i] == none) sum += m_.length(f.v[after(i)], f.v[before(i)]);
+  return sum;
+}
+
+// Returns the length for which equilateral faces would give the wanted number of nodes, with as
+// many edges on the boundary as it is lengths long. No shorter than that with which the boundary
+// alone has that number: where the domain is thinner than one row of equilateral faces, each edge
+// of the boundary has a face.
+double unit_mesh_remesher::unit_for_boundary(double area) const {
+  const double half = boundary_length() / 2, faces = area / (2 * area_of_face);
+  const auto count = static_cast<double>(options_.count);
+  return std::max((half + std::sqrt(half * half + 4 * faces * count)) / (2 * count),
+                  2 * half / count);
+}
+
 // Sets the unit to the length for which equilateral faces would give the wanted number of nodes,
-// from the area in the metric of the nodes.
+// from the area in the metric of the nodes. Where most nodes are on the boundary their number is
+// computed, too: as it is now, it would leave no faces for the inside where there are too many.
 void unit_mesh_remesher::measure_unit() {
   if (options_.count == 0) return;
   const auto [area, faces] = measured_area();
   // Uses that twice the number of nodes less the number of faces depends on the boundary alone
   // (Euler).
   const double boundary = 2 * static_cast<double>(m_.count()) - static_cast<double>(faces);
-  const double wanted = std::max(1.0, 2 * static_cast<double>(options_.count) - boundary);
-  const double unit = crowding_ * std::sqrt(area / (wanted * std::numbers::sqrt3 / 4));
+  const auto count = static_cast<double>(options_.count);
+  const double wanted = std::max(1.0, 2 * count - boundary);
+  constexpr double most_nodes = 0.75;
+  const double fitting = boundary > most_nodes * count ? unit_for_boundary(area)
+                                                       : std::sqrt(area / (wanted * area_of_face));
+  const double unit = crowding_ * fitting;
   constexpr double most = 2;  // in one step: a coarse mesh measures badly
   if (std::isfinite(unit) && unit > 0) unit_ = std::clamp(unit, unit_ / most, unit_ * most);
 }

@@ -102,6 +102,8 @@ class unit_mesh_remesher {
   };
   located locate(const point& q, vertex_index from) const;
   std::pair<double, std::size_t> measured_area() const;
+  double boundary_length() const;
+  double unit_for_boundary(double area) const;
   void measure_unit();
   void meet_count();
   // True if the run is to stop; called between passes, and charges their work.

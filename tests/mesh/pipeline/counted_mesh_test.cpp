@@ -80,7 +80,7 @@ counted_mesh made_near(std::size_t wanted, const mesh_source& source) {
 TEST_CASE(
     "the metric was scaled once, and a narrow strip had other numbers of vertices than were "
     "wanted") {
-  constexpr std::size_t wanted = 50;
+  constexpr std::size_t wanted = 24;
   const mesh_options options = options_for(wanted);
   const mesh_source source{strip(), in_metric("identity")};
   const auto first = prepare_mesh_input(source, options);
