@@ -25,10 +25,10 @@ namespace {
 
 constexpr double tolerable = 0.02;  // of the target
 
-// Returns the longer side of the box around the sites.
-double extent_of(const mesh& m) {
+// Returns the sides of the box around the sites.
+std::array<double, 2> sides_of(const mesh& m) {
   const bounding_box box = box_of_sites(m.sites);
-  return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  return {box.high.x - box.low.x, box.high.y - box.low.y};
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ metric_maker::metric_maker(const mesh& m, const solution_metric_options& options
       others_(intersected),
       links_(m),
       areas_(nodal_areas(m, links_)),
-      extent_(extent_of(m)) {}
+      sides_(sides_of(m)) {}
 
 std::optional<error> metric_maker::set_implied() {
   if (!options_.step) return {};
@@ -69,7 +69,7 @@ void metric_maker::note_marks(const std::vector<std::uint8_t>& marks) {
 double metric_maker::greatest_size() const {
   constexpr double times = 1000;
   if (is_given_ && !options_.vertices && !options_.complexity) return options_.greatest_size;
-  return std::min(options_.greatest_size, times * extent_);
+  return std::min(options_.greatest_size, times * extent());
 }
 
 tensors metric_maker::shaped(double factor) {

@@ -5,6 +5,8 @@
 // solution_metric.hpp.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -38,7 +40,10 @@ class metric_maker {
                const std::vector<tensors>& intersected);
 
   const std::vector<double>& areas() const { return areas_; }
-  double extent() const { return extent_; }
+  // Returns the longer side of the box around the sites.
+  double extent() const { return std::max(sides_[0], sides_[1]); }
+  // Returns the sides of that box.
+  const std::array<double, 2>& sides() const { return sides_; }
   const mesh_links& links() const { return links_; }
   solution_metric_report& report() { return report_; }
   void set_raw(tensors raw) { raw_ = std::move(raw); }
@@ -72,7 +77,7 @@ class metric_maker {
   const std::vector<tensors>& others_;
   mesh_links links_;
   std::vector<double> areas_;
-  double extent_;
+  std::array<double, 2> sides_;
   bool is_given_ = false, hessians_given_ = false;
   tensors raw_, implied_, made_;
   std::vector<tensors> recovered_;

@@ -43,7 +43,7 @@ double root_of(const metric_tensor& m) {
 }
 
 // Computes the optimum with logarithms of all numbers, so that no power overflows: the moduli
-// divided by the greatest of all, D, the least density and the least eigenvalue allowed.
+// divided by the greatest of all, D, the least density and the least eigenvalues allowed.
 //
 // At each place the density is the greatest of three: that without bounds, that with the weaker
 // eigenvalue at its bound, and the least. With r = (2p+2) / (2p+1), moduli a >= b, the bound w and
@@ -59,11 +59,15 @@ class optimum_search {
     for (const symmetric_eigen& e : moduli) greatest = std::max({greatest, e.first, e.second});
     const double area = ordered_sum(areas.size(), [&](std::size_t v) { return areas[v]; });
     bound_ = elementary::log(bounds.floor_share / area);
-    edge_bound_ = std::min(bound_, elementary::log(bounds.eigenvalue));
+    const double edge_bound = elementary::log(bounds.eigenvalue);
     for_each_node(moduli.size(), [&](std::size_t v) {
       const symmetric_eigen& e = moduli[v];
+      const bool is_turned = e.first < e.second;
+      const double longest =
+          is_turned ? longest_in(bounds.sides, e.c, e.s) : longest_in(bounds.sides, e.s, e.c);
       logs_[v] = {log_of(std::max(e.first, e.second) / greatest),
-                  log_of(std::min(e.first, e.second) / greatest), e.first < e.second};
+                  log_of(std::min(e.first, e.second) / greatest),
+                  edge_bound - 2 * elementary::log(longest), is_turned};
     });
     is_flat_ = !(greatest > 0) || !find_factor();
     if (is_flat_) bound_ = -elementary::log(area);
@@ -78,9 +82,11 @@ class optimum_search {
     const place& at = logs_[v];
     double strong = factor_ + (1 - exponent_) * at.strong - exponent_ * at.weak,
            weak = factor_ + (1 - exponent_) * at.weak - exponent_ * at.strong;
-    if (!(weak >= edge_bound_)) {
-      strong = power_ * (factor_ - edge_bound_) + (2 - power_) * at.strong + edge_bound_;
-      weak = edge_bound_;
+    if (!(weak >= at.edge_bound)) {
+      strong = power_ * (factor_ - at.edge_bound) + (2 - power_) * at.strong + at.edge_bound;
+      weak = at.edge_bound;
+      // Makes edges equally long where they would be longer across than along.
+      if (strong < weak) strong = weak = (strong + weak) / 2;
     }
     if (!(strong + weak >= 2 * bound_)) {
       strong = std::max(strong, bound_);
@@ -107,8 +113,14 @@ class optimum_search {
  private:
   struct place {
     double strong, weak;  // strong >= weak, at most 0, -infinity for none
+    double edge_bound;    // of the weaker eigenvalue
     bool is_turned;       // the second of the moduli is the stronger
   };
+
+  // Returns the length of the longest edge in this direction in a box with these sides; at most 1.
+  static double longest_in(const std::array<double, 2>& sides, double x, double y) {
+    return std::min({1.0, sides[0] / std::abs(x), sides[1] / std::abs(y)});
+  }
 
   static double log_of(double x) {
     return x > 0 ? elementary::log(x) : -std::numeric_limits<double>::infinity();
@@ -118,7 +130,7 @@ class optimum_search {
     return (0.5 - exponent_) * (p.strong + p.weak);  // less the logarithm of D
   }
   double line_density(const place& p) const {
-    return (2 - power_) / 2 * (p.strong + edge_bound_);  // less that of the root of D^r
+    return (2 - power_) / 2 * (p.strong + p.edge_bound);  // less that of the root of D^r
   }
 
   // Finds D such that the complexity is 1. The logarithm of the complexity is a convex increasing
@@ -165,7 +177,7 @@ class optimum_search {
   const std::vector<double>& areas_;
   double exponent_, power_;
   std::vector<place> logs_;
-  double bound_ = 0, edge_bound_ = 0, factor_ = 0;  // of density, of eigenvalues, D
+  double bound_ = 0, factor_ = 0;  // of density, D
   bool is_flat_ = false;
 };
 

@@ -8,6 +8,7 @@
 // (1), 2011.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -26,6 +27,9 @@ inline constexpr double usual_floor_share = 0.0025;
 struct optimum_bounds {
   double floor_share;  // the least density over that of a uniform metric; above 0, below 1
   double eigenvalue;   // of an edge as long as the domain, which none is to exceed; above 0
+  // Sides of the box around the domain, as parts of the longer one: along the shorter one edges are
+  // no longer than that.
+  std::array<double, 2> sides{1, 1};
 };
 
 struct optimal_metric {
@@ -39,11 +43,11 @@ struct optimal_metric {
 
 // Returns the optimal metric. `norm` is p >= 1; none stands for infinity. No density (the root of
 // the determinant) is below `floor_share` over the area of the domain, so that all places without
-// second derivatives take at most that share of the complexity. No eigenvalue is below the given
-// bound, or below the least density where that is less. Elsewhere the metric is the optimum under
-// these bounds. At a place with the least density the weaker eigenvalue is the lowest with that
-// density: from strong to flat places shapes change continuously. `round` gives both moduli the
-// greater one's value.
+// second derivatives take at most that share of the complexity. At denser places no eigenvalue is
+// below that of the longest edge along its eigenvector in the box, unless both are. Elsewhere the
+// metric is the optimum under these bounds. At a place with the least density the weaker eigenvalue
+// is the lowest with that density: from strong to flat places shapes change continuously. `round`
+// gives both moduli the greater one's value.
 optimal_metric make_optimal_metric(const std::vector<metric_tensor>& hessian,
                                    const std::vector<double>& areas, std::optional<double> norm,
                                    bool round, const optimum_bounds& bounds);

@@ -166,8 +166,10 @@ result<solution_metric> metric_of(const field_derivatives& found, metric_maker& 
                                   const solution_metric_options& options) {
   constexpr int most_rounds = 5;
   constexpr double tolerable_times = 1.5;
-  const double longest = maker.extent() * maker.extent();
-  optimum_bounds bounds{usual_floor_share, 1 / longest / first_complexity(options, maker)};
+  const double extent = maker.extent(), longest = extent * extent;
+  optimum_bounds bounds{usual_floor_share,
+                        1 / longest / first_complexity(options, maker),
+                        {maker.sides()[0] / extent, maker.sides()[1] / extent}};
   for (int round = 1;; ++round) {
     auto optima = intersected_optima(found, maker.areas(), options, bounds);
     if (options.error && optima.flat == found.moduli.size()) return no_second_derivatives();

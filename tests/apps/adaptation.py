@@ -605,6 +605,18 @@ class AdaptTest(AdaptationTest):
         done = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "1", "-o", "n.mesh", status=1)
         self.assertIn("1 vertices were wanted, and 4 are there", done.stderr)
 
+    def test_fields_that_vary_in_one_direction_have_the_number_wanted(self):
+        """All vertices are on two sides, and edges from one to the other are as long as the domain is high."""
+        for cells, height in (5, 1), (10, 0.1), (4, 10):
+            points, triangles = grid(cells)
+            points = [(x, height * y) for x, y in points]
+            self.write("o.mesh", mesh_text(points, triangles))
+            self.write("o.sol", solution_text([(x * x,) for x, _ in points]))
+            for wanted in 40, 60, 200:
+                with self.subTest(cells=cells, height=height, wanted=wanted):
+                    self.adapt("o.mesh", "--solution", "o.sol", "--vertices", str(wanted), "-o", "n.mesh")
+                    self.assertLess(abs(len(rows_after(self.folder / "n.mesh", "Vertices", 0)) / wanted - 1), 0.1)
+
     def test_extreme_targets_end(self):
         for wish in ("1e-300", "1e-20"):
             done = self.adapt("g.mesh", "--solution", "u.sol", "--complexity", wish, "-o", "n.mesh", status=1)
