@@ -150,6 +150,7 @@ std::optional<error> pending_files::add(const output_file& file) {
 
 result<std::vector<fs::path>> pending_files::put_in_place() {
   if (auto failed = replacement(places_).run(temporary_)) return *std::move(failed);
+  temporary_.clear();
   return places_;
 }
 
