@@ -172,6 +172,11 @@ void unit_mesh_remesher::fit(const effort& how) {
   }
 }
 
+void unit_mesh_remesher::make_states() {
+  face_states_.resize(m_.faces().size());
+  node_states_.resize(m_.nodes().size());
+}
+
 void unit_mesh_remesher::forget_shapes() {
   face_states_.clear();
   for (const vertex_index t : due_) state_of(t).is_due = true;

@@ -205,13 +205,15 @@ class unit_mesh_remesher {
     bool is_restless = false;  // it is to be tested for a move
   };
   face_state& state_of(vertex_index t) {
-    if (face_states_.size() <= t) face_states_.resize(m_.faces().size());
+    if (face_states_.size() <= t) make_states();
     return face_states_[t];
   }
   node_state& node_state_of(vertex_index v) {
-    if (node_states_.size() <= v) node_states_.resize(m_.nodes().size());
+    if (node_states_.size() <= v) make_states();
     return node_states_[v];
   }
+  // Makes states for all nodes and faces of the mesh.
+  void make_states();
   std::vector<face_state> face_states_;
   std::vector<node_state> node_states_;
   std::uint32_t changes_ = 0;      // of faces, so far
