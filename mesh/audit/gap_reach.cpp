@@ -88,6 +88,15 @@ void measure(measured_ray& ray, const metric_tensor& metric, double determinant,
 
 point minus(const point& a, const point& b) { return {a.x - b.x, a.y - b.y}; }
 
+// Returns the reach and kite that follow from the lesser of the two lower bounds of section 4.2 in
+// a direction; 0 is no bound.
+gap_bound reach_of(const measured_direction& to, double bound, const measured_ray& x,
+                   const measured_ray& y) {
+  if (!(bound > 0)) return {infinity, {}};
+  const double length = std::sqrt(to.squared.value) / bound * (widened * widened);
+  return {std::max({length, x.on_edge, y.on_edge}), {{to.u.x / bound, to.u.y / bound}, length}};
+}
+
 }  // namespace
 
 quick_reaches::quick_reaches(const site& v) : v_(v) {
@@ -113,22 +122,33 @@ gap_bound quick_reaches::between(const measured_ray& x, const measured_ray& y) c
   return along(towards_vertex(v_, *x.end, *y.end, x.way, y.way), x, y);
 }
 
-// Bounds the reach along the sum of the directions to x and to y, each of unit length in its own
-// neighbour's metric: the direction of the Voronoi vertex need not be within a right angle of both.
-gap_bound quick_reaches::midway(const measured_ray& x, const measured_ray& y) const {
-  if (!(x.is_known && y.is_known && cross(x.way, y.way) > 0)) return {infinity, {}};
-  return along({x.inverse_root_c * x.way.x + y.inverse_root_c * y.way.x,
-                x.inverse_root_c * x.way.y + y.inverse_root_c * y.way.y},
-               x, y);
+// Halves the angle towards the ray whose bound is less, a few times: any direction is a valid
+// choice. Begins midway as v measures, within a right angle of both rays. Ends where neither has a
+// bound.
+gap_bound quick_reaches::balanced(const measured_ray& x, const measured_ray& y) const {
+  constexpr int steps = 5;
+  gap_bound best{infinity, {}};
+  if (!(x.is_known && y.is_known && cross(x.way, y.way) > 0)) return best;
+  const double to_x = 1 / x.length, to_y = 1 / y.length;
+  double t = 0.5;
+  for (double step = 0.25; step > std::ldexp(0.25, -steps); step /= 2) {
+    const double a = (1 - t) * to_x, b = t * to_y;
+    const point u{a * x.way.x + b * y.way.x, a * x.way.y + b * y.way.y};
+    const measured_direction to{u, sized_square_norm(v_.metric, u)};
+    if (!is_known(to.squared)) break;
+    const double beside_x = bound_beside(v_, x, to), beside_y = bound_beside(v_, y, to);
+    if (!(std::max(beside_x, beside_y) > 0)) break;
+    const gap_bound found = reach_of(to, std::min(beside_x, beside_y), x, y);
+    if (found.vertex.length < best.vertex.length || !(best.reach < infinity)) best = found;
+    t += beside_x > beside_y ? step : -step;
+  }
+  return best;
 }
 
 gap_bound quick_reaches::along(const point& u, const measured_ray& x, const measured_ray& y) const {
   const measured_direction to{u, sized_square_norm(v_.metric, u)};
   if (!is_known(to.squared)) return {infinity, {}};
-  const double bound = std::min(bound_beside(v_, x, to), bound_beside(v_, y, to));
-  if (!(bound > 0)) return {infinity, {}};
-  const double length = std::sqrt(to.squared.value) / bound * (widened * widened);
-  return {std::max({length, x.on_edge, y.on_edge}), {{u.x / bound, u.y / bound}, length}};
+  return reach_of(to, std::min(bound_beside(v_, x, to), bound_beside(v_, y, to)), x, y);
 }
 
 namespace {

@@ -45,9 +45,10 @@ class quick_reaches {
   // v's metric, and the kite, with the lower bounds of 4.2; an infinite reach where plain doubles
   // prove none. Requires distinct sites with positive definite metrics.
   gap_bound between(const measured_ray& x, const measured_ray& y) const;
-  // Returns the bound along the direction midway between x and y: its reach may be finite where
-  // that of between() is infinite.
-  gap_bound midway(const measured_ray& x, const measured_ray& y) const;
+  // Returns the bound along a direction between x and y in which the lower bounds beside both are
+  // about equal: its reach may be finite where that of between() is infinite, as where the
+  // direction of the Voronoi vertex is not within a right angle of both.
+  gap_bound balanced(const measured_ray& x, const measured_ray& y) const;
 
  private:
   // Returns the reach and kite that follow from the lower bounds of section 4.2 in the direction u.

@@ -191,10 +191,10 @@ void star_check::bound(vertex_index v, fan_gap& gap, const quick_reaches& reache
   gap.has_kite = is_finite(quick.reach);
   if (quick.reach > edges * std::max(to_x.length, to_y.length)) sharpen(v, gap);
   if (gap.has_kite) return;
-  const gap_bound midway = reaches.midway(to_x, to_y);
-  gap.reach = std::min(gap.reach, midway.reach);
-  gap.vertex = midway.vertex;
-  gap.has_kite = is_finite(midway.reach);
+  const gap_bound balanced = reaches.balanced(to_x, to_y);
+  gap.reach = std::min(gap.reach, balanced.reach);
+  gap.vertex = balanced.vertex;
+  gap.has_kite = is_finite(balanced.reach);
 }
 
 void star_check::sharpen(vertex_index v, fan_gap& gap) {

@@ -239,10 +239,10 @@ void add_ray(std::vector<outline_point>& outline, const measured_ray& z) {
   outline.push_back({z.way});
 }
 
-// Returns the bound of a gap towards its vertex, or if that is not known, midway.
+// Returns the bound of a gap towards its vertex, or if that is not known, balanced.
 gap_bound bound_of(const quick_reaches& reaches, const measured_ray& x, const measured_ray& y) {
   const gap_bound bound = reaches.between(x, y);
-  return std::isfinite(bound.reach) ? bound : reaches.midway(x, y);
+  return std::isfinite(bound.reach) ? bound : reaches.balanced(x, y);
 }
 
 // Adds a star to the sites: neighbours all around, at distances that differ up to eightfold.

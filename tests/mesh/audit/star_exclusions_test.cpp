@@ -35,10 +35,10 @@ TEST_CASE("a middle direction along which a neighbour is never met bounds no rea
 
 namespace {
 
-// Returns the bound of a gap towards its vertex, or if that is not known, midway.
+// Returns the bound of a gap towards its vertex, or if that is not known, balanced.
 gap_bound bound_of(const quick_reaches& reaches, const measured_ray& x, const measured_ray& y) {
   const gap_bound bound = reaches.between(x, y);
-  return std::isfinite(bound.reach) ? bound : reaches.midway(x, y);
+  return std::isfinite(bound.reach) ? bound : reaches.balanced(x, y);
 }
 
 // True if w is certainly outside of the kite of the gap from x to y.
