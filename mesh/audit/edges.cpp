@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "asterism/mesh/audit/checks.hpp"
+#include "asterism/mesh/support/sort_by_counting.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -29,22 +30,23 @@ std::uint64_t in_one_number(vertex_index a, vertex_index b) {
 // degrees are bounded. The cost for vertices of any degree has the bound of std::sort.
 void list_edges(audit_context& context) {
   const auto& triangles = context.subject.triangles;
+  const std::size_t sites = context.subject.sites.size();
+  const auto& listed = context.triangles;
+  context.edges.resize(3 * listed.size());
   auto& start = context.edge_start;
-  start.assign(context.subject.sites.size() + 1, 0);
-  for (const vertex_index t : context.triangles)
-    for (const vertex_index v : triangles[t]) ++start[v + 1];
-  for (std::size_t v = 0; v + 1 < start.size(); ++v) start[v + 1] += start[v];
-  context.edges.resize(3 * context.triangles.size());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (const vertex_index t : context.triangles) {
-    const triangle& c = triangles[t];
-    for (std::size_t i = 0; i < 3; ++i)
-      context.edges[next[c[i]]++] = {c[i], c[(i + 1) % 3], c[(i + 2) % 3], t};
-  }
+  start = sort_by_counting(
+      context.edges.size(), sites,
+      [&](std::size_t k) { return std::size_t{triangles[listed[k / 3]][k % 3]}; },
+      [&](std::size_t at, std::size_t k) {
+        const vertex_index t = listed[k / 3];
+        const triangle& c = triangles[t];
+        const std::size_t i = k % 3;
+        context.edges[at] = {c[i], c[(i + 1) % 3], c[(i + 2) % 3], t};
+      });
   const auto at = [&](std::size_t i) {
     return context.edges.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  check_in_parallel(context, next.size(), [&](audit_tally&, std::size_t begin, std::size_t end) {
+  check_in_parallel(context, sites, [&](audit_tally&, std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
       std::sort(at(start[v]), at(start[v + 1]), [](const auto& l, const auto& r) {
         return in_one_number(l.b, l.triangle) < in_one_number(r.b, r.triangle);

@@ -11,6 +11,7 @@
 
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_by_counting.hpp"
 
 namespace asterism::internal {
 
@@ -27,16 +28,13 @@ class triangle_sides {
     for (const triangle& t : m.triangles) most = std::max({most, t[0], t[1], t[2]});
     if (sides_.empty()) return;
     // Distributes the sides by their first ends, then sorts the few of each.
-    first_.assign(std::size_t{most} + 2, 0);
-    for (const triangle& t : m.triangles)
-      for (const vertex_index v : t) ++first_[v + std::size_t{1}];
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (vertex_index t = 0; t < m.triangles.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const vertex_index a = m.triangles[t][i];
-        sides_[next[a]++] = {{a, m.triangles[t][(i + 1) % 3]}, t};
-      }
+    first_ = sort_by_counting(
+        sides_.size(), std::size_t{most} + 1,
+        [&m](std::size_t i) { return std::size_t{m.triangles[i / 3][i % 3]}; },
+        [&](std::size_t at, std::size_t i) {
+          const triangle& t = m.triangles[i / 3];
+          sides_[at] = {{t[i % 3], t[(i + 1) % 3]}, static_cast<vertex_index>(i / 3)};
+        });
     constexpr std::size_t vertices_at_once = 4096;  // for a thread
     parallel_chunks(first_.size() - 1, vertices_at_once,
                     [this](std::size_t, std::size_t begin, std::size_t end) {
