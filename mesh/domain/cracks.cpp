@@ -18,6 +18,7 @@
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
 #include "asterism/mesh/support/joined_sets.hpp"
+#include "asterism/mesh/support/parallel_for.hpp"
 #include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism {
@@ -36,24 +37,36 @@ bool are_in_range(const mesh& m) {
                       [&](const boundary_edge& e) { return is_missing(e.a) || is_missing(e.b); });
 }
 
+struct numbered_point {
+  point at;
+  vertex_index vertex;
+};
+
+// Returns the vertices sorted by place, then number. Sorts copies: the mesh has its vertices in any
+// order.
+std::vector<numbered_point> sorted_places(const mesh& m) {
+  std::vector<numbered_point> order;
+  order.reserve(m.sites.size());
+  for (const site& s : m.sites)
+    order.push_back({s.position, static_cast<vertex_index>(order.size())});
+  parallel_sort(order.begin(), order.end(), [](const numbered_point& p, const numbered_point& q) {
+    if (p.at.x != q.at.x) return p.at.x < q.at.x;
+    return p.at.y != q.at.y ? p.at.y < q.at.y : p.vertex < q.vertex;
+  });
+  return order;
+}
+
 // Returns for each vertex the first one at its place; empty where all places are different.
 std::vector<vertex_index> first_at_place(const mesh& m) {
-  std::vector<vertex_index> order(m.sites.size());
-  std::iota(order.begin(), order.end(), vertex_index{0});
-  const auto key = [&m](vertex_index v) {
-    return std::pair(m.sites[v].position.x, m.sites[v].position.y);
-  };
-  std::sort(order.begin(), order.end(), [key](vertex_index v, vertex_index w) {
-    return key(v) != key(w) ? key(v) < key(w) : v < w;
-  });
+  const std::vector<numbered_point> order = sorted_places(m);
   std::vector<vertex_index> first;
   for (std::size_t i = 1; i < order.size(); ++i) {
-    if (key(order[i]) != key(order[i - 1])) continue;
+    if (order[i].at != order[i - 1].at) continue;
     if (first.empty()) {
       first.resize(m.sites.size());
       std::iota(first.begin(), first.end(), vertex_index{0});
     }
-    first[order[i]] = first[order[i - 1]];
+    first[order[i].vertex] = first[order[i - 1].vertex];
   }
   return first;
 }

@@ -17,6 +17,8 @@
 #include "asterism/mesh/io/clockwise_triangles.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
 #include "asterism/mesh/search/triangle_sides.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_by_counting.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -135,14 +137,14 @@ struct triangle_groups {
 
 triangle_groups by_least_vertex(const mesh& m) {
   triangle_groups made;
-  made.begins.assign(m.sites.size() + 1, 0);
-  const auto least = [](const triangle& t) { return *std::min_element(t.begin(), t.end()); };
-  for (const triangle& t : m.triangles) ++made.begins[least(t) + 1];
-  for (std::size_t v = 0; v < m.sites.size(); ++v) made.begins[v + 1] += made.begins[v];
   made.members.resize(m.triangles.size());
-  std::vector<std::size_t> next = made.begins;
-  for (std::size_t t = 0; t < m.triangles.size(); ++t)
-    made.members[next[least(m.triangles[t])]++] = t;
+  made.begins = sort_by_counting(
+      m.triangles.size(), m.sites.size(),
+      [&m](std::size_t i) {
+        const triangle& t = m.triangles[i];
+        return std::size_t{*std::min_element(t.begin(), t.end())};
+      },
+      [&made](std::size_t at, std::size_t t) { made.members[at] = t; });
   return made;
 }
 
@@ -163,37 +165,48 @@ void keep(std::vector<Value>& all, const std::vector<char>& dropped) {
   all.resize(kept);
 }
 
+using triangle_pair = std::array<std::size_t, 2>;
+
+// Returns the pairs of triangles with the same vertices: of several, each with the next one.
+std::vector<triangle_pair> repeated_triangles(const mesh& m) {
+  triangle_groups groups = by_least_vertex(m);
+  const auto append = [&](std::size_t first, std::size_t last, std::vector<triangle_pair>& found) {
+    for (std::size_t v = first; v < last; ++v) {
+      const auto begin = groups.members.begin() + static_cast<std::ptrdiff_t>(groups.begins[v]);
+      const auto end = groups.members.begin() + static_cast<std::ptrdiff_t>(groups.begins[v + 1]);
+      if (end - begin < 2) continue;
+      std::sort(begin, end, [&m](std::size_t s, std::size_t t) {
+        const triangle p = sorted(m.triangles[s]), q = sorted(m.triangles[t]);
+        return p != q ? p < q : s < t;
+      });
+      for (auto at = begin + 1; at != end; ++at)
+        if (sorted(m.triangles[at[-1]]) == sorted(m.triangles[at[0]]))
+          found.push_back({at[-1], at[0]});
+    }
+  };
+  constexpr std::size_t vertices_at_once = 4096;  // for a thread
+  return collect_chunks<triangle_pair>(m.sites.size(), vertices_at_once, append);
+}
+
 // Removes triangles that are listed again.
 failure drop_repeated(listed_mesh& from) {
   mesh& m = from.content;
-  triangle_groups groups = by_least_vertex(m);
+  const std::vector<triangle_pair> repeated = repeated_triangles(m);
+  if (repeated.empty()) return {};
   std::vector<char> again(m.triangles.size(), 0);
-  std::size_t count = 0, first = m.triangles.size();
-  for (std::size_t v = 0; v < m.sites.size(); ++v) {
-    const auto begin = groups.members.begin() + static_cast<std::ptrdiff_t>(groups.begins[v]);
-    const auto end = groups.members.begin() + static_cast<std::ptrdiff_t>(groups.begins[v + 1]);
-    if (end - begin < 2) continue;
-    std::sort(begin, end, [&m](std::size_t s, std::size_t t) {
-      const triangle p = sorted(m.triangles[s]), q = sorted(m.triangles[t]);
-      return p != q ? p < q : s < t;
-    });
-    for (auto at = begin + 1; at != end; ++at) {
-      const std::size_t s = at[-1], t = at[0];
-      if (sorted(m.triangles[s]) != sorted(m.triangles[t])) continue;
-      if (!m.regions.empty() && m.regions[s] != m.regions[t])
-        return error{fmt::format("{}: triangles {} and {} are of the same vertices and in the "
-                                 "regions {} and {}: take one of them out",
-                                 from.file, s + 1, t + 1, m.regions[s], m.regions[t]),
-                     error_code::invalid_mesh};
-      again[t] = 1;
-      ++count;
-      first = std::min(first, t);
-    }
+  std::size_t first = m.triangles.size();
+  for (const auto [s, t] : repeated) {
+    if (!m.regions.empty() && m.regions[s] != m.regions[t])
+      return error{fmt::format("{}: triangles {} and {} are of the same vertices and in the "
+                               "regions {} and {}: take one of them out",
+                               from.file, s + 1, t + 1, m.regions[s], m.regions[t]),
+                   error_code::invalid_mesh};
+    again[t] = 1;
+    first = std::min(first, t);
   }
-  if (count == 0) return {};
   keep(m.regions, again);
   keep(m.triangles, again);
-  m.notes.push_back(counted(count, "triangle is", "triangles are") +
+  m.notes.push_back(counted(repeated.size(), "triangle is", "triangles are") +
                     fmt::format(" listed again and left out, the first: triangle {}", first + 1));
   return {};
 }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "asterism/mesh/support/parallel.hpp"
+
 namespace asterism::internal {
 namespace {
 
@@ -69,13 +71,17 @@ void list_sides(mesh& m, const triangle_sides& sides) {
   for (const boundary_edge& e : m.boundary) listed.push_back(sorted(e.a, e.b));
   std::sort(listed.begin(), listed.end());
   const std::size_t before = m.boundary.size();
-  for (const auto& s : sides.all()) {
-    const auto [a, b] = s.ends;
-    if (sides.find(b, a) != nullptr ||
-        std::binary_search(listed.begin(), listed.end(), sorted(a, b)))
-      continue;
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<ends>& found) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto [a, b] = sides.all()[i].ends;
+      if (sides.find(b, a) == nullptr &&
+          !std::binary_search(listed.begin(), listed.end(), sorted(a, b)))
+        found.push_back({a, b});
+    }
+  };
+  constexpr std::size_t sides_at_once = 16384;  // for a thread
+  for (const auto& [a, b] : collect_chunks<ends>(sides.all().size(), sides_at_once, append))
     m.boundary.push_back({a, b, static_cast<vertex_index>(m.boundary.size()), 0, false});
-  }
   const std::size_t added = m.boundary.size() - before;
   if (added == 0) return;
   const point &p = m.sites[m.boundary[before].a].position,
