@@ -7,6 +7,7 @@
 
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_by_counting.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -115,18 +116,20 @@ std::size_t mesh_blocks::block_near(const point& q) const {
 
 void mesh_blocks::list_blocks() {
   const std::vector<face>& faces = given_.faces;
-  for (std::size_t t = 0; t < faces.size(); ++t)
-    if (faces[t].exists()) ++first_[block_of_[t] + 1];
-  for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
+  // Lists faces that do not exist last, and leaves them out.
+  const std::size_t blocks = first_.size() - 1;
+  listed_.resize(faces.size());
+  first_ = sort_by_counting(
+      faces.size(), blocks + 1,
+      [&](std::size_t t) { return faces[t].exists() ? block_of_[t] : blocks; },
+      [this](std::size_t at, std::size_t t) { listed_[at] = static_cast<vertex_index>(t); });
+  first_.pop_back();
   listed_.resize(first_.back());
   local_.resize(faces.size());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (vertex_index t = 0; t < faces.size(); ++t) {
-    if (!faces[t].exists()) continue;
-    const std::uint32_t b = block_of_[t];
-    local_[t] = static_cast<vertex_index>(next[b] - first_[b]);
-    listed_[next[b]++] = t;
-  }
+  parallel_for(blocks, [this](std::size_t b) {
+    for (std::size_t i = first_[b]; i < first_[b + 1]; ++i)
+      local_[listed_[i]] = static_cast<vertex_index>(i - first_[b]);
+  });
 }
 
 // Replaces the segments of edges between blocks by numbers of the frame; keeps the segments.

@@ -10,30 +10,46 @@
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {
+namespace {
+
+// Returns each edge of the mesh once.
+std::vector<graph_edge> edges_of(const editable_mesh& m) {
+  constexpr std::size_t faces_at_once = 4096;  // for a thread
+  const auto append = [&m](std::size_t begin, std::size_t end, std::vector<graph_edge>& edges) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const face& f = m.faces()[t];
+      if (!f.exists()) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const vertex_index a = f.v[after(i)], b = f.v[before(i)];
+        if (f.next[i] == none || a < b) edges.push_back({a, b});
+      }
+    }
+  };
+  return collect_chunks<graph_edge>(m.faces().size(), faces_at_once, append);
+}
+
+}  // namespace
 
 void grade_mesh(editable_mesh& m, double distortion, double unit, const cancellation& stop) {
-  std::vector<point> places;
-  std::vector<metric_tensor> tensors;
-  for (const node& n : m.nodes()) {
-    places.push_back(n.position);
-    tensors.push_back(n.metric);
-  }
-  std::vector<graph_edge> edges;
-  for (const face& f : m.faces()) {
-    if (!f.exists()) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const vertex_index a = f.v[after(i)], b = f.v[before(i)];
-      if (f.next[i] == none || a < b) edges.push_back({a, b});
-    }
-  }
+  std::vector<point> places(m.nodes().size());
+  std::vector<metric_tensor> tensors(m.nodes().size());
+  constexpr std::size_t nodes_at_once = 4096;  // for a thread
+  parallel_chunks(places.size(), nodes_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t v = begin; v < end; ++v) {
+                      places[v] = m.nodes()[v].position;
+                      tensors[v] = m.nodes()[v].metric;
+                    }
+                  });
+  const std::vector<graph_edge> edges = edges_of(m);
   gradation_limit limit;
   limit.distortion = distortion;
   limit.unit = unit;
   limit.shortest = 0.5;
   grade(places, edges, limit, tensors, stop);
-  for (vertex_index v = 0; v < tensors.size(); ++v)
-    if (m.at(v).kind != node_kind::gone && !identical(tensors[v], m.at(v).metric))
-      m.set_metric(v, tensors[v]);
+  m.each_node([&](vertex_index v) {
+    if (!identical(tensors[v], m.at(v).metric)) m.set_metric(v, tensors[v]);
+  });
 }
 
 background_metric field_of(editable_mesh& m) {

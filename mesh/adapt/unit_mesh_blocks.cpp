@@ -7,7 +7,7 @@
 
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
-#include "asterism/mesh/support/parallel_for.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -63,7 +63,7 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
   std::size_t done = 0;
   node_states_.assign(m_.nodes().size(), {});
   is_inside_.assign(m_.nodes().size(), 0);
-  face_states_.assign(m_.faces().size(), {});
+  face_states_.resize(m_.faces().size());  // each face is in one block
   merges_in_vain_.clear();
   // Queues nodes of the frame, which several blocks share, one block after the other.
   const auto take_node = [&](std::size_t b, vertex_index v) {
@@ -79,6 +79,7 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
     for (vertex_index t = 0; t < left.faces.size(); ++t) {
       const vertex_index now = blocks.face_now(b, t);
       if (now == none) continue;
+      face_states_[now] = {};
       face_states_[now].is_due = left.faces[t].is_due;
       face_states_[now].shape = left.faces[t].shape;
     }
@@ -88,9 +89,13 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
     for (const vertex_index v : blocks.nodes_at_frame(b)) take_node(b, v);
   }
   for (const vertex_index t : blocks.faces_at_frame()) face_states_[t].is_due = true;
-  due_.clear();
-  for (vertex_index t = 0; t < face_states_.size(); ++t)
-    if (face_states_[t].is_due) due_.push_back(t);
+  constexpr std::size_t faces_at_once = 16384;  // for a thread
+  due_ = collect_chunks<vertex_index>(
+      face_states_.size(), faces_at_once,
+      [this](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
+        for (std::size_t t = begin; t < end; ++t)
+          if (face_states_[t].is_due) found.push_back(static_cast<vertex_index>(t));
+      });
   return done;
 }
 

@@ -61,7 +61,7 @@ std::vector<measured_edge> edges_where(const editable_mesh& m, double limit,
   };
   constexpr std::size_t chunk = 4096;
   std::vector<measured_edge> found = collect_chunks<measured_edge>(m.faces().size(), chunk, append);
-  std::sort(found.begin(), found.end(), longer);
+  parallel_sort(found.begin(), found.end(), longer);
   return found;
 }
 

@@ -256,13 +256,14 @@ class local_adaptation {
   double grade_as_needed(editable_mesh& m, const strictness& how, double unit) const {
     constexpr double changed = 0.1;        // log distortion: lengths by a tenth
     constexpr std::size_t nearly_all = 4;  // one node in this number may be unlike
-    const std::vector<node> before = m.nodes();
+    std::vector<metric_tensor> before(m.nodes().size());
+    m.each_node([&](vertex_index v) { before[v] = m.at(v).metric; });
     grade_mesh(m, how.mesh, unit, options_.stop);
-    std::size_t alike = 0;
-    for (vertex_index v = 0; v < before.size(); ++v)
-      if (before[v].kind != node_kind::gone &&
-          !(log_distortion(before[v].metric, m.at(v).metric) > changed))
-        ++alike;
+    std::atomic<std::size_t> alike = 0;
+    m.each_node([&](vertex_index v) {
+      if (!(log_distortion(before[v], m.at(v).metric) > changed))
+        alike.fetch_add(1, std::memory_order_relaxed);
+    });
     if (nearly_all * alike > m.count()) return how.mesh;
     grade_mesh(m, how.turning, unit, options_.stop);
     return how.turning;

@@ -124,7 +124,9 @@ class edge_set {
   void clear() { std::fill(words_.begin(), words_.end(), 0); }
   // Adds the edges of which the number is below `edges`.
   void fill(std::size_t edges) {
-    for (std::size_t i = 0; i < edges; ++i) add(i);
+    const std::size_t whole = edges / word_bits;
+    std::fill_n(words_.begin(), whole, ~std::uint64_t{0});
+    for (std::size_t i = whole * word_bits; i < edges; ++i) add(i);
   }
   std::size_t count() const {
     std::size_t sum = 0;
