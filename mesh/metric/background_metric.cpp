@@ -99,11 +99,17 @@ std::optional<metric_tensor> background_metric::where_other(const background_met
 }
 
 double background_metric::complexity() const {
+  std::vector<double> roots(tensors_.size());
+  parallel_chunks(roots.size(), nodes_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t v = begin; v < end; ++v)
+                      roots[v] = plain_root_of_determinant(tensors_[v]);
+                  });
   double sum = 0;
   for (const triangle& t : locator_->triangles()) {
     const point &a = places()[t[0]], &b = places()[t[1]], &c = places()[t[2]];
     const double area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-    for (const vertex_index v : t) sum += area / 3 * plain_root_of_determinant(tensors_[v]);
+    for (const vertex_index v : t) sum += area / 3 * roots[v];
   }
   return sum;
 }
