@@ -15,10 +15,12 @@
 namespace asterism::internal::numeric {
 
 // Returns a point with f_v = f_w = f_x, as its displacement from v: Newton's method from the centre
-// of the circle in the sum of the three metrics.
+// of the circle in the sum of the three metrics, until a step is at most `last_step` of the
+// displacement. Steps become smaller by their squares: the error is about the square of the last.
 inline std::optional<displacement<double>> voronoi_vertex_near(const basic_site<double>& v,
                                                                const basic_site<double>& w,
-                                                               const basic_site<double>& x) {
+                                                               const basic_site<double>& x,
+                                                               double last_step = 0x1p-24) {
   const auto to_w = between(v.position, w.position), to_x = between(v.position, x.position);
   const metric_tensor sum{v.metric.m11 + w.metric.m11 + x.metric.m11,
                           v.metric.m12 + w.metric.m12 + x.metric.m12,
@@ -42,7 +44,7 @@ inline std::optional<displacement<double>> voronoi_vertex_near(const basic_site<
                                     (slope_w.x * excess_x - slope_x.x * excess_w) / slopes};
     p = p - move;
     const double size = std::abs(p.x) + std::abs(p.y);
-    if (std::abs(move.x) + std::abs(move.y) <= 0x1p-24 * size) return p;
+    if (std::abs(move.x) + std::abs(move.y) <= last_step * size) return p;
     if (!(size < std::numeric_limits<double>::max())) return std::nullopt;
   }
   return std::nullopt;
