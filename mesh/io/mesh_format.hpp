@@ -16,11 +16,6 @@ namespace asterism {
 // ones.
 ASTERISM_EXPORT result<mesh_format> mesh_format_of(const std::filesystem::path& path);
 
-// Checks that a mesh could be written there. Refuses unknown extensions, missing or unwritable
-// directories, places taken by something that is not a regular file, and pictures if cairo is
-// missing. Called before a long computation.
-ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
-
 // Returns all files that are written with `path`, itself first.
 ASTERISM_EXPORT std::vector<std::filesystem::path> files_of_output(
     const std::filesystem::path& path);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "asterism/mesh/draw/picture.hpp"
@@ -240,6 +241,21 @@ result<output_files> render_parted(const fs::path& path, mesh_format format, con
 fs::path fields_path(const fs::path& mesh_path) {
   return fs::path(mesh_path).replace_extension(is_medit_binary(mesh_path) ? ".fields.solb"
                                                                           : ".fields.sol");
+}
+
+result<mesh_format> check_place_of_output(const std::filesystem::path& path) {
+  auto format = mesh_format_of(path);
+  std::error_code ignored;
+  if (!format.ok() && fs::is_directory(path, ignored))
+    return error{path.string() + ": is a directory; a file in it is wanted, as " +
+                     (path / "NAME.mesh").string(),
+                 error_code::bad_option};
+  if (!format.ok()) return format;
+  if (is_picture(format.value()))
+    if (const auto missing = missing_for_pictures()) return missing->at(path.string());
+  for (const fs::path& file : files_of_output(path))
+    if (const auto failed = check_place(place_of(file))) return *failed;
+  return format;
 }
 
 result<std::vector<output_file>> render_mesh(const std::filesystem::path& path, const mesh& m,

@@ -6,6 +6,13 @@
 
 namespace asterism {
 
+result<mesh_format> check_output(const std::filesystem::path& path) {
+  auto format = internal::check_place_of_output(path);
+  if (!format.ok()) return format;
+  if (const auto failed = internal::check_all_writable(files_of_output(path))) return *failed;
+  return format;
+}
+
 result<std::vector<std::filesystem::path>> write_mesh(const std::filesystem::path& path,
                                                       const mesh& m, const write_options& options) {
   const auto files = internal::render_mesh(path, m, options);

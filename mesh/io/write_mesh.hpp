@@ -28,6 +28,11 @@
 
 namespace asterism {
 
+// Checks that a mesh could be written there. Refuses unknown extensions, missing or unwritable
+// directories, places taken by something that is not a regular file, and pictures if cairo is
+// missing. Called before a long computation.
+ASTERISM_EXPORT result<mesh_format> check_output(const std::filesystem::path& path);
+
 // Writes the mesh. Returns the files written, in order.
 ASTERISM_EXPORT result<std::vector<std::filesystem::path>> write_mesh(
     const std::filesystem::path& path, const mesh& m, const write_options& options = {});
