@@ -366,11 +366,9 @@ def _combined(labels: Dict[Pair, Any], count: int) -> Tuple[Any, List[Tuple[Pair
     numbers = np.zeros(count, dtype=np.int64)
     sets: List[Tuple[Pair, ...]] = [()]
     for pair, items in labels.items():
-        found: Dict[int, int] = {}
-        for old in np.unique(numbers[items]):
-            found[int(old)] = len(sets)
-            sets.append((*sets[int(old)], pair))
-        numbers[items] = [found[int(old)] for old in numbers[items]]
+        before, place = np.unique(numbers[items], return_inverse=True)
+        numbers[items] = len(sets) + place
+        sets += [(*sets[int(old)], pair) for old in before]
     used, compact = np.unique(numbers, return_inverse=True)
     if len(used) and used[0] != 0:
         used, compact = np.concatenate([[0], used]), compact + 1
@@ -378,19 +376,24 @@ def _combined(labels: Dict[Pair, Any], count: int) -> Tuple[Any, List[Tuple[Pair
 
 
 def _keys(edges: Any, count: int) -> Any:
-    return edges.min(axis=1) * count + edges.max(axis=1)
+    return np.minimum(edges[:, 0], edges[:, 1]) * count + np.maximum(edges[:, 0], edges[:, 1])
 
 
 def _mesh_of(whole: _Whole) -> Tuple[Mesh, _Labelling]:
     count = len(whole.points)
     sides = whole.cells[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    keys, first, times = np.unique(_keys(sides, count), return_index=True, return_counts=True)
+    of_sides = _keys(sides, count)
+    order = np.argsort(of_sides, kind="stable")
+    in_order = of_sides[order]
+    starts = np.flatnonzero(np.diff(in_order, prepend=in_order[:1] - 1))
+    times = np.diff(np.append(starts, len(order)))
+    keys, first, last = in_order[starts], order[starts], order[starts + times - 1]
+    edge_of = np.empty(len(order), dtype=np.int64)
+    edge_of[order] = np.repeat(np.arange(len(keys)), times)
     edges = sides[first]
     regions, region_sets = _combined(whole.cell_labels, len(whole.cells))
-    of_edges, to_edges = _edges_apart(whole, keys, count)
+    of_edges, to_edges = _edges_apart(whole, keys, edge_of.reshape(-1, 3))
     markers, marker_sets = _combined(of_edges, len(keys))
-    order = np.argsort(_keys(sides, count), kind="stable")
-    last = order[np.cumsum(times) - 1]
     listed = (times == 1) | (markers != 0) | (regions[first // 3] != regions[last // 3])
     required, to_vertices = _vertices_apart(whole, count)
     kept = np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *required.values()]))
@@ -401,19 +404,15 @@ def _mesh_of(whole: _Whole) -> Tuple[Mesh, _Labelling]:
     return made, _Labelling(region_sets, marker_sets, places, to_edges, to_vertices)
 
 
-def _edges_apart(whole: _Whole, keys: Any, count: int) -> Tuple[Dict[Pair, Any], List[Pair]]:
+def _edges_apart(whole: _Whole, keys: Any, edges_of: Any) -> Tuple[Dict[Pair, Any], List[Pair]]:
     """Returns labelled edges by the numbers of their keys, without edges that have the label of their cell, and the
-    pairs on such edges."""
+    pairs on such edges. edges_of: the numbers of each cell's edges."""
     apart: Dict[Pair, Any] = {}
     closed = []
     for pair, edges in whole.edge_labels.items():
-        found = np.searchsorted(keys, _keys(edges, count)) if len(edges) else np.zeros(0, dtype=np.int64)
-        corners = whole.cells[whole.cell_labels[pair]]
-        of_cells = np.unique(np.searchsorted(keys, _keys(corners[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), count)))
-        if len(of_cells) and np.isin(of_cells, found).all():
-            closed.append(pair)
-            found = np.setdiff1d(found, of_cells)
-        apart[pair] = found
+        found = np.searchsorted(keys, _keys(edges, len(whole.points))) if len(edges) else np.zeros(0, dtype=np.int64)
+        apart[pair], is_closed = _apart_from(found, edges_of[whole.cell_labels[pair]], len(keys))
+        closed += [pair] if is_closed else []
     return apart, closed
 
 
@@ -422,14 +421,22 @@ def _vertices_apart(whole: _Whole, count: int) -> Tuple[Dict[Pair, Any], List[Pa
     apart: Dict[Pair, Any] = {}
     closed = []
     for pair, vertices in whole.vertex_labels.items():
-        below = np.unique(np.concatenate([whole.edge_labels[pair].reshape(-1),
-                                          whole.cells[whole.cell_labels[pair]].reshape(-1)]))
-        if len(below) and np.isin(below, vertices).all():
-            closed.append(pair)
-            vertices = np.setdiff1d(vertices, below)
+        above = np.concatenate([whole.edge_labels[pair].reshape(-1), whole.cells[whole.cell_labels[pair]].reshape(-1)])
+        vertices, is_closed = _apart_from(vertices, above, count)
+        closed += [pair] if is_closed else []
         if len(vertices):
             apart[pair] = vertices
     return apart, closed
+
+
+def _apart_from(labelled: Any, of_others: Any, count: int) -> Tuple[Any, bool]:
+    """Returns labelled items without those of labelled edges and cells, if all of the latter are among them, and
+    whether that is so."""
+    is_other, is_labelled = np.zeros(count, dtype=bool), np.zeros(count, dtype=bool)
+    is_other[of_others], is_labelled[labelled] = True, True
+    if not is_other.any() or not is_labelled[is_other].all():
+        return labelled, False
+    return np.flatnonzero(is_labelled & ~is_other), True
 
 
 class _Scattered(NamedTuple):
