@@ -188,6 +188,67 @@ void consistency_repair::changed_at(const std::vector<vertex_index>& nodes) {
   for (const vertex_index v : nodes) active_[v] = 1;
 }
 
+std::size_t consistency_repair::add_at_low_faces() {
+  std::vector<vertex_index> added;
+  for (vertex_index t = 0; t < m_.faces().size(); ++t) {
+    if (!m_.faces()[t].exists() || !tests_.is_low(t) || tests_.is_exempt(t)) continue;
+    if (const auto made = add_at_shortest_edge(t)) added.push_back(*made);
+  }
+  changed_at(added);
+  return added.size();
+}
+
+// Adds the node that makes an equilateral triangle with the shortest edge of the face, measured in
+// the metric of an end, with the tensor of that end. The smallest angle is opposite to that edge.
+// Adds nothing across a segment, or at less than half the edge's length from another node.
+std::optional<vertex_index> consistency_repair::add_at_shortest_edge(vertex_index t) {
+  constexpr double height = std::numbers::sqrt3 / 2, least = 0.5;  // of the edge's length
+  const std::array<vertex_index, 3> v = m_.faces()[t].v;
+  const auto opposite = [&](std::size_t i) { return m_.length(v[after(i)], v[before(i)]); };
+  std::size_t shortest = 0;
+  for (const std::size_t i : {1U, 2U})
+    if (opposite(i) < opposite(shortest)) shortest = i;
+  const node a = m_.at(v[after(shortest)]), b = m_.at(v[before(shortest)]);
+  const double x = b.position.x - a.position.x, y = b.position.y - a.position.y;
+  // The edge's normal in the metric, to its left and as long as the edge: the metric times the
+  // edge, turned by a right angle, over the root of the determinant.
+  const double part = height / a.root;
+  const metric_tensor& q = a.metric;
+  const point where{a.position.x + x / 2 - part * (q.m12 * x + q.m22 * y),
+                    a.position.y + y / 2 + part * (q.m11 * x + q.m12 * y)};
+  const vertex_index at = face_with(where, t);
+  if (at == none) return std::nullopt;
+  const double nearest = least * least * squared(q, x, y);
+  for (const vertex_index u : m_.faces()[at].v) {
+    const point& p = m_.at(u).position;
+    if (squared(q, p.x - where.x, p.y - where.y) < nearest) return std::nullopt;
+  }
+  const auto made = m_.insert(at, where);
+  if (!made) return std::nullopt;
+  m_.at(*made).hint = a.hint;
+  m_.set_metric(*made, q);
+  return made;
+}
+
+// Returns the face that has the place, found by a walk from another face; none if a segment is met
+// on the way, or the walk is long.
+vertex_index consistency_repair::face_with(const point& where, vertex_index from) const {
+  constexpr int most_steps = 50;
+  vertex_index t = from;
+  for (int steps = 0; steps < most_steps; ++steps) {
+    const face& f = m_.faces()[t];
+    std::size_t i = 0;
+    const auto is_beyond = [&](std::size_t k) {
+      return turns_left(m_.at(f.v[before(k)]).position, m_.at(f.v[after(k)]).position, where);
+    };
+    while (i < 3 && !is_beyond(i)) ++i;
+    if (i == 3) return t;
+    if (f.next[i] == none || f.segment[i] != none) return none;
+    t = f.next[i];
+  }
+  return none;
+}
+
 void consistency_repair::check_edge(vertex_index t, std::size_t i) {
   m_.note_looked_at(work_weights::faces_for_edge_test);
   const edge_quad q = tests_.quad_at(t, i);

@@ -52,6 +52,9 @@ class consistency_repair {
   void edges_agree() { edges_agree_ = true; }
   // Adds the triangles of these new nodes to those that run() examines.
   void changed_at(const std::vector<vertex_index>& nodes);
+  // Adds a node to each triangle with a low angle, equally far from the ends of its shortest edge,
+  // for run() to fit in. Returns the number of nodes added.
+  std::size_t add_at_low_faces();
   // Returns the report of all rounds so far.
   const repair_report& report() const { return report_; }
 
@@ -76,6 +79,8 @@ class consistency_repair {
   double defect_at(const face_list& at, double most) const;
   double longest_around(vertex_index v) const;
   void move_away(vertex_index v);
+  std::optional<vertex_index> add_at_shortest_edge(vertex_index t);
+  vertex_index face_with(const point& where, vertex_index from) const;
   void clip_distortion_at(const std::vector<vertex_index>& nodes, double part);
 
   editable_mesh& m_;

@@ -92,6 +92,9 @@ class local_adaptation {
       // not help.
       if (std::exchange(repair_gave_up_, false)) step = std::max(step, ladder.size() - 2);
     }
+    constexpr double for_nodes = 0.5;  // of the work that is left
+    options_.stop = whole.part(for_nodes);
+    if (!is_certified() && !stop_reason()) add_nodes_to_nearest();
     options_.stop = whole;
     if (!is_certified() && !stop_reason()) adapt_in_one_metric();
     if (is_certified()) meet_count(start_);
@@ -369,6 +372,7 @@ class local_adaptation {
       made_.judge(made_.subject().sites.size());
       if (is_certified() || stop_reason() || is_overworked()) return;
       const std::size_t left = made_.report()->total_found();
+      keep_if_nearest(m, left);
       const bool are_many = 20 * left > made_.subject().sites.size();
       in_vain = are_many && 10 * left > 9 * least ? in_vain + 1 : 0;
       since_least = left < least ? 0 : since_least + 1;
@@ -381,6 +385,39 @@ class local_adaptation {
       for (const node_list& at : found) agreeing.disagreed_at(at);
       agreeing.run();
     }
+  }
+
+  // Keeps the mesh if it has few findings, and fewer than the meshes before.
+  void keep_if_nearest(const editable_mesh& m, std::size_t left) {
+    constexpr std::size_t few = 100;  // one site in this number
+    if (few * left > made_.subject().sites.size() || (nearest_ && left >= nearest_->left)) return;
+    nearest_.emplace(nearly_certified{m, left, length_factor_});
+  }
+
+  // Mends the mesh that had the fewest findings by new nodes at its low angles. A face on a short
+  // segment whose third node is far away has one, whatever its tensors, until there is a node
+  // between. Leaves the outcome as it was if the mesh is not certified in the end.
+  void add_nodes_to_nearest() {
+    constexpr int most_times = 4;
+    if (!nearest_ || options_.angle_bound <= 0) return;
+    const audited_mesh before = made_;
+    editable_mesh m = std::move(nearest_->made);
+    const double length_factor = std::exchange(length_factor_, nearest_->length_factor);
+    const repair_options agree = asked_of_agreement(length_factor_);
+    consistency_repair agreeing(m, agree);
+    for (int i = 0; i < most_times && !is_certified() && !stop_reason(); ++i) {
+      if (is_overworked() || m.count() >= options_.max_sites) break;
+      if (agreeing.add_at_low_faces() == 0) break;
+      agreeing.run();
+      mend(m, agreeing);
+    }
+    if (is_certified() && made_.subject().sites.size() <= options_.max_sites) {
+      const audited_mesh certified = made_;
+      if (!give_back(m)) made_ = certified;
+      return;
+    }
+    made_ = before;
+    length_factor_ = length_factor;
   }
 
   // Restores the wanted tensors at the nodes where the auditor accepts them. Returns whether the
@@ -454,6 +491,13 @@ class local_adaptation {
     return outcome;
   }
 
+  // A mesh with findings.
+  struct nearly_certified {
+    editable_mesh made;
+    std::size_t left = 0;  // findings
+    double length_factor = 1;
+  };
+
   const domain& domain_;
   const metric_field& field_;
   mesh_options options_;  // with the work that the step at hand may do
@@ -468,6 +512,7 @@ class local_adaptation {
   bool wants_room_ = false;      // angles beside short segments were low
   bool repair_gave_up_ = false;  // mending of the last mesh was given up
   audited_mesh made_;            // the last mesh
+  std::optional<nearly_certified> nearest_;
 };
 
 }  // namespace

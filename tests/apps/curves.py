@@ -204,20 +204,22 @@ class Curves(command.CommandTest):
 
     def test_chords_finer_than_the_metric_have_room_beside_them(self):
         """Triangles on short chords had the height of a wanted edge, so that half of the tensors were replaced and
-        lengths differed by a factor of ten. The mesh has fewer vertices than wanted."""
+        lengths differed by a factor of ten. The mesh has fewer vertices than wanted. With 1900 two angles at chords
+        stay low until there are nodes beside them; lengths differed as much then."""
         square, sides = [(-2, -2), (2, -2), (2, 2), (-2, 2)], [(1, 2, 1), (2, 3, 1), (3, 4, 1), (4, 1, 1)]
         self.mesh(poly([*square, (0.5, 0)], sides, ["circle 5 0 0 2"], [(0, 0)]), "--size", "0.15")
         # The circle begins at another vertex, so that no end of its chords is a vertex of the mesh.
         self.write("turned.poly", poly([*square, (0.3, 0.4)], sides, ["circle 5 0 0 2"], [(0, 0)]))
         solved = self.solved("d.mesh")
-        for wanted in (900, 2250):
+        for wanted in (900, 1900, 2250):
             done = self.run_command("adapt", *solved, "--vertices", str(wanted), "--domain", "turned.poly",
                                     "--chord-tolerance", "1e-4", "-o", "next.mesh")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        told = json.loads((self.folder / "next.certificate.json").read_text())
-        self.assertGreater(told["audit"]["curves"]["vertices"], math.pi / math.sqrt(2 * 1e-4 / 0.5))
-        delivered = told["outcome"]["delivered"]
-        self.assertLess(delivered["median"], 0.1, delivered)
+            told = json.loads((self.folder / "next.certificate.json").read_text())
+            self.assertGreater(told["audit"]["curves"]["vertices"], math.pi / math.sqrt(2 * 1e-4 / 0.5))
+            delivered = told["outcome"]["delivered"]
+            if wanted > 900:
+                self.assertLess(delivered["median"], 0.1, delivered)
 
     def test_the_boundary_of_a_mesh_is_kept_to_within_a_distance(self):
         self.mesh(disc(), "--size", "0.3")
