@@ -210,20 +210,17 @@ bool site_tree::may_reach(const site& v, double reach) const {
   const by_covector own =
       roots_above(squared_lengths(v.metric, inverse_determinant_above(v.metric)));
   const two_doubles at = pair(v.position.x, v.position.y);
-  std::array<std::size_t, most_depth> open;
-  std::size_t waiting = 0;
-  if (!nodes_.empty()) open[waiting++] = 0;
-  while (waiting > 0) {
-    const std::size_t self = open[--waiting];
-    const node& n = nodes_[self];
+  const auto excludes = [&](const node& n) {
     const two_doubles most =
         (own.axes + greater_of(own, n.length).axes) * both(reach * roundings::up) + both(0x1p-900);
-    if (any_less(most, n.least.axes - at) || any_less(most, at - n.greatest.axes)) continue;
-    if (n.right == 0) return true;
-    open[waiting++] = n.right;
-    open[waiting++] = self + 1;
-  }
-  return false;
+    return any_less(most, n.least.axes - at) || any_less(most, at - n.greatest.axes);
+  };
+  bool is_found = false;
+  descend(excludes, [&is_found](std::size_t) {
+    is_found = true;
+    return false;
+  });
+  return is_found;
 }
 
 void site_tree::gather(std::span<const star_extent> stars, std::vector<std::size_t>& leaves,

@@ -106,6 +106,10 @@ class site_tree {
   template <class Visit>
   bool visit_leaf(std::size_t leaf, const star_extent& star, std::size_t from,
                   const Visit& visit) const;
+  // Visits, from the first to the last, the leaves that are not excluded and not below an excluded
+  // node. Ends once visit(leaf) returns false.
+  template <class Excludes, class Visit>
+  void descend(const Excludes& excludes, const Visit& visit) const;
   // Calls visit(leaf) for each leaf that is not too far and does not end before `from` in the
   // order.
   template <class Visit>
@@ -118,17 +122,15 @@ class site_tree {
   double lost_ = 0;  // at least the errors of values at sites
 };
 
-template <class Visit>
-void site_tree::visit_leaves(const star_extent& stars, std::size_t from, const Visit& visit) const {
+template <class Excludes, class Visit>
+void site_tree::descend(const Excludes& excludes, const Visit& visit) const {
   std::array<std::size_t, most_depth> open;
   std::size_t waiting = 0;
   if (!nodes_.empty()) open[waiting++] = 0;
   while (waiting > 0) {
     const std::size_t self = open[--waiting];
     const node& n = nodes_[self];
-    if (n.last <= from || stars.box_for(n.length, lost_).excludes(n.least, n.greatest) ||
-        is_beyond(n, stars))
-      continue;
+    if (excludes(n)) continue;
     if (n.right == 0) {
       if (!goes_on(visit, self)) return;
       continue;
@@ -136,6 +138,15 @@ void site_tree::visit_leaves(const star_extent& stars, std::size_t from, const V
     open[waiting++] = n.right;
     open[waiting++] = self + 1;
   }
+}
+
+template <class Visit>
+void site_tree::visit_leaves(const star_extent& stars, std::size_t from, const Visit& visit) const {
+  const auto excludes = [&](const node& n) {
+    return n.last <= from || stars.box_for(n.length, lost_).excludes(n.least, n.greatest) ||
+           is_beyond(n, stars);
+  };
+  descend(excludes, visit);
 }
 
 template <class Visit>
