@@ -39,8 +39,8 @@ extern "C" void note_interrupt(int signal) {
   errno = before;
 }
 
-// Returns the time as the system takes it: within what it can count, and above 0, which would stop
-// a timer.
+// Converts seconds to the system's structure, clamped to 1 ns to 1e9 s: a longer time may overflow,
+// and 0 would stop a timer.
 std::timespec time_of(double seconds) {
   constexpr double least = 1e-9, most = 1e9;
   const double taken = std::clamp(seconds, least, most);

@@ -34,7 +34,8 @@ class ring_defect {
   // Adds a neighbour, counter-clockwise: one face lies between each two in a row. The first one is
   // added again at the end where the faces close. Requires room for one more face.
   void add_neighbour(const point& at, const wanted_tensor& wanted);
-  // Adds the Voronoi vertex of a face across from the node, of one for each face.
+  // Adds the Voronoi vertex of the face across from the node. Called once for each face around it
+  // at most.
   void add_centre(const face_centre& c);
 
   // Returns the defect of the faces in the wanted tensors of the neighbours, with the node at this
@@ -48,8 +49,8 @@ class ring_defect {
   // One value for each neighbour, or for the face from a neighbour to the next one. Padded to an
   // even number of faces.
   using values = std::array<double, most_faces + 2>;
-  // Greatest cotangents of faces' angles in a tensor, times the area there, the areas, and by how
-  // much the former are surely below the bound, if positive. Areas are doubled.
+  // Values of each face in one tensor: its greatest cotangent times its doubled area, its doubled
+  // area, and a lower bound, where positive, of how far that product is below the aim's.
   struct cotangents {
     values greatest, area, below;
   };
@@ -70,8 +71,8 @@ class ring_defect {
   // Products of the displacements at both ends of a face, and twice the face's area.
   values inner_xx_, inner_xy_, inner_yy_, twice_;
   cotangents by_first_, by_second_, by_node_;
-  // Of the faces across: their Voronoi vertices, squared radii, and the squared distances from
-  // which these are far enough, and those from the node.
+  // Voronoi vertices of the faces across, their squared radii, the squared distances from which
+  // they are far enough, and their squared distances from the node.
   values centre_x_, centre_y_, squared_radius_, far_, distance_;
 };
 

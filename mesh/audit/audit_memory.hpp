@@ -37,7 +37,7 @@ struct audit_memory {
   int power_of_squares = 0;
   // The triangulation, if all checks of it that no tensor affects are passed; else null.
   std::shared_ptr<const audit_detail::checked_triangulation> triangulation;
-  // The tree of its sites, with their metrics; null where none was needed.
+  // Tree of the triangulation's sites, with their metrics; null where none was needed.
   std::shared_ptr<audit_detail::site_tree> tree;
   // Bound of the angles of each of its triangles (audit_context::angle_bounds); may be empty.
   std::vector<double> angle_bounds;

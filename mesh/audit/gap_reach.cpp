@@ -122,9 +122,9 @@ gap_bound quick_reaches::between(const measured_ray& x, const measured_ray& y) c
   return along(towards_vertex(v_, *x.end, *y.end, x.way, y.way), x, y);
 }
 
-// Halves the angle towards the ray whose bound is less, a few times: any direction is a valid
-// choice. Begins midway as v measures, within a right angle of both rays. Ends where neither has a
-// bound.
+// Bounds the reach along the best of a few directions, found by bisecting the angle between the
+// rays towards that with the smaller bound. Every direction gives a valid bound. Begins midway in
+// v's metric, within a right angle of both rays. Ends where neither ray has a bound.
 gap_bound quick_reaches::balanced(const measured_ray& x, const measured_ray& y) const {
   constexpr int steps = 5;
   gap_bound best{infinity, {}};

@@ -41,8 +41,9 @@ struct fan_gap {
   double reach = 0;          // how far from v sites matter to it
   bool has_kite = false;
   outline_point vertex;  // of the kite
-  // Numbers of the kernel's gap, made for the first question if it may be shared, and of the
-  // filter, made when that gap does not know something. Few gaps need either, and both are large.
+  // Places of the kernel's gap and of the filter in the lists of those made; none before. The first
+  // is made for the first question if it may be shared, the second where the first cannot answer.
+  // They are apart, as few gaps need either, and both are large.
   std::uint32_t prepared = none, filter = none;
   std::size_t left_open = 0;  // number of questions about single sites
 };

@@ -112,7 +112,7 @@ void note_distances(const mesh& delivered, const mesh& wanted, delivered_report&
     if (distances[v] > tenth) ++beyond;
   }
   if (distances.empty()) return;
-  // Returns the distance that this number of others precedes in ascending order.
+  // Returns the distance at this place in ascending order, counted from 0.
   const auto after_smaller = [&](std::size_t smaller) {
     const auto at = distances.begin() + static_cast<std::ptrdiff_t>(smaller);
     std::nth_element(distances.begin(), at, distances.end());
