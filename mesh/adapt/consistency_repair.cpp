@@ -216,37 +216,18 @@ std::optional<vertex_index> consistency_repair::add_at_shortest_edge(vertex_inde
   const metric_tensor& q = a.metric;
   const point where{a.position.x + x / 2 - part * (q.m12 * x + q.m22 * y),
                     a.position.y + y / 2 + part * (q.m11 * x + q.m12 * y)};
-  const vertex_index at = face_with(where, t);
-  if (at == none) return std::nullopt;
+  const located_place at = m_.locate(where, t, walls::segments);
+  if (at.face == none || at.beyond) return std::nullopt;
   const double nearest = least * least * squared(q, x, y);
-  for (const vertex_index u : m_.faces()[at].v) {
+  for (const vertex_index u : m_.faces()[at.face].v) {
     const point& p = m_.at(u).position;
     if (squared(q, p.x - where.x, p.y - where.y) < nearest) return std::nullopt;
   }
-  const auto made = m_.insert(at, where);
+  const auto made = m_.insert(at.face, where);
   if (!made) return std::nullopt;
   m_.at(*made).hint = a.hint;
   m_.set_metric(*made, q);
   return made;
-}
-
-// Returns the face that has the place, found by a walk from another face; none if a segment is met
-// on the way, or the walk is long.
-vertex_index consistency_repair::face_with(const point& where, vertex_index from) const {
-  constexpr int most_steps = 50;
-  vertex_index t = from;
-  for (int steps = 0; steps < most_steps; ++steps) {
-    const face& f = m_.faces()[t];
-    std::size_t i = 0;
-    const auto is_beyond = [&](std::size_t k) {
-      return turns_left(m_.at(f.v[before(k)]).position, m_.at(f.v[after(k)]).position, where);
-    };
-    while (i < 3 && !is_beyond(i)) ++i;
-    if (i == 3) return t;
-    if (f.next[i] == none || f.segment[i] != none) return none;
-    t = f.next[i];
-  }
-  return none;
 }
 
 void consistency_repair::check_edge(vertex_index t, std::size_t i) {

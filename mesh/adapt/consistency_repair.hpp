@@ -80,7 +80,6 @@ class consistency_repair {
   double longest_around(vertex_index v) const;
   void move_away(vertex_index v);
   std::optional<vertex_index> add_at_shortest_edge(vertex_index t);
-  vertex_index face_with(const point& where, vertex_index from) const;
   void clip_distortion_at(const std::vector<vertex_index>& nodes, double part);
 
   editable_mesh& m_;

@@ -108,6 +108,26 @@ std::optional<vertex_index> editable_mesh::split(vertex_index t, std::size_t edg
   return m;
 }
 
+located_place editable_mesh::locate(const point& q, vertex_index from, walls at) const {
+  vertex_index t = from;
+  const std::size_t most = 100 + faces_.size();
+  for (std::size_t step = 0; step < most; ++step) {
+    const face& f = faces_[t];
+    vertex_index next = t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + step) % 3;
+      const point &a = nodes_[f.v[after(i)]].position, &b = nodes_[f.v[before(i)]].position;
+      if ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x) >= 0) continue;
+      if (f.next[i] == none || (at == walls::segments && f.segment[i] != none)) return {t, i};
+      next = f.next[i];
+      break;
+    }
+    if (next == t) return {t, std::nullopt};
+    t = next;
+  }
+  return {};
+}
+
 std::optional<vertex_index> editable_mesh::insert(vertex_index t, const point& where) {
   const face f = faces_[t];
   for (std::size_t i = 0; i < 3; ++i)

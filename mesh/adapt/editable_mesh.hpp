@@ -94,6 +94,15 @@ inline double length_between(const node& p, const node& q) {
   return (s + t) / 6 + 2.0 / 3 * std::sqrt(s * t);
 }
 
+// Edges that end a walk over faces.
+enum class walls { boundary, segments };
+
+// End of a walk to a place.
+struct located_place {
+  vertex_index face = none;
+  std::optional<std::size_t> beyond;  // edge of the face at which the walk ended, before the place
+};
+
 // Triangulation that is being changed. Several threads may read it while none changes it.
 class editable_mesh {
  public:
@@ -142,6 +151,10 @@ class editable_mesh {
     return length_between(nodes_[a], nodes_[b]);
   }
 
+  // Walks from a face to the one that has the place, or to the edge beyond which it is: of the
+  // boundary or a frame, or of any segment where these are walls. Returns no face where the walk
+  // does not end. Computes sides in plain doubles: insert() decides whether a node can be there.
+  located_place locate(const point& q, vertex_index from, walls at) const;
   // Adds a node on edge i of t; on a subsegment it becomes a sliding one. Returns no node where a
   // face would not turn left. The caller sets its metric.
   std::optional<vertex_index> split(vertex_index t, std::size_t edge, const point& where);

@@ -17,28 +17,6 @@ constexpr double area_of_face = std::numbers::sqrt3 / 4;  // with edges of lengt
 
 }  // namespace
 
-// Walks from a face to the one that has the place, or to the edge of the boundary, or of a frame,
-// beyond which it is. Returns no face where the walk does not end.
-unit_mesh_remesher::located unit_mesh_remesher::locate(const point& q, vertex_index from) const {
-  vertex_index t = from;
-  const std::size_t most = 100 + m_.faces().size();
-  for (std::size_t step = 0; step < most; ++step) {
-    const face& f = m_.faces()[t];
-    vertex_index next = t;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (k + step) % 3;
-      const point &a = m_.at(f.v[after(i)]).position, &b = m_.at(f.v[before(i)]).position;
-      if ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x) >= 0) continue;
-      if (f.next[i] == none) return {t, i};
-      next = f.next[i];
-      break;
-    }
-    if (next == t) return {t, std::nullopt};
-    t = next;
-  }
-  return {};
-}
-
 // True if a corner of t is nearer to the place than nodes may be, in the metric of either. A corner
 // does not count if the edge to it would be split twice in any case: across a jump of the metric
 // every node is near in the coarser side's metric.

@@ -96,11 +96,6 @@ class unit_mesh_remesher {
   }
   void correct_crowding(double log_ratio, double power);
   bool is_crowded(vertex_index t, const node& there) const;
-  struct located {
-    vertex_index face = none;
-    std::optional<std::size_t> beyond;  // edge of the boundary beyond which the place is
-  };
-  located locate(const point& q, vertex_index from) const;
   std::pair<double, std::size_t> measured_area() const;
   double boundary_length() const;
   double unit_for_boundary(double area) const;
@@ -149,7 +144,7 @@ class unit_mesh_remesher {
 
   // Functions defined in unit_mesh_seeds.cpp.
   void seed(const std::vector<point>& seeds);
-  std::optional<vertex_index> insert_seed(const located& at, node& there);
+  std::optional<vertex_index> insert_seed(const located_place& at, node& there);
   std::optional<vertex_index> insert_on_side(vertex_index t, std::size_t edge, node& there);
   std::vector<point> insert_seeds(std::span<const point> seeds);
   std::vector<point> insert_in_blocks(const std::vector<point>& seeds);

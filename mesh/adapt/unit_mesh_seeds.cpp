@@ -71,7 +71,7 @@ std::optional<vertex_index> unit_mesh_remesher::insert_on_side(vertex_index t, s
 
 // Inserts a node at a seed. Seeds on the sides split these: a split of a long edge is decided by
 // the metric at its ends, and would miss a front that ends between them.
-std::optional<vertex_index> unit_mesh_remesher::insert_seed(const located& at, node& there) {
+std::optional<vertex_index> unit_mesh_remesher::insert_seed(const located_place& at, node& there) {
   if (at.beyond) return insert_on_side(at.face, *at.beyond, there);
   if (is_crowded(at.face, there)) return std::nullopt;
   if (const auto made = m_.insert(at.face, there.position)) return made;
@@ -89,7 +89,7 @@ std::vector<point> unit_mesh_remesher::insert_seeds(std::span<const point> seeds
   vertex_index from = 0, hint = 0;
   for (const point& q : seeds) {
     if (m_.nodes().size() >= options_.most_nodes) return left;
-    const located at = locate(q, from);
+    const located_place at = m_.locate(q, from, walls::boundary);
     if (at.face == none) {
       left.push_back(q);
       continue;
