@@ -205,11 +205,7 @@ def _part_of(dm: Any, given: Dict[str, Any], overlap: Any = 0) -> _Part:
     if any(dm.getConeSize(p) != 3 for p in (cells[0], cells[1] - 1) if cells[1] > cells[0]):
         raise InputError("dm: triangles are wanted")
     cell_edges, edge_vertices = _cones(dm, cells, edges)
-    ends = edge_vertices[cell_edges - edges[0]].reshape(-1, 6) - vertices[0]
-    corners = np.sort(ends, axis=1)[:, ::2] if len(ends) else np.zeros((0, 3), dtype=np.int64)
-    at = np.array(dm.getCoordinatesLocal().array_r).reshape(-1, 2) + 0.0  # -0.0 and 0.0 are one place
-    section = dm.getCoordinateSection()
-    place = np.array([section.getOffset(v) for v in range(*vertices)], dtype=np.int64) // 2
+    corners = _corners(cell_edges - edges[0], edge_vertices - vertices[0])
     own = np.ones(len(corners), dtype=bool)
     if dm.comm.size > 1:
         leaves = _shared_points(dm)
@@ -220,7 +216,27 @@ def _part_of(dm: Any, given: Dict[str, Any], overlap: Any = 0) -> _Part:
         if name not in _OWN_LABELS:
             labels += _stratum(dm, name, own, edge_vertices - vertices[0])
     count = vertices[1] - vertices[0]
-    return _Part(at[place].reshape(-1, 2), corners[own], labels, _rows_of(given, count))
+    return _Part(_places(dm, vertices), corners[own], labels, _rows_of(given, count))
+
+
+def _corners(edges_of: Any, ends: Any) -> Any:
+    """Returns the vertices of each cell, of its edges and their ends: those of the first edge, and the end of the
+    second one that is not among them."""
+    first, second = ends[edges_of[:, 0]], ends[edges_of[:, 1]]
+    is_shared = (second[:, 0] == first[:, 0]) | (second[:, 0] == first[:, 1])
+    return np.column_stack([first, np.where(is_shared, second[:, 1], second[:, 0])])
+
+
+def _places(dm: Any, vertices: Tuple[int, int]) -> Any:
+    """Returns the coordinates of the local vertices."""
+    at = np.array(dm.getCoordinatesLocal().array_r).reshape(-1, 2) + 0.0  # -0.0 and 0.0 are one place
+    section = dm.getCoordinateSection()
+    count = vertices[1] - vertices[0]
+    last = count and section.getOffset(vertices[1] - 1) == section.getOffset(vertices[0]) + 2 * (count - 1)
+    if last and len(at) == count and section.getChart() == vertices and section.getMaxDof() == 2:
+        return at
+    place = np.array([section.getOffset(v) for v in range(*vertices)], dtype=np.int64) // 2
+    return at[place].reshape(-1, 2)
 
 
 def _shared_points(dm: Any) -> Any:
@@ -282,7 +298,7 @@ def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
 def _whole_of(parts: List[_Part]) -> _Whole:
     points = np.concatenate([part.points for part in parts])
     starts = np.cumsum([0] + [len(part.points) for part in parts])
-    order = np.lexsort((points[:, 1], points[:, 0]))
+    order = np.argsort(np.ascontiguousarray(points).view(np.complex128)[:, 0])  # by x, then by y
     in_order = points[order]
     is_new = np.ones(len(order), dtype=bool)
     is_new[1:] = (in_order[1:] != in_order[:-1]).any(axis=1)
@@ -290,7 +306,8 @@ def _whole_of(parts: List[_Part]) -> _Whole:
     number[order] = np.cumsum(is_new) - 1
     cells = np.concatenate([number[part.cells + start] for part, start in zip(parts, starts)])
     cells = _one_way_round(in_order[is_new], cells)
-    cell_order = np.lexsort((cells[:, 2], cells[:, 1], cells[:, 0]))
+    # Two triangles on one side of an edge overlap, and are refused later: two vertices say which triangle it is.
+    cell_order = np.argsort(cells[:, 0] * len(points) + cells[:, 1], kind="stable")
     cell_number = np.empty(len(cells), dtype=np.int64)
     cell_number[cell_order] = np.arange(len(cells))
     of_cells, of_edges, of_vertices = _whole_labels(parts, starts, number, cell_number)
@@ -317,12 +334,28 @@ def _whole_labels(parts: Any, starts: Any, number: Any, cell_number: Any) -> Tup
     for part, start in zip(parts, starts):
         for pair, cells, edges, vertices in part.labels:
             of_cells.setdefault(pair, []).append(cell_number[cells + first_cell])
-            of_edges.setdefault(pair, []).append(np.sort(number[edges + start], axis=1))
+            of_edges.setdefault(pair, []).append(number[edges + start])
             of_vertices.setdefault(pair, []).append(number[vertices + start])
         first_cell += len(part.cells)
-    return ({pair: np.unique(np.concatenate(found)) for pair, found in sorted(of_cells.items())},
-            {pair: np.unique(np.concatenate(found), axis=0) for pair, found in sorted(of_edges.items())},
-            {pair: np.unique(np.concatenate(found)) for pair, found in sorted(of_vertices.items())})
+    return ({pair: _distinct(found, len(cell_number)) for pair, found in sorted(of_cells.items())},
+            {pair: _distinct_edges(np.concatenate(found), len(number)) for pair, found in sorted(of_edges.items())},
+            {pair: _distinct(found, len(number)) for pair, found in sorted(of_vertices.items())})
+
+
+def _distinct(found: List[Any], count: int) -> Any:
+    """Returns the numbers below count in any of the arrays, in their order. Marks them where they are many, which
+    takes a pass over count, and sorts them where they are few."""
+    numbers = np.concatenate(found)
+    if len(numbers) < count // 32:
+        return np.unique(numbers)
+    is_there = np.zeros(count, dtype=bool)
+    is_there[numbers] = True
+    return np.flatnonzero(is_there)
+
+
+def _distinct_edges(edges: Any, count: int) -> Any:
+    keys = np.unique(_keys(edges, count))
+    return np.column_stack([keys // count, keys % count]) if count else edges
 
 
 def _check_alike(parts: List[_Part]) -> None:
@@ -366,13 +399,22 @@ def _combined(labels: Dict[Pair, Any], count: int) -> Tuple[Any, List[Tuple[Pair
     numbers = np.zeros(count, dtype=np.int64)
     sets: List[Tuple[Pair, ...]] = [()]
     for pair, items in labels.items():
-        before, place = np.unique(numbers[items], return_inverse=True)
+        before, place = _ranks(numbers[items])
         numbers[items] = len(sets) + place
         sets += [(*sets[int(old)], pair) for old in before]
-    used, compact = np.unique(numbers, return_inverse=True)
+    used, compact = _ranks(numbers)
     if len(used) and used[0] != 0:
         used, compact = np.concatenate([[0], used]), compact + 1
     return compact, [sets[int(k)] for k in used]
+
+
+def _ranks(numbers: Any) -> Tuple[Any, Any]:
+    """Returns the distinct ones of numbers from 0 on, in their order, and for each number its place among them."""
+    if len(numbers) == 0:
+        return numbers, numbers
+    least = numbers.min()
+    is_used = np.bincount(numbers - least) > 0
+    return np.flatnonzero(is_used) + least, (np.cumsum(is_used) - 1)[numbers - least]
 
 
 def _keys(edges: Any, count: int) -> Any:
@@ -381,20 +423,12 @@ def _keys(edges: Any, count: int) -> Any:
 
 def _mesh_of(whole: _Whole) -> Tuple[Mesh, _Labelling]:
     count = len(whole.points)
-    sides = whole.cells[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    of_sides = _keys(sides, count)
-    order = np.argsort(of_sides, kind="stable")
-    in_order = of_sides[order]
-    starts = np.flatnonzero(np.diff(in_order, prepend=in_order[:1] - 1))
-    times = np.diff(np.append(starts, len(order)))
-    keys, first, last = in_order[starts], order[starts], order[starts + times - 1]
-    edge_of = np.empty(len(order), dtype=np.int64)
-    edge_of[order] = np.repeat(np.arange(len(keys)), times)
-    edges = sides[first]
+    edges, edges_of = _asterism._numbered_edges(whole.cells, count)
     regions, region_sets = _combined(whole.cell_labels, len(whole.cells))
-    of_edges, to_edges = _edges_apart(whole, keys, edge_of.reshape(-1, 3))
-    markers, marker_sets = _combined(of_edges, len(keys))
-    listed = (times == 1) | (markers != 0) | (regions[first // 3] != regions[last // 3])
+    of_edges, to_edges = _edges_apart(whole, edges, edges_of)
+    markers, marker_sets = _combined(of_edges, len(edges))
+    listed = np.flatnonzero((markers != 0) | _is_outline(regions, edges_of, len(edges)))
+    listed = listed[np.argsort(_keys(edges[listed], count))]
     required, to_vertices = _vertices_apart(whole, count)
     kept = np.unique(np.concatenate([np.zeros(0, dtype=np.int64), *required.values()]))
     # A part without a number may have region 0; the numbers here begin at 1.
@@ -404,14 +438,39 @@ def _mesh_of(whole: _Whole) -> Tuple[Mesh, _Labelling]:
     return made, _Labelling(region_sets, marker_sets, places, to_edges, to_vertices)
 
 
-def _edges_apart(whole: _Whole, keys: Any, edges_of: Any) -> Tuple[Dict[Pair, Any], List[Pair]]:
-    """Returns labelled edges by the numbers of their keys, without edges that have the label of their cell, and the
-    pairs on such edges. edges_of: the numbers of each cell's edges."""
+def _is_outline(regions: Any, edges_of: Any, count: int) -> Any:
+    """Returns for each edge whether it is of one triangle, or between regions."""
+    outlines = np.bincount(edges_of.reshape(-1), minlength=count) == 1
+    of_one = np.empty(count, dtype=regions.dtype)
+    of_one[edges_of] = regions[:, None]  # that of any of its triangles
+    outlines[edges_of[of_one[edges_of] != regions[:, None]]] = True
+    return outlines
+
+
+def _numbers_of(wanted: Any, edges: Any, count: int) -> Any:
+    """Returns the numbers of the wanted edges among all. Sorts only edges between ends of wanted ones."""
+    is_end = np.zeros(count, dtype=bool)
+    is_end[wanted] = True
+    near = np.flatnonzero(is_end[edges[:, 0]] & is_end[edges[:, 1]])
+    keys = _keys(edges[near], count)
+    order = np.argsort(keys)
+    keys, wanted_keys = keys[order], _keys(wanted, count)
+    place = np.searchsorted(keys, wanted_keys)
+    if (np.append(keys, -1)[place] != wanted_keys).any():
+        raise InputError("dm: an edge with a label is of no triangle")
+    return near[order[place]]
+
+
+def _edges_apart(whole: _Whole, edges: Any, edges_of: Any) -> Tuple[Dict[Pair, Any], List[Pair]]:
+    """Returns labelled edges by their numbers, without edges that have the label of their cell, and the pairs on such
+    edges. edges_of: the numbers of each cell's edges."""
     apart: Dict[Pair, Any] = {}
     closed = []
-    for pair, edges in whole.edge_labels.items():
-        found = np.searchsorted(keys, _keys(edges, len(whole.points))) if len(edges) else np.zeros(0, dtype=np.int64)
-        apart[pair], is_closed = _apart_from(found, edges_of[whole.cell_labels[pair]], len(keys))
+    labelled = np.concatenate([np.zeros((0, 2), dtype=np.int64), *whole.edge_labels.values()])
+    numbers = _numbers_of(labelled, edges, len(whole.points))
+    cuts = np.cumsum([len(of) for of in whole.edge_labels.values()])
+    for pair, found in zip(whole.edge_labels, np.split(numbers, cuts)):
+        apart[pair], is_closed = _apart_from(found, edges_of[whole.cell_labels[pair]], len(edges))
         closed += [pair] if is_closed else []
     return apart, closed
 
@@ -478,9 +537,9 @@ def _scatter(comm: Any, scattered: Optional[_Scattered], overlap: int) -> Tuple[
     mpi = comm.tompi4py()
     cells, points, order = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2)), None
     if scattered is not None:
-        order = _asterism._order_along_curve(scattered.mesh.points[scattered.mesh.triangles].mean(axis=1))
-        cells = np.array(scattered.mesh.triangles[order], dtype=PETSc.IntType)
-        points = np.array(scattered.mesh.points)
+        points, triangles = np.array(scattered.mesh.points), scattered.mesh.triangles
+        order = _asterism._order_along_curve(sum(points[triangles[:, k]] for k in range(3)) / 3)
+        cells = np.array(triangles[order], dtype=PETSc.IntType)
     dm = _plex_of(comm, cells, points)
     names = mpi.bcast(None if scattered is None else sorted({name for name, _ in scattered.names}))
     for name in names:
@@ -504,18 +563,6 @@ def _scatter(comm: Any, scattered: Optional[_Scattered], overlap: int) -> Tuple[
     return dm, _brought(dm, moved, index)
 
 
-def _numbered_edges(cells: Any, count: int) -> Tuple[Any, Any, Any]:
-    """Returns the vertices of the edges, numbered as cells come upon them; and of each cell its edges, and whether it
-    has them the other way round."""
-    sides = np.asarray(cells, dtype=np.int64)[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    _, first, of = np.unique(_keys(sides, count), return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    number = np.empty_like(order)
-    number[order] = np.arange(len(order))
-    edges, of = sides[first[order]], number[of.reshape(-1)]
-    return edges, of, edges[of][:, 0] != sides[:, 0]
-
-
 def _plex_of(comm: Any, cells: Any, points: Any) -> Any:
     """Returns the dm that createFromCellList() makes, with edges. Numbers the edges here, as PETSc's own search for
     them takes most of the time of a distribution (0.34 of 0.43 s for 100,000 vertices)."""
@@ -526,11 +573,12 @@ def _plex_of(comm: Any, cells: Any, points: Any) -> Any:
         make = ctypes.CDLL(PETSc.__file__).DMPlexCreateFromDAG
     if make is None:
         return PETSc.DMPlex().createFromCellList(2, cells, points, interpolate=True, comm=comm)
-    edges, of, is_turned = _numbered_edges(cells, len(points))
+    edges, of = _asterism._numbered_edges(cells, len(points))
+    is_turned = edges[:, 0][of] != cells
     first_edge = len(cells) + len(points)
     cone_sizes = np.repeat([3, 0, 2], [len(cells), len(points), len(edges)])
-    cones = np.concatenate([of + first_edge, edges.reshape(-1) + len(cells)])
-    turns = np.concatenate([-is_turned.astype(np.int64), np.zeros(2 * len(edges), dtype=np.int64)])
+    cones = np.concatenate([of.reshape(-1) + first_edge, edges.reshape(-1) + len(cells)])
+    turns = np.concatenate([-is_turned.reshape(-1).astype(np.int64), np.zeros(2 * len(edges), dtype=np.int64)])
     counts = np.array([len(points), len(edges), len(cells)])
     tables = [np.ascontiguousarray(table, dtype=PETSc.IntType) for table in (counts, cone_sizes, cones, turns)]
     tables.append(np.ascontiguousarray(points, dtype=PETSc.ScalarType))
@@ -565,29 +613,37 @@ def _set_labels(dm: Any, scattered: Any, order: Any, first_vertex: int) -> None:
     for number, pairs in enumerate(labelling.regions):
         for pair in pairs:
             has.setdefault(pair, []).append(np.flatnonzero(regions == number) + cells[0])
-    count = len(mesh.points)
-    keys = _keys(edge_vertices, count)
-    by_key = np.argsort(keys)
-    points_of = edges[0] + by_key[np.searchsorted(keys[by_key], _keys(np.asarray(mesh.edges, dtype=np.int64), count))]
+    points_of = edges[0] + _numbers_of(np.asarray(mesh.edges, dtype=np.int64), edge_vertices, len(mesh.points))
     markers = np.asarray(mesh.edge_markers)
     for number, pairs in enumerate(labelling.markers):
         for pair in pairs:
             has.setdefault(pair, []).append(points_of[markers == number])
     for pair in labelling.to_edges:
         own = np.concatenate(has.get(pair, [np.zeros(0, dtype=np.int64)]))
-        has.setdefault(pair, []).append(np.unique(cell_edges[own[own < cells[1]]]))
+        has.setdefault(pair, []).append(cell_edges[own[own < cells[1]]].reshape(-1))
     for pair in labelling.to_vertices:
         own = np.concatenate(has.get(pair, [np.zeros(0, dtype=np.int64)]))
         of_cells = cell_edges[own[own < cells[1]]].reshape(-1) - edges[0]
         of_edges = own[(own >= edges[0]) & (own < edges[1])] - edges[0]
-        has.setdefault(pair, []).append(first_vertex + np.unique(edge_vertices[np.concatenate([of_cells, of_edges])]))
-    given = mesh.points[:mesh.given] if labelling.vertices else np.zeros((0, 2))
-    at = {place: k for k, place in enumerate(map(tuple, np.asarray(given).tolist()))}
-    for pair, places in labelling.vertices.items():
-        has.setdefault(pair, []).append(np.array([first_vertex + at[tuple(place)] for place in places.tolist()]))
-    for (name, value), found in has.items():
-        every = np.unique(np.concatenate(found)).astype(PETSc.IntType)
-        dm.getLabel(name).insertIS(PETSc.IS().createGeneral(every, comm=PETSc.COMM_SELF), value)
+        has.setdefault(pair, []).append(first_vertex + edge_vertices[np.concatenate([of_cells, of_edges])].reshape(-1))
+    for pair, found in _vertices_at(labelling.vertices, mesh.points[:mesh.given]).items():
+        has.setdefault(pair, []).append(first_vertex + found)
+    for (name, value), parts in has.items():
+        every = _distinct(parts, edges[1]).astype(PETSc.IntType)
+        dm.getLabel(name).setStratumIS(value, PETSc.IS().createGeneral(every, comm=PETSc.COMM_SELF))
+
+
+def _vertices_at(places: Dict[Pair, Any], points: Any) -> Dict[Pair, Any]:
+    """Returns the numbers of the points at the given places."""
+    if not places:
+        return {}
+    as_one = [np.ascontiguousarray(of).view(np.complex128)[:, 0] for of in (*places.values(), points)]
+    wanted, at = np.unique(np.concatenate(as_one[:-1])), as_one[-1]
+    place = np.minimum(np.searchsorted(wanted, at), len(wanted) - 1)
+    found = np.flatnonzero(wanted[place] == at)
+    number = np.full(len(wanted), -1, dtype=np.int64)
+    number[place[found]] = found
+    return {pair: number[np.searchsorted(wanted, of)] for pair, of in zip(places, as_one)}
 
 
 def _rows_for(comm: Any, index: Any, made: Any, scattered: Optional[_Scattered]) -> Tuple[Any, Any, Any]:

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Measures each triangle of a mesh, and finds the triangles that points are in.
+// Measures each triangle of a mesh, numbers edges, and finds the triangles that points are in.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 #include "arguments.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
@@ -123,6 +126,55 @@ py::array_t<std::int32_t> order_along_curve(const py::object& points) {
   return column;
 }
 
+// Edges by their two ends, in the order in which triangles come upon them, chained at the lesser
+// end: an edge is found in a few steps, without a sort.
+class edge_numbers {
+ public:
+  explicit edge_numbers(std::size_t points) : first_(points, -1) {}
+
+  // Returns the number of the edge from a to b, a new one where it is not there yet.
+  std::int32_t number_of(std::int64_t a, std::int64_t b) {
+    std::int32_t* next = &first_[static_cast<std::size_t>(std::min(a, b))];
+    const std::int64_t greater = std::max(a, b);
+    while (*next >= 0 && greater_[static_cast<std::size_t>(*next)] != greater)
+      next = &next_[static_cast<std::size_t>(*next)];
+    if (*next >= 0) return *next;
+    const auto number = static_cast<std::int32_t>(ends_.size());
+    *next = number;  // before next_ grows, which moves what it points to
+    ends_.push_back({a, b});
+    greater_.push_back(greater);
+    next_.push_back(-1);
+    return number;
+  }
+  const std::vector<std::array<std::int64_t, 2>>& ends() const { return ends_; }
+
+ private:
+  std::vector<std::int32_t> first_, next_;
+  std::vector<std::int64_t> greater_;
+  std::vector<std::array<std::int64_t, 2>> ends_;
+};
+
+// Returns the ends of all edges, each as the first triangle that has it runs along it, and the
+// numbers of each triangle's sides 01, 12 and 20.
+py::tuple numbered_edges(const py::object& triangles, std::size_t points) {
+  const whole_array corners = wholes_of(triangles, "triangles");
+  if (corners.ndim() != 2 || corners.shape(1) != 3)
+    throw input_error("triangles: rows of three numbers of points are wanted");
+  py::array_t<std::int64_t> sides({corners.shape(0), py::ssize_t{3}});
+  std::int64_t* side = sides.mutable_data();
+  const std::int64_t* t = corners.data();
+  if (std::any_of(t, t + corners.size(),
+                  [&](std::int64_t v) { return v < 0 || static_cast<std::size_t>(v) >= points; }))
+    throw input_error("triangles: a number of no point");
+  edge_numbers edges(points);
+  for (py::ssize_t k = 0; k < corners.shape(0); ++k, t += 3)
+    for (std::size_t i = 0; i < 3; ++i) *side++ = edges.number_of(t[i], t[(i + 1) % 3]);
+  py::array_t<std::int64_t> ends({static_cast<py::ssize_t>(edges.ends().size()), py::ssize_t{2}});
+  std::int64_t* to = ends.mutable_data();
+  for (const auto& [a, b] : edges.ends()) *to++ = a, *to++ = b;
+  return py::make_tuple(ends, sides);
+}
+
 }  // namespace
 
 void define_measures(py::module_& m) {
@@ -136,6 +188,7 @@ void define_measures(py::module_& m) {
   m.def("_neighbors", &neighbours, py::arg("mesh"));
   m.def("_locate", &located, py::arg("mesh"), py::arg("points"));
   m.def("_order_along_curve", &order_along_curve, py::arg("points"));
+  m.def("_numbered_edges", &numbered_edges, py::arg("triangles"), py::arg("points"));
 }
 
 }  // namespace asterism::python
