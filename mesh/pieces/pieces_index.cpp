@@ -223,6 +223,8 @@ result<pieces_index> parse_index(const std::string& text, const std::string& nam
     return index;
   } catch (const malformed& what) {
     return error{name + ": " + what.what()};
+  } catch (const json::parse_error& what) {
+    return error{fmt::format("{}:{}: this is not JSON", name, line_of_byte(text, what.byte))};
   } catch (const json::exception& what) {
     return error{name + ": this is no index of pieces: " + what.what()};
   }

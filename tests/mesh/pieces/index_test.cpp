@@ -50,6 +50,12 @@ TEST_CASE("an index is read as it was written") {
   CHECK_FALSE(parse_index(std::string(100000, '['), "index.json"));
 }
 
+TEST_CASE("an index that is no JSON is refused by its line, not by its bytes") {
+  const auto refused = parse_index("{\n\"pieces\": -0.\xa9}", "index.json");
+  REQUIRE_FALSE(refused);
+  CHECK(refused.failure().message == "index.json:2: this is not JSON");
+}
+
 TEST_CASE("an index that does not fit together is refused") {
   const pieces_index good = some_index();
   pieces_index bad = good;
