@@ -22,7 +22,7 @@ import numpy.typing as npt
 from . import _asterism
 from ._adapt import adapt as _adapt_arrays
 from ._asterism import InputError
-from ._forms import doubles, tensor_rows
+from ._forms import definite, doubles, tensor_rows
 from ._mesh import Mesh
 
 # Names of labels that a DMPlex makes for itself.
@@ -44,13 +44,15 @@ class AdaptedPlex(NamedTuple):
 
 
 class _Part(NamedTuple):
-    """The part of a process: its vertices, its own cells by them, labelled cells, edges and vertices, and rows of
-    fields."""
+    """The part of a process: its vertices, which of them it owns, its own cells by them, labelled cells, edges and
+    vertices, rows of fields, and the plain ones among the other arguments."""
 
     points: npt.NDArray[np.float64]
+    own_points: npt.NDArray[np.bool_]
     cells: npt.NDArray[np.int64]
     labels: List[Tuple[Pair, npt.NDArray[np.int64], npt.NDArray[np.int64], npt.NDArray[np.int64]]]
     rows: Dict[str, npt.NDArray[np.float64]]
+    wishes: Dict[str, Any]
 
 
 class _Whole(NamedTuple):
@@ -77,7 +79,8 @@ def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None,
     call on all of them with its error.
     """
     comm = _comm_of(dm)
-    part = _together(comm, lambda: _part_of(dm, {"metric": metric, "u": values, "carried": carry}, overlap))
+    given = {"metric": metric, "u": values, "carried": carry}
+    part = _together(comm, lambda: _part_of(dm, given, {"overlap": _layers(overlap), **wishes}))
     parts = comm.gather(part)
     plan = _on_first(comm, lambda: _adapted(parts, values, carry, metric is not None, wishes))
     made, scattered = plan if comm.rank == 0 else (None, None)
@@ -194,29 +197,36 @@ def _cones(dm: Any, cells: Tuple[int, int], edges: Tuple[int, int]) -> Tuple[Any
 
 def _strata(dm: Any) -> Tuple[Tuple[int, int], Tuple[int, int], Tuple[int, int]]:
     if dm.getDimension() != 2 or dm.getDepth() not in (2, -1) or dm.getCoordinateDim() != 2:
-        raise InputError("dm: triangles in the plane, with their edges (interpolate=True), are wanted")
+        raise InputError("dm: triangles in the plane, with their edges (interpolate=True, or dm.interpolate()), are "
+                         "wanted")
     return dm.getHeightStratum(0), dm.getDepthStratum(1), dm.getDepthStratum(0)
 
 
-def _part_of(dm: Any, given: Dict[str, Any], overlap: Any = 0) -> _Part:
+def _layers(overlap: Any) -> int:
     if not isinstance(overlap, (int, np.integer)) or overlap < 0:
         raise InputError(f"overlap: a number of layers of cells from 0 on is wanted, not {overlap!r}")
+    return int(overlap)
+
+
+def _part_of(dm: Any, given: Dict[str, Any], wishes: Optional[Dict[str, Any]] = None) -> _Part:
     cells, edges, vertices = _strata(dm)
     if any(dm.getConeSize(p) != 3 for p in (cells[0], cells[1] - 1) if cells[1] > cells[0]):
         raise InputError("dm: triangles are wanted")
     cell_edges, edge_vertices = _cones(dm, cells, edges)
     corners = _corners(cell_edges - edges[0], edge_vertices - vertices[0])
-    own = np.ones(len(corners), dtype=bool)
+    is_own = np.ones(max(cells[1], vertices[1]), dtype=bool)
     if dm.comm.size > 1:
         leaves = _shared_points(dm)
-        ghosts = leaves[(leaves >= cells[0]) & (leaves < cells[1])] - cells[0]
-        own[ghosts] = False
+        is_own[leaves[leaves < len(is_own)]] = False
+    own = is_own[cells[0]:cells[1]]
     labels = []
     for name in (dm.getLabelName(k) for k in range(dm.getNumLabels())):
         if name not in _OWN_LABELS:
             labels += _stratum(dm, name, own, edge_vertices - vertices[0])
     count = vertices[1] - vertices[0]
-    return _Part(_places(dm, vertices), corners[own], labels, _rows_of(given, count))
+    rows = _rows_of({**given, "metric": _tensors_of(dm, given.get("metric"), count)}, count)
+    plain = {name: of for name, of in (wishes or {}).items() if isinstance(of, (int, float, str, np.number))}
+    return _Part(_places(dm, vertices), is_own[vertices[0]:vertices[1]], corners[own], labels, rows, plain)
 
 
 def _corners(edges_of: Any, ends: Any) -> Any:
@@ -267,6 +277,18 @@ def _stratum(dm: Any, name: str, own: Any, edge_vertices: Any) -> List[Any]:
     return found
 
 
+def _tensors_of(dm: Any, metric: Any, count: int) -> Any:
+    """Returns a metric as it is given, and one of PETSc's isotropic or uniform ones, whose numbers are the entries of
+    its tensors, as tensors."""
+    if not hasattr(metric, "array_r") or len(metric.array_r) not in (1, count):
+        return metric
+    if not dm.metricIsIsotropic():
+        raise InputError("metric: a Vec with a number for each vertex is PETSc's isotropic metric where "
+                         "dm.metricIsIsotropic() is true, and here it is not; sizes are given as an array")
+    entries = np.array(metric.array_r)
+    return np.column_stack([entries, 0 * entries, entries]) if len(entries) == count else (entries[0], 0.0, entries[0])
+
+
 def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
     """Returns the arrays by their names, prefixed by their use, with rows for the local vertices."""
     rows: Dict[str, Any] = {}
@@ -274,17 +296,18 @@ def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
         if fields is None:
             continue
         for name, of in (fields.items() if isinstance(fields, Mapping) else [("", fields)]):
+            remedy = "; dm.globalToLocal() makes a local Vec of a global one" if hasattr(of, "array_r") else ""
             of = np.array(of.array_r) if hasattr(of, "array_r") else of
             array = doubles(_said(use, name), of)
             if array.ndim == 1 and count and array.size % count == 0 and array.size // count > 1:
                 array = array.reshape(count, -1)
             if use == "metric":
                 array = array.reshape(-1, 2, 2) if array.ndim == 2 and array.shape[1] == 4 else array
-                array = tensor_rows(use, array, count) if count else np.zeros((0, 3))
+                array = definite(use, tensor_rows(use, array, count)) if count else np.zeros((0, 3))
                 array = np.tile(array, (count, 1)) if array.ndim == 1 else array
             if array.ndim == 0 or len(array) != count:
                 raise InputError(f"{_said(use, name)}: rows for the {count} local vertices are wanted, not an array of "
-                                 f"the shape {array.shape}")
+                                 f"the shape {array.shape}{remedy}")
             finite = np.isfinite(array.reshape(count, -1)).all(axis=1) if count else np.ones(0, dtype=bool)
             if not finite.all():
                 raise InputError(f"{_said(use, name)}: row {int(np.argmin(finite))} is not finite")
@@ -304,6 +327,7 @@ def _whole_of(parts: List[_Part]) -> _Whole:
     is_new[1:] = (in_order[1:] != in_order[:-1]).any(axis=1)
     number = np.empty(len(order), dtype=np.int64)
     number[order] = np.cumsum(is_new) - 1
+    _check_places(in_order[is_new], number[np.concatenate([part.own_points for part in parts])])
     cells = np.concatenate([number[part.cells + start] for part, start in zip(parts, starts)])
     cells = _one_way_round(in_order[is_new], cells)
     # Two triangles on one side of an edge overlap, and are refused later: two vertices say which triangle it is.
@@ -313,6 +337,19 @@ def _whole_of(parts: List[_Part]) -> _Whole:
     of_cells, of_edges, of_vertices = _whole_labels(parts, starts, number, cell_number)
     return _Whole(in_order[is_new], cells[cell_order], of_cells, of_edges, of_vertices,
                   _whole_rows(parts, order, is_new, number))
+
+
+def _check_places(places: Any, owned: Any) -> None:
+    """Raises InputError unless each place has one vertex that a process owns. Where it has two, as on the sides of a
+    crack, the mesh would come back without the crack."""
+    times = np.bincount(owned, minlength=len(places))
+    if (times != 1).any():
+        wrong = int(np.argmax(times != 1))
+        x, y = places[wrong]
+        raise InputError(f"dm: at ({x:.6g}, {y:.6g}) there are {times[wrong]} vertices that a process owns, and one is "
+                         "wanted: the sides of a crack are not kept apart here" if times[wrong] else
+                         f"dm: the vertex at ({x:.6g}, {y:.6g}) is nowhere but among ghosts; coordinates of ghosts are "
+                         "those of the vertices")
 
 
 def _one_way_round(points: Any, cells: Any) -> Any:
@@ -360,6 +397,12 @@ def _distinct_edges(edges: Any, count: int) -> Any:
 
 def _check_alike(parts: List[_Part]) -> None:
     """Raises InputError where a process gives other fields than the first one, or of another kind."""
+    for rank, part in enumerate(parts):
+        for name in sorted(part.wishes.keys() & parts[0].wishes.keys() - {"threads"}):
+            mine, first = (of.wishes[name] for of in (part, parts[0]))
+            if mine != first:
+                raise InputError(f"{name}: process {rank} gives {mine!r} and process 0 {first!r}; every process gives "
+                                 "the same")
     kinds = [{name: rows.shape[1:] for name, rows in part.rows.items() if len(rows)} for part in parts]
     for rank, (part, kind) in enumerate(zip(parts, kinds)):
         odd = sorted(set(part.rows) ^ set(parts[0].rows))

@@ -123,8 +123,39 @@ def run_metric():
                                          if len(at) else np.zeros(0), comm=PETSc.COMM_SELF)
     same = asterism.petsc.adapt(dm, vector, keep="never")
     one, two = whole(made.dm), whole(same.dm)
+    more = {"isotropic": isotropic(dm, np.full(len(at), 400.0)), "by tensors": alike(dm, (400, 0, 400))}
     if MPI.rank == 0:
-        return {"digest": digest(one), "same": digest(two), "vertices": len(one.points)}
+        return {"digest": digest(one), "same": digest(two), "vertices": len(one.points), **more}
+
+
+def alike(dm, metric):
+    found = whole(asterism.petsc.adapt(dm, metric, keep="never").dm)
+    return digest(found) if MPI.rank == 0 else None
+
+
+def isotropic(dm, entries):
+    """Adapts by PETSc's isotropic metric, whose numbers are no sizes. Without PETSc's mark on the dm it is refused."""
+    vector = PETSc.Vec().createWithArray(entries, comm=PETSc.COMM_SELF)
+    try:
+        asterism.petsc.adapt(dm, vector)
+        raise AssertionError("no error")
+    except asterism.InputError as error:
+        assert "metricIsIsotropic" in str(error)
+    dm.metricSetIsotropic(True)
+    found = alike(dm, vector)
+    dm.metricSetIsotropic(False)
+    return found
+
+
+def cracked():
+    """Returns two triangles that meet in a crack: each has a vertex of its own at (0, 0)."""
+    cells, points = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2))
+    if MPI.rank == 0:
+        cells = np.array([(0, 1, 2), (3, 2, 4)], dtype=PETSc.IntType)
+        points = np.array([(0, 0), (1, 0), (0, 1), (0, 0), (-1, 0.0)])
+    dm = PETSc.DMPlex().createFromCellList(2, cells, points, interpolate=True, comm=COMM)
+    dm.distribute()
+    return dm
 
 
 def run_errors():
@@ -132,7 +163,10 @@ def run_errors():
     dm = square()
     at = coordinates(dm)
     last = MPI.size - 1
-    for wrong, of in ((dict(dm=None), "DMPlex"), (dict(dm=dm, values=front(at), overlap=-1), "overlap")):
+    several = ((dict(dm=dm, values=front(at), overlap=MPI.rank), "overlap: process 1 gives 1"),
+               (dict(dm=dm, values=front(at), vertices=300 + MPI.rank), "vertices: process 1 gives 301"))
+    for wrong, of in ((dict(dm=None), "DMPlex"), (dict(dm=dm, values=front(at), overlap=-1), "overlap"),
+                      (dict(dm=cracked()), "at (0, 0) there are 2 vertices"), *several):
         try:
             asterism.petsc.adapt(**wrong)
             raise AssertionError("no error")
@@ -140,6 +174,7 @@ def run_errors():
             assert of in str(error)
     told = []
     for arguments in ({"metric": np.ones((2, 3))} if MPI.rank == last else {"metric": (1, 0, 1)},
+                      {"metric": (1, 2, 1) if MPI.rank == last else (1, 0, 1)},
                       {"values": front(at), "vertices": -1}, {"values": np.full(len(at), float(MPI.rank + 1)) + at[:, 0] * MPI.rank},
                       {"values": {"T": front(at) / (MPI.rank != last)}, "vertices": 300},
                       {"values": {"b" if MPI.rank == last else "a": front(at)}},

@@ -62,6 +62,7 @@ def test_a_mesh_that_is_on_one_process_alone():
 def test_a_metric_as_rows_and_as_a_vector():
     alone, several = run(1, "metric"), run(3, "metric")
     assert alone["digest"] == alone["same"] == several["digest"] == several["same"]
+    assert alone["isotropic"] == alone["by tensors"] == several["isotropic"] == several["by tensors"]
 
 
 def test_edges_are_numbered_as_petsc_numbers_them():
@@ -72,7 +73,8 @@ def test_edges_are_numbered_as_petsc_numbers_them():
 def test_an_error_on_one_process_is_one_on_all():
     told = run(3, "errors")["told"]
     assert told[0] == told[1] == told[2]
-    first, second, third, fourth, named, wide, fifth = told[0]
+    first, indefinite, second, third, fourth, named, wide, fifth = told[0]
+    assert indefinite.startswith("InputError: metric: row 0, 1 2 1, is not") and "(process 2)" in indefinite
     assert "a: process 2 and process 0 give different fields" in named
     assert "values: process 2 and process 0 give different fields" in wide
     assert first.startswith("InputError: metric") and "(process 2)" in first
