@@ -84,7 +84,7 @@ def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None,
     parts = comm.gather(part)
     plan = _on_first(comm, lambda: _adapted(parts, values, carry, metric is not None, wishes))
     made, scattered = plan if comm.rank == 0 else (None, None)
-    with _ending_all(comm):
+    with abort_on_exception(comm):
         new, index = _scatter(dm.comm, scattered, overlap)
         wanted, carried, report = _rows_for(comm, index, made, scattered)
     return AdaptedPlex(new, _as_given(values, wanted), _as_given(carry, carried), report,
@@ -97,6 +97,28 @@ def gathered(dm: Any) -> Optional[Mesh]:
     parts = comm.gather(_together(comm, lambda: _part_of(dm, {})))
     made: Optional[Mesh] = _on_first(comm, lambda: _mesh_of(_whole_of(parts))[0])
     return made
+
+
+@contextlib.contextmanager
+def abort_on_exception(comm: Any = None) -> Iterator[None]:
+    """Ends all processes by MPI's Abort if one fails, or exits with a status other than 0, while the others wait for
+    it. For a whole program: `with asterism.petsc.abort_on_exception():`, or as the decorator of its main function.
+    comm: of PETSc or mpi4py; all processes unless named. On one process alone the error is raised as ever."""
+    if comm is None:
+        from mpi4py import MPI
+
+        comm = MPI.COMM_WORLD
+    comm = comm.tompi4py() if hasattr(comm, "tompi4py") else comm
+    try:
+        yield
+    except BaseException as error:
+        status = error.code if isinstance(error, SystemExit) else 1
+        if comm.size == 1 or status in (None, 0):
+            raise
+        traceback.print_exc()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        comm.Abort(status if isinstance(status, int) else 1)
 
 
 # Errors: a process that fails sends its error to the others before any of them waits for it.
@@ -144,19 +166,6 @@ def _on_first(comm: Any, work: Callable[[], Any]) -> Any:
     if error is not None:
         _raise_first([error])
     return done
-
-
-@contextlib.contextmanager
-def _ending_all(comm: Any) -> Iterator[None]:
-    """Ends all processes if one fails between collective calls, in which the others wait for it."""
-    try:
-        yield
-    except BaseException:
-        if comm.size == 1:
-            raise
-        traceback.print_exc()
-        sys.stderr.flush()
-        comm.Abort(1)
 
 
 # The part of a process.
@@ -601,7 +610,8 @@ def _scatter(comm: Any, scattered: Optional[_Scattered], overlap: int) -> Tuple[
         partitioner.setShellPartition(mpi.size, np.diff(cuts).astype(PETSc.IntType),
                                       np.arange(len(cells), dtype=PETSc.IntType))
     else:
-        partitioner.setShellPartition(mpi.size, np.zeros(mpi.size, dtype=PETSc.IntType), np.zeros(0, dtype=PETSc.IntType))
+        partitioner.setShellPartition(mpi.size, np.zeros(mpi.size, dtype=PETSc.IntType),
+                                      np.zeros(0, dtype=PETSc.IntType))
     moved = dm.distribute(overlap=overlap)
     return dm, _brought(dm, moved, index)
 

@@ -190,6 +190,14 @@ def run_errors():
         return {"told": every}
 
 
+@asterism.petsc.abort_on_exception()
+def run_fails():
+    """The last process fails, by an exception or an exit, and the others wait for it."""
+    if MPI.rank == MPI.size - 1:
+        sys.exit(3) if sys.argv[2] == "exit" else 1 / 0
+    MPI.barrier()
+
+
 def run_built():
     """The dm made of numbered edges has the points that PETSc's own search for edges makes."""
     cells, points = np.zeros((0, 3), dtype=PETSc.IntType), np.zeros((0, 2))
@@ -218,7 +226,7 @@ def run_page():
 
 if __name__ == "__main__":
     jobs = {"adapt": run_adapt, "undistributed": run_undistributed, "metric": run_metric, "errors": run_errors,
-            "page": run_page, "built": run_built, "blocks": run_blocks}
+            "page": run_page, "fails": run_fails, "built": run_built, "blocks": run_blocks}
     told = jobs[sys.argv[1]]()
     if MPI.rank == 0:
         print(json.dumps(told))

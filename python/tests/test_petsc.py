@@ -19,11 +19,15 @@ if shutil.which("mpirun") is None:
 RUN = pathlib.Path(__file__).parent / "plex_run.py"
 
 
-def run(processes, *job):
+def ended(processes, *job):
     environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                    "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
-    done = subprocess.run(["mpirun", "-n", str(processes), "--bind-to", "none", sys.executable, "-W", "ignore", str(RUN),
+    return subprocess.run(["mpirun", "-n", str(processes), "--bind-to", "none", sys.executable, "-W", "ignore", str(RUN),
                            *job], env=environment, capture_output=True, text=True, timeout=600)
+
+
+def run(processes, *job):
+    done = ended(processes, *job)
     assert done.returncode == 0, done.stdout + done.stderr
     return json.loads(done.stdout.strip().splitlines()[-1])
 
@@ -81,6 +85,15 @@ def test_an_error_on_one_process_is_one_on_all():
     assert second.startswith("InputError: vertices") and "several values" in third
     assert fourth.startswith("InputError: T: row ") and "is not finite (process 2)" in fourth
     assert fifth.startswith("ZeroDivisionError")
+
+
+def test_an_exception_of_the_program_ends_all():
+    for how, status in (("raise", 1), ("exit", 3)):
+        done = ended(2, "fails", how)
+        assert done.returncode == status, done.stdout + done.stderr
+    assert "ZeroDivisionError" in ended(2, "fails", "raise").stderr
+    alone = ended(1, "fails", "raise")
+    assert alone.returncode != 0 and "ABORT" not in alone.stderr
 
 
 def test_the_page_of_the_manual_runs():
