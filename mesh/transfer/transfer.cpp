@@ -176,8 +176,8 @@ result<transferred_solution> transfer_solution(const mesh& from, const solution&
   if (auto failed = check(from, values, to)) return *failed;
   const transfer_scale scale = scale_of(from, values, to);
   auto made = scale.is_one() ? transfer_ordinary(from, values, to, how)
-                             : transfer_ordinary(divided(from, scale), divided(values, scale),
-                                                 divided(to, scale), how);
+                             : transfer_ordinary(placed(from, scale), divided(values, scale),
+                                                 placed(to, scale), how);
   if (!made) return made;
   multiply(made.value(), scale);
   if (auto failed = check_finite(made.value().report, made.value().values)) return *failed;

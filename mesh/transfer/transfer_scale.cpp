@@ -5,14 +5,25 @@
 #include <cmath>
 #include <utility>
 
+#include "asterism/mesh/data/bounding_box.hpp"
+
 namespace asterism::internal {
 namespace {
 
-double largest_coordinate(const mesh& m) {
-  double largest = 0;
-  for (const site& s : m.sites)
-    largest = std::max({largest, std::abs(s.position.x), std::abs(s.position.y)});
-  return largest;
+// Encloses the coordinates of two meshes.
+bounding_box box_of(const mesh& from, const mesh& to) {
+  bounding_box box{from.sites[0].position, from.sites[0].position};
+  for (const mesh* const m : {&from, &to})
+    for (const site& s : m->sites) box.include(s.position);
+  return box;
+}
+
+// Returns an origin for coordinates between two ends, from which all their differences are exact: a
+// number less half of it, up to twice it, is a double (Sterbenz 1974).
+double origin_between(double low, double high) {
+  if (low > 0 && high / 2 <= low) return low;
+  if (high < 0 && low / 2 >= high) return high;
+  return 0;
 }
 
 double largest_value(const solution_field& f) {
@@ -44,7 +55,7 @@ void multiply(solution& s, const transfer_scale& scale, int sign) {
 }  // namespace
 
 bool transfer_scale::is_one() const {
-  return of_places == 0 &&
+  return origin == point{0, 0} && of_places == 0 &&
          std::all_of(of_fields.begin(), of_fields.end(), [](int power) { return power == 0; });
 }
 
@@ -53,17 +64,23 @@ transfer_scale scale_of(const mesh& from, const solution& values, const mesh& to
   // are up to 2^(4 * 32 + 2 * 300).
   constexpr int ordinary_place = 32, ordinary_value = 300;
   transfer_scale scale;
-  scale.of_places =
-      power_beyond(std::max(largest_coordinate(from), largest_coordinate(to)), ordinary_place);
+  const bounding_box box = box_of(from, to);
+  scale.origin = {origin_between(box.low.x, box.high.x), origin_between(box.low.y, box.high.y)};
+  const auto farthest = [](double low, double high, double origin) {
+    return std::max(std::abs(low - origin), std::abs(high - origin));
+  };
+  scale.of_places = power_beyond(std::max(farthest(box.low.x, box.high.x, scale.origin.x),
+                                          farthest(box.low.y, box.high.y, scale.origin.y)),
+                                 ordinary_place);
   for (const solution_field& f : values.fields)
     scale.of_fields.push_back(power_to_ordinary(largest_value(f), ordinary_value));
   return scale;
 }
 
-mesh divided(mesh m, const transfer_scale& scale) {
+mesh placed(mesh m, const transfer_scale& scale) {
   for (site& s : m.sites)
-    s.position = {std::scalbn(s.position.x, -scale.of_places),
-                  std::scalbn(s.position.y, -scale.of_places)};
+    s.position = {std::scalbn(s.position.x - scale.origin.x, -scale.of_places),
+                  std::scalbn(s.position.y - scale.origin.y, -scale.of_places)};
   return m;
 }
 

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "asterism/core/random.hpp"
 #include "asterism/mesh/transfer/triangle_overlap.hpp"
@@ -356,6 +357,28 @@ TEST_CASE("a transfer scaled by powers of two is the same, scaled, as far as dou
             std::scalbn(ordinary.report.components[0].integral_after, 2 * of_places + of_values));
     }
   }
+}
+
+TEST_CASE("a transfer far from the origin is the same as one beside it, to the last bit") {
+  const mesh from = grid(16, 4), to = grid(8, 32);
+  const solution u = scalar(from, bump);
+  const auto moved_by = [](mesh m, double x, double y) {
+    for (site& s : m.sites) s.position = {s.position.x + x, s.position.y + y};
+    return m;
+  };
+  const double far = std::ldexp(1.0, 40);  // so that places are multiples of 2^-12
+  for (const transfer_method how : methods)
+    for (const auto& [x, y] : {std::pair{far, 0.0}, std::pair{-far, far}, std::pair{1.0, -2.0}}) {
+      CAPTURE(static_cast<int>(how), x, y);
+      const auto near = moved(from, u, to, how);
+      const auto there = moved(moved_by(from, x, y), u, moved_by(to, x, y), how);
+      if (x > 0 && y >= 0) CHECK(there.values.fields[0].values == near.values.fields[0].values);
+      CHECK(there.report.partly_covered == 0);
+      CHECK(there.report.pieces == near.report.pieces);
+      if (how == transfer_method::interpolate) continue;
+      const auto& one = there.report.components[0];
+      CHECK(std::abs(one.integral_after - one.integral_before) < 1e-14);
+    }
 }
 
 TEST_CASE("areas and integrals that no double holds are refused, by name") {
