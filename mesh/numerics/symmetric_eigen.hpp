@@ -4,9 +4,11 @@
 // building metrics; decides nothing.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/numerics/scaled_tensor.hpp"
 
 namespace asterism::internal {
 
@@ -18,8 +20,18 @@ struct symmetric_eigen {
 
 // Returns the eigenvalues and eigenvectors. The eigenvalue of greater modulus has a relative error
 // of a few units in the last place, the other one an absolute error of that times the condition of
-// the matrix's entries. Entries must be below 1e150 in modulus.
+// the matrix's entries. Takes matrices near the ends of the range of doubles times a power of two,
+// as squares of their entries have no double.
 inline symmetric_eigen eigen_of(const metric_tensor& m) {
+  constexpr double small = 0x1p-256, large = 0x1p256;
+  const double size = std::max({std::abs(m.m11), std::abs(m.m12), std::abs(m.m22)});
+  if ((size > 0 && size < small) || (size > large && std::isfinite(size))) {
+    const int exponent = std::ilogb(size);
+    symmetric_eigen e = eigen_of(times_power_of_two(m, -exponent));
+    e.first = std::scalbn(e.first, exponent);
+    e.second = std::scalbn(e.second, exponent);
+    return e;
+  }
   const double half = (m.m11 - m.m22) / 2, mean = (m.m11 + m.m22) / 2;
   const double radius = std::sqrt(half * half + m.m12 * m.m12);
   const double product = m.m12 * m.m12;
