@@ -311,7 +311,9 @@ std::optional<error> write_all(const adapt_job& job, const run_files& files, con
 // Writes a line on whether the given mesh stays, where the options do not determine that.
 void say_kept(const adapt_job& job, const adapted& made) {
   const bool always = job.options.keep == keep_rule::always;
-  if (made.next.kept)
+  if (made.next.kept && job.options.keep == keep_rule::never)
+    std::cout << "the new mesh is the one given, vertex by vertex\n";
+  else if (made.next.kept)
     std::cout << (always ? "the mesh stays as it is, as --keep always wants it\n"
                          : "the mesh meets its metric and stays as it is\n");
   else if (always)

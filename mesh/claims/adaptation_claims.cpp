@@ -12,6 +12,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/claims/metric_request.hpp"
 #include "asterism/mesh/claims/metric_words.hpp"
+#include "asterism/mesh/data/same_triangulation.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -58,12 +59,6 @@ void compare_transfer(const mesh& subject, const certificate& claim, const reque
     else
       compare(words_of(again.value().report, how), claim, check);
   }
-}
-
-bool is_same_triangulation(const mesh& a, const mesh& b) {
-  return a.triangles == b.triangles &&
-         std::equal(a.sites.begin(), a.sites.end(), b.sites.begin(), b.sites.end(),
-                    [](const site& s, const site& t) { return s.position == t.position; });
 }
 
 // The mesh that was adapted: that of the file, or its part outside frozen regions.

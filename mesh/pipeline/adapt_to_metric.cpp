@@ -12,6 +12,7 @@
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/boundary_distance.hpp"
 #include "asterism/mesh/audit/split_edges.hpp"
+#include "asterism/mesh/data/same_triangulation.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/domain/mesh_outline.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
@@ -200,6 +201,7 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     done.shape = std::move(for_new->shape);
     done.former = std::move(for_new->former);
   }
+  if (is_same_triangulation(done.made.outcome.result, background)) done.kept = true;
   if (!kept_sides.empty()) done.made.outcome.result.notes.push_back(note_on_kept(kept_sides));
   compare_boundaries(done);
   return done;

@@ -65,7 +65,8 @@ struct mesh_adaptation_options {
 struct adapted_mesh {
   domain shape;  // what it is a mesh of
   certified_mesh made;
-  bool kept = false;                  // the mesh given stays, and is the result
+  // The result has the triangles of the mesh given: that one stays, or a new mesh is the same.
+  bool kept = false;
   std::size_t boundary_vertices = 0;  // of the mesh given
   std::size_t boundary_kept = 0;      // of those
   bool keeps_boundary = false;        // all of them, because parts touch

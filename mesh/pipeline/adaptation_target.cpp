@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace asterism::internal {
 namespace {
@@ -39,6 +40,17 @@ std::optional<error> take_target(const adaptation_wish& wish, const std::string&
   return std::nullopt;
 }
 
+namespace {
+
+// Returns the number of vertices on segments of the domain, of its boundary and inside.
+std::size_t vertices_on_segments(const mesh& m) {
+  std::vector<bool> is_on(m.sites.size(), false);
+  for (const boundary_edge& e : m.boundary) is_on[e.a] = is_on[e.b] = true;
+  return static_cast<std::size_t>(std::count(is_on.begin(), is_on.end(), true));
+}
+
+}  // namespace
+
 std::optional<std::string> what_is_missed(const adapted_mesh& next,
                                           const solution_metric_report& report,
                                           const std::optional<std::size_t>& vertices_wanted) {
@@ -50,8 +62,8 @@ std::optional<std::string> what_is_missed(const adapted_mesh& next,
              got = static_cast<double>(next.made.outcome.result.sites.size());
   if (std::abs(got - wanted) <= std::max(tolerable * wanted, std::min(few, wanted / 2)))
     return std::nullopt;
-  return fmt::format("{} vertices were wanted, and {} are there, {} of them on the boundary",
-                     wanted, got, next.made.outcome.result.boundary.size());
+  return fmt::format("{} vertices were wanted, and {} are there, {} of them on segments", wanted,
+                     got, vertices_on_segments(next.made.outcome.result));
 }
 
 }  // namespace asterism::internal

@@ -106,6 +106,8 @@ std::pair<double, point> shortest_edge(const mesh& m) {
 // Returns a clause on the distance of the metric from the one wanted, with the measures of both.
 std::string distances_text(const mesh_outcome& outcome) {
   const delivered_report& report = *outcome.delivered;
+  constexpr double rounding = 1e-6;
+  if (report.greatest < rounding) return "which differs from it by less than 1e-6 of any length";
   return fmt::format(
       "which differs from it at {} of {} sites, with lengths up to {:.4g} times as long or as "
       "short, and {:.4g} at half of them{}",

@@ -601,6 +601,33 @@ class AdaptTest(AdaptationTest):
         self.assertIn("stays as it is", done.stdout)
         self.assertEqual(done.stderr.count("turned over"), 1, done.stderr)
 
+    def test_a_new_mesh_that_is_the_same_is_verified(self):
+        text = mesh_text([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)], [(0, 1, 2), (0, 2, 3)])
+        self.write("o.mesh", text.replace("1 3 4 1", "1 3 4 2"))  # two regions, so that the edge between stays
+        self.write("o.sol", solution_text([(0.0,), (1.0,), (1.0,), (0.0,)]))
+        done = self.adapt("o.mesh", "--solution", "o.sol", "--vertices", "3", "--keep", "never", "-o", "n.mesh")
+        self.assertIn("the new mesh is the one given", done.stdout)
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+
+    def test_vertices_on_segments_are_counted_once(self):
+        points, triangles = grid(2, 0.0, 1.0)
+        text = mesh_text(points, triangles).replace("Triangles", "Edges\n2\n2 5 9\n5 8 9\nRequiredEdges\n2\n1\n2\n"
+                                                    "Triangles")
+        self.write("o.mesh", text)
+        self.write("o.sol", solution_text([(x,) for x, _ in points]))
+        done = self.adapt("o.mesh", "--solution", "o.sol", "--vertices", "2", "-o", "n.mesh", status=1)
+        there, on = re.search(r"2 vertices were wanted, and (\d+) are there, (\d+) of them on segments",
+                              done.stderr).groups()
+        self.assertLessEqual(int(on), int(there))
+
+    def test_a_metric_near_the_end_of_the_doubles_stays_what_it_is(self):
+        for size in "1e-200", "1e-300":
+            tensors = solution_text([(float(size), 0.0, float(size))] * len(self.points), (3,))
+            self.write("far.sol", tensors)
+            done = self.adapt("g.mesh", "--metric", "far.sol", "-o", "n.mesh")
+            self.assertNotIn("changed by aspect", done.stdout)
+            self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+
     def test_few_vertices_that_a_mesh_cannot_have_are_told(self):
         done = self.adapt("g.mesh", "--solution", "u.sol", "--vertices", "1", "-o", "n.mesh", status=1)
         self.assertIn("1 vertices were wanted, and 4 are there", done.stderr)
