@@ -38,5 +38,5 @@ if(TARGET asterism)
     set(of_threads -ltbb)
   endif()
   asterism_pkg_config(asterism asterism "Certified anisotropic triangle meshes"
-                      -lasterism_predicates -lfmt ${of_threads} -lmuparser -lz -lmpfr ${of_predicates})
+                      -lasterism_predicates -lfmt ${of_threads} -lz -lmpfr ${of_predicates})
 endif()

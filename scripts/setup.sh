@@ -8,7 +8,7 @@ build=$project/build/release
 # Packages for the command and the library.
 command_packages=(
   g++ cmake ninja-build pkg-config
-  libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libmuparser-dev
+  libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libcairo2-dev libtbb-dev zlib1g-dev
 )
 

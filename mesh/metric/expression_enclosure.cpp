@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/metric/expression_enclosure.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "asterism/mesh/metric/interval_functions.hpp"
 
@@ -29,6 +31,16 @@ interval_jet number_of(truth t) {
 
 }  // namespace
 
+std::optional<expression_enclosure> expression_enclosure::parse(const std::string& text) {
+  auto read = formula::read(text);
+  if (!read) return std::nullopt;
+  expression_enclosure made;
+  made.steps_ = std::move(read).value().steps;
+  const auto is_enclosed = [](const step& s) { return is_bounded_operation(s.what); };
+  if (!std::all_of(made.steps_.begin(), made.steps_.end(), is_enclosed)) return std::nullopt;
+  return made;
+}
+
 interval_jet expression_enclosure::over(const plane_jet& at) const {
   // Reads step 0, a number, in the place of each operand that an operation does not have.
   std::vector<evaluation> made(steps_.size());
@@ -41,6 +53,22 @@ interval_jet expression_enclosure::over(const plane_jet& at) const {
     made[i] = {value, of_nan || makes_nan(s.what, made[s.first].jet, value)};
   }
   return made.back().jet;
+}
+
+bool expression_enclosure::is_bounded_operation(operation what) {
+  switch (what) {
+    case operation::arc_sine:
+    case operation::arc_cosine:
+    case operation::angle:
+    case operation::area_sine:
+    case operation::area_cosine:
+    case operation::area_tangent:
+    case operation::sign:
+    case operation::whole:
+      return false;
+    default:
+      return true;
+  }
 }
 
 bool expression_enclosure::hides_nan(operation what) {
@@ -87,6 +115,7 @@ interval_jet expression_enclosure::value_of(const step& s, const std::vector<eva
     case operation::y:
       return at.y;
     case operation::add:
+    case operation::total:
       return first + second;
     case operation::subtract:
       return first - second;

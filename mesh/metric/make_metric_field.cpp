@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -69,16 +68,8 @@ class expression_field : public sized_field {
       : sized_field(size), entries_(std::move(entries)), enclosures_(std::move(enclosures)) {}
 
  private:
-  // Evaluates three formulas. The parser holds its variables, so one thread at a time may call it.
   result<metric_tensor> unsized(const point& q) const override {
-    const std::lock_guard<std::mutex> alone(mutex_);
-    std::array<double, 3> m{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto value = entries_[i](q);
-      if (!value.ok()) return value.failure();
-      m[i] = value.value();
-    }
-    return metric_tensor{m[0], m[1], m[2]};
+    return metric_tensor{entries_[0](q), entries_[1](q), entries_[2](q)};
   }
   std::optional<tensor_jet> unsized_over(const plane_jet& at) const override {
     if (!enclosures_) return std::nullopt;
@@ -88,7 +79,6 @@ class expression_field : public sized_field {
 
   std::array<plane_expression, 3> entries_;
   std::optional<std::array<expression_enclosure, 3>> enclosures_;
-  mutable std::mutex mutex_;
 };
 
 made_field make_identity(const field_request& asked) {

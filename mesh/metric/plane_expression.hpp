@@ -1,37 +1,35 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a formula in x and y from text and evaluates it in doubles.
-//
-// The language is muparser's: + - * / ^, comparisons and `a ? b : c`, sin, cos, exp, sqrt, abs,
-// min, max and so on, case sensitive, decimal points in any locale; `pi` and `e` are constants.
-// Assignments and lists of values are refused. Source: muparser's manual, "Features".
+// Evaluates a formula in x and y (formula.hpp) in doubles. The results are the same bits on every
+// machine, as those of elementary.hpp.
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "asterism/core/result.hpp"
 #include "asterism/core/site.hpp"
+#include "asterism/mesh/metric/formula.hpp"
 
 namespace asterism::internal {
 
 class plane_expression {
  public:
-  // Reads the formula. Fails with the parser's words and the position (from 1) in `text`.
+  // Reads the formula. Fails with what is wrong and its position (from 1) in `text`.
   static result<plane_expression> parse(const std::string& text);
 
-  plane_expression(plane_expression&&) noexcept;
-  plane_expression& operator=(plane_expression&&) noexcept;
-  ~plane_expression();
+  // Returns the value, which may be infinite or not a number. Several threads may call it.
+  double operator()(const point& q) const;
 
-  // Evaluates the formula. The value may be infinite or not a number. Not safe to call from two
-  // threads at once.
-  result<double> operator()(const point& q) const;
+  // A step of the formula, where a multiple of a coordinate plus a constant is one step: of x and y
+  // the value is factor * x + constant. The other steps are those of the formula.
+  struct step : formula::step {
+    double factor = 1;
+  };
 
  private:
-  struct state;
-  explicit plane_expression(std::unique_ptr<state> s);
-  std::unique_ptr<state> state_;
+  std::vector<step> steps_;
 };
 
 }  // namespace asterism::internal

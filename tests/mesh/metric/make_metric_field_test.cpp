@@ -70,9 +70,55 @@ TEST_CASE("expressions have the functions and constants of a calculator") {
 TEST_CASE("powers in expressions are not the C library's, and bind as they did") {
   REQUIRE(value("expr:10-x^2; -y^2/2 ; 2^3^2", {3, 1}) == metric_tensor{1, -0.5, 512});
   REQUIRE(value("expr:2*x^2+1; 2^-3 ; (1+y)^0.5", {3, 3}) == metric_tensor{19, 0.125, 2});
-  REQUIRE_THAT(refusal("expr:1;0;x^^2"),
-               Catch::Contains("\"^2 \" found") && Catch::Contains("position 3"));
+  REQUIRE_THAT(refusal("expr:1;0;x^^2"), Catch::Contains("unexpected '^' (position 3)"));
   REQUIRE_THAT(refusal("expr:1;0;x#2"), Catch::Contains("unexpected '#' (position 2)"));
+}
+
+TEST_CASE("expressions have all functions of their language") {
+  const auto at = [](const std::string& formula, double x, double y) {
+    const metric_tensor m = value("expr:9;" + formula + ";9", {x, y});
+    return m.m12;
+  };
+  CHECK(at("asin(x)+acos(x)-pi/2", 0.3, 0) == Approx(0).margin(1e-15));
+  CHECK(at("atan2(y,x)-atan(y/x)", 2, 3) == Approx(0).margin(1e-15));
+  CHECK(at("sinh(asinh(x))+cosh(acosh(y))-tanh(atanh(x))", 0.4, 1.5) == Approx(1.5));
+  CHECK(at("log2(8)+log10(100)-ln(e)-log(e)+exp(0)", 0, 0) == 4);
+  CHECK(at("sign(-x)+rint(y)+abs(-x)", 2, 0.5) == 2);
+  CHECK(at("min(3,x,y)+max(x)+sum(1,x)+avg(x,y)", 2, 1) == 7.5);
+  CHECK(at("x>1&&y||x!=x", 2, 0) == 0);
+  CHECK(at("x<0?1:x<1?2:x<2?3:4", 1.5, 0) == 3);
+  CHECK(at("2^-x^2*3 - -y", 1, 1) == 2.5);
+}
+
+// Meshes depend on the bits of these.
+TEST_CASE("multiples of a coordinate plus a constant are one step of an expression") {
+  const double x = 0.3, y = 0.7;
+  const metric_tensor m = value("expr:7*(x-0.1);y/3-y/7;9+(x+2*x-1)/3", {x, y});
+  CHECK(m.m11 == x * 7 + -0.1 * 7);
+  CHECK(m.m12 == y / 3 - y / 7);
+  CHECK(m.m22 == x * (3.0 / 3) + (-1.0 / 3 + 9));
+  // Powers are made from the numbers as written.
+  CHECK(value("expr:3*x*2^0.5;0;9", {x, y}).m11 == x * 3 * std::sqrt(2.0));
+}
+
+TEST_CASE("faults of expressions are told with their places") {
+  for (const auto& [formula, said] :
+       {std::pair("2x", "unexpected 'x' (position 2)"), std::pair("x y", "unexpected 'y'"),
+        std::pair("(x", "something is missing at the end (position 3)"),
+        std::pair("x)", "unexpected ')' (position 2)"), std::pair("x?1", "missing at the end"),
+        std::pair("sin x", "unexpected 'x' (position 5)"),
+        std::pair("1+sin(x,y)", "the number of arguments of sin is not 2 (position 3)"),
+        std::pair("min()", "the number of arguments of min is not 0"),
+        std::pair("1e+", "'1e+' is not a number (position 1)"),
+        std::pair("1e999*x", "(position 1)"), std::pair("f(x)", "unknown name \"f\""),
+        std::pair("x=1", "assignments are not allowed (position 2)")}) {
+    CAPTURE(formula);
+    REQUIRE_THAT(refusal(std::string("expr:1;0;") + formula), Catch::Contains(said));
+  }
+  REQUIRE_THAT(refusal("expr:1;0;" + std::string(1000, '(')), Catch::Contains("more than 200"));
+  std::string chain;
+  for (int i = 0; i < 1000; ++i) chain += "x<" + std::to_string(i) + "?" + std::to_string(i) + ":";
+  REQUIRE(value("expr:" + chain + "0;0;1", {700.5, 0}).m11 == 701);
 }
 
 TEST_CASE("a tensor that is no metric is refused with point and numbers") {
