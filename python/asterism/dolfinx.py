@@ -37,7 +37,7 @@ def from_dolfinx(mesh: Any, cell_tags: Any = None, facet_tags: Any = None) -> Me
     """The asterism.Mesh of a dolfinx mesh. Point k is node k of its geometry, triangle k its cell k.
 
     Tags of cells become regions, of facets, inside too, markers; a cell without a tag has the region 0,
-    a facet without one the marker 0, and so 0 is refused as a facet's tag.
+    a facet without one the marker 0, and so 0 is refused as a facet's tag, and as a cell's where others have none.
     """
     cells = _cells(mesh)
     at = np.asarray(mesh.geometry.x)
@@ -47,10 +47,14 @@ def from_dolfinx(mesh: Any, cell_tags: Any = None, facet_tags: Any = None) -> Me
     regions = np.ones(len(cells), dtype=np.int64)
     if cell_tags is not None:
         _check_tags(mesh, cell_tags, 2, "cell_tags")
+        if len(cell_tags.indices) < len(cells) and (np.asarray(cell_tags.values) == 0).any():
+            raise InputError("cell_tags: 0 is the region of cells without a tag, which there are, too; give the cells "
+                             "of tag 0 another number, or all cells a tag")
         regions[:] = 0
         regions[cell_tags.indices] = cell_tags.values
     edges, markers = _edges_and_markers(mesh, cells, regions, facet_tags)
-    return Mesh(points, _counter_clockwise(points, cells), regions=regions, edges=edges, markers=markers)
+    # A height other than 0 is left out with a warning.
+    return Mesh(at, _counter_clockwise(points, cells), regions=regions, edges=edges, markers=markers)
 
 
 def to_dolfinx(mesh: Mesh, comm: Any = None) -> ToDolfinx:
@@ -63,7 +67,8 @@ def to_dolfinx(mesh: Mesh, comm: Any = None) -> ToDolfinx:
         raise InputError(f"mesh: an asterism.Mesh is wanted, not {type(mesh).__name__}")
     comm = MPI.COMM_SELF if comm is None else comm
     _check_alone(comm)
-    made = dolfinx.mesh.create_mesh(comm, np.array(mesh.triangles, dtype=np.int64), np.array(mesh.points), _domain())
+    cells = np.array(mesh.triangles, dtype=np.int64)
+    made = dolfinx.mesh.create_mesh(comm, cells, x=np.array(mesh.points), **_domain())
     points = np.asarray(made.geometry.input_global_indices, dtype=np.int64)
     own = np.asarray(made.topology.original_cell_index)
     regions = np.asarray(mesh.regions)[own].astype(np.int32)
@@ -106,6 +111,8 @@ def adapt(mesh: Any, values: Values = None, cell_tags: Any = None, facet_tags: A
     _check_way(wanted, how)
     _check_way(brought, how)
     carried = {**brought.at_nodes()} if brought.all else None
+    if wishes.get("metric") is not None:
+        wishes["metric"] = _metric_at_nodes(mesh, wishes["metric"])
     made = _adapt_arrays(old, wanted.alone_or_named() if wanted.all else None, carry=carried, how=how, **wishes)
     new = to_dolfinx(made.mesh, mesh.comm)
     if cell_tags is None:
@@ -148,8 +155,10 @@ class _Given:
             self.all = {f"{name}{k + 1}": of for k, of in enumerate(given)}
         else:
             self.all = {name: given}
-        for key, of in self.all.items():
+        for key, of in list(self.all.items()):
+            _check_no_expression(key, of)
             if _is_function(of):
+                of = self.all[key] = _collapsed(of)
                 _check_function(key, of, mesh)
 
     def names(self) -> List[str]:
@@ -183,6 +192,24 @@ class _Given:
             _is_function(of) for of in self.form) else next(iter(made.values()))
 
 
+def _metric_at_nodes(mesh: Any, metric: Any) -> Any:
+    """Returns a metric in a form that asterism.adapt() takes: of a Function, which dolfinx makes callable, too, rows at
+    the nodes of the geometry."""
+    _check_no_expression("metric", metric)
+    if not _is_function(metric):
+        return metric
+    metric = _collapsed(metric)
+    _check_function("metric", metric, mesh, {1: "sizes", 3: "m11 m12 m22", 4: "a matrix"})
+    rows = _at_nodes(metric)
+    return rows.reshape(len(rows), 2, 2) if _block(metric) == 4 else rows.reshape(len(rows), -1)
+
+
+def _check_no_expression(name: str, of: Any) -> None:
+    if hasattr(of, "ufl_shape") and not _is_function(of):
+        raise InputError(f"{name}: a Function is wanted, not an expression ({type(of).__name__}), which "
+                         "Function.interpolate makes one of")
+
+
 def _named(values: Any, names: List[str]) -> Dict[str, Any]:
     if values is None:
         return {}
@@ -193,10 +220,20 @@ def _is_function(of: Any) -> bool:
     return hasattr(of, "function_space") and hasattr(of, "x")
 
 
+def _collapsed(of: Any) -> Any:
+    """Returns a Function with an array of its own: a part of another, as u.sub(0), has the array of the whole."""
+    if not list(of.function_space.component()):
+        return of
+    made = of.collapse()
+    made.name = of.name
+    return made
+
+
 def _mesh_of(values: Values) -> Any:
     parts = list(values.values()) if isinstance(values, Mapping) else (
         list(values) if isinstance(values, (list, tuple)) else [values])
     for of in parts:
+        _check_no_expression("values", of)
         if _is_function(of):
             return of.function_space.mesh
     raise InputError("mesh: it is to be named where no Function says which one the arrays are on")
@@ -213,7 +250,11 @@ def _check_mesh(name: str, on: Any, mesh: Any) -> None:
         raise InputError(f"{name}: it is on another mesh")
 
 
-def _check_function(name: str, of: Any, mesh: Any) -> None:
+# Meanings of the components of a Function, by their number.
+_COMPONENTS = {1: "a scalar", 2: "a vector", 3: "a vector or tensor"}
+
+
+def _check_function(name: str, of: Any, mesh: Any, meanings: Mapping[int, str] = _COMPONENTS) -> None:
     space = of.function_space
     _check_mesh(name, space.mesh, mesh)
     element = space.ufl_element()
@@ -223,8 +264,11 @@ def _check_function(name: str, of: Any, mesh: Any) -> None:
         raise InputError(f"{name}: a continuous Lagrange function of degree 1 or 2 is wanted, not {element}")
     if np.iscomplexobj(of.x.array):
         raise InputError(f"{name}: complex numbers have no place here; give real and imaginary part as two fields")
-    if _block(of) not in (1, 2, 3):
-        raise InputError(f"{name}: it has {_block(of)} components, and one, two or three are wanted")
+    if not np.isfinite(of.x.array).all():
+        raise InputError(f"{name}: entry {int(np.argmin(np.isfinite(of.x.array)))} of its array is not finite")
+    if _block(of) not in meanings:
+        listed = ", ".join(f"{count} ({meaning})" for count, meaning in meanings.items())
+        raise InputError(f"{name}: it has {_block(of)} components, and one of these numbers is wanted: {listed}")
 
 
 def _check_way(given: _Given, how: str) -> None:
@@ -366,6 +410,8 @@ def _check_tags(mesh: Any, tags: Any, dim: int, name: str) -> None:
     if getattr(tags, "dim", None) != dim:
         given = f"those of dimension {tags.dim}" if hasattr(tags, "dim") else type(tags).__name__
         raise InputError(f"{name}: MeshTags of dimension {dim} are wanted, not {given}")
+    if np.asarray(tags.values).dtype.kind not in "iu":
+        raise InputError(f"{name}: whole numbers are wanted, not {np.asarray(tags.values).dtype}")
     if hasattr(tags, "mesh"):  # newer versions know their topology alone
         _check_mesh(name, tags.mesh, mesh)
 
@@ -426,13 +472,19 @@ def _without_zero(new: ToDolfinx) -> Any:
     return dolfinx.mesh.meshtags(new.mesh, 2, kept, values[kept].astype(np.int32))
 
 
-def _domain() -> Any:
-    """Returns the coordinate element of plane triangles for the installed version of dolfinx."""
+def _domain() -> Dict[str, Any]:
+    """Returns the coordinate element of plane triangles as the keyword of create_mesh() of the installed version. It
+    stands before or behind the points, depending on the version."""
+    import inspect
+
+    import dolfinx.mesh
+    import ufl
+
     try:
         import basix.ufl
 
-        return basix.ufl.element("Lagrange", "triangle", 1, shape=(2,))
+        element = basix.ufl.element("Lagrange", "triangle", 1, shape=(2,))
     except ImportError:
-        import ufl
-
-        return ufl.Mesh(ufl.VectorElement("Lagrange", "triangle", 1))
+        element = ufl.VectorElement("Lagrange", "triangle", 1)
+    is_element = "e" in inspect.signature(dolfinx.mesh.create_mesh).parameters
+    return {"e": element} if is_element else {"domain": ufl.Mesh(element)}

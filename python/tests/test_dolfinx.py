@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("dolfinx", reason="dolfinx is not installed (python3-dolfinx)")
+import ufl  # noqa: E402
 from dolfinx import fem  # noqa: E402
 from dolfinx import mesh as dmesh  # noqa: E402
 from mpi4py import MPI  # noqa: E402
@@ -113,6 +114,41 @@ def test_a_function_of_degree_two_makes_the_metric(square):
     assert by_metric.values is None and by_metric.asterism.certified
 
 
+def test_functions_are_metrics(square):
+    mesh, _, _ = square
+    size = fill(fem.FunctionSpace(mesh, ("CG", 2)), lambda x: 0.05 + 0.1 * x[0])
+    rows = fill(fem.VectorFunctionSpace(mesh, ("CG", 1), dim=3), lambda x: np.vstack([400 + x[0], 0 * x[0], 100 + x[1]]))
+    matrix = fill(fem.TensorFunctionSpace(mesh, ("CG", 1)),
+                  lambda x: np.vstack([400 + x[0], 0 * x[0], 0 * x[0], 100 + x[1]]))
+    sizes = asterism.dolfinx._at_nodes(size)[:, None]
+    for one, same in ((size, sizes), (rows, matrix)):
+        by_one, by_same = (asterism.dolfinx.adapt(mesh, metric=of).asterism for of in (one, same))
+        assert np.array_equal(by_one.sites, by_same.sites)
+
+
+def test_parts_of_functions(square):
+    mesh, _, _ = square
+    u = fill(fem.FunctionSpace(mesh, ("CG", 1)), front)
+    v = fill(fem.VectorFunctionSpace(mesh, ("CG", 1)), lambda x: np.vstack([x[0], 5 + x[1]]))
+    elements = [ufl.VectorElement("CG", mesh.ufl_cell(), 2), ufl.FiniteElement("CG", mesh.ufl_cell(), 1)]
+    flow = fem.Function(fem.FunctionSpace(mesh, ufl.MixedElement(elements)))
+    flow.sub(0).interpolate(lambda x: np.vstack([x[0] * x[1], x[1] ** 2]))
+    flow.sub(1).interpolate(lambda x: 3 + x[0])
+    carried = asterism.dolfinx.adapt(mesh, u, vertices=300, carry=[v.sub(1), flow.sub(0), flow.sub(1)]).carried
+    for of, exact in zip(carried, (lambda x: 5 + x[1], lambda x: np.vstack([x[0] * x[1], x[1] ** 2]), lambda x: 3 + x[0])):
+        assert np.allclose(of.x.array, fill(of.function_space, exact).x.array, atol=1e-13)
+    with pytest.raises(asterism.InputError, match="degree 1 or 2 is wanted"):
+        asterism.dolfinx.adapt(mesh, u, vertices=300, carry=flow)
+
+
+def test_a_height_is_left_out_with_a_warning():
+    places = np.array([[0, 0, 2], [1, 0, 2], [0, 1, 2], [1, 1, 2.0]])
+    domain = ufl.Mesh(ufl.VectorElement("CG", "triangle", 1, dim=3))
+    flat = dmesh.create_mesh(MPI.COMM_SELF, np.array([[0, 1, 2], [1, 3, 2]]), places, domain)
+    with pytest.warns(UserWarning, match="height z = 2"):
+        assert asterism.dolfinx.from_dolfinx(flat).points.shape == (4, 2)
+
+
 def test_cells_without_a_tag_stay_so(square):
     mesh, cell_tags, _ = square
     some = cell_tags.indices[cell_tags.values == 3]
@@ -150,6 +186,12 @@ def test_what_is_refused(square):
             (lambda: asterism.dolfinx.adapt(mesh, u, facet_tags, cell_tags), "cell_tags: MeshTags"),
             (lambda: asterism.dolfinx.adapt(mesh, u, cell_tags, dmesh.meshtags(other, 1, *ones)), "facet_tags: it is"),
             (lambda: asterism.dolfinx.adapt(mesh, u, cell_tags, zero), "0 is the marker"),
+            (lambda: asterism.dolfinx.adapt(mesh, u, dmesh.meshtags(mesh, 2, ones[0], 0 * ones[1])), "0 is the region"),
+            (lambda: asterism.dolfinx.adapt(mesh, u, dmesh.meshtags(mesh, 2, ones[0], 1.5 * ones[1])), "whole numbers"),
+            (lambda: asterism.dolfinx.adapt(mesh, u * 2), "a Function is wanted, not an expression"),
+            (lambda: asterism.dolfinx.adapt(mesh, metric=u * 2), "a Function is wanted, not an expression"),
+            (lambda: asterism.dolfinx.adapt(mesh, metric=fem.Function(fem.VectorFunctionSpace(mesh, ("CG", 1)))), "3 .m11"),
+            (lambda: asterism.dolfinx.adapt(mesh, u, carry=fill(q.function_space, lambda x: np.nan * x[0])), "not finite"),
             (lambda: asterism.dolfinx.adapt(mesh), "which metric is wanted"),
             (lambda: asterism.dolfinx.from_dolfinx(7), "a dolfinx mesh is wanted"),
             (lambda: asterism.dolfinx.to_dolfinx(mesh), "an asterism.Mesh is wanted"),
