@@ -26,6 +26,9 @@ constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
 // Greatest distance from a line at which vertices count as on the line, as a part of the largest
 // coordinate.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+// Greatest distances of dropped vertices from their piece, as parts of the piece's length. That of
+// polygons was chosen by experiment (bench/adapt/bent_sides.py).
+constexpr double part_of_cubic = 0.01, part_of_polygon = 0.03;
 
 // A run of boundary edges between two kept vertices: the vertices, and the edges after them.
 struct run {
@@ -84,7 +87,8 @@ class outliner {
   double distance(vertex_index v, vertex_index a, vertex_index b) const;
   double farthest(const run& r, std::size_t i, std::size_t j) const;
   bool goes_forward(const run& r, std::size_t i, std::size_t j) const;
-  double allowed_off(vertex_index a, vertex_index b) const;
+  bool is_polygon(const run& r) const;
+  double allowed_off(vertex_index a, vertex_index b, double part_of_piece) const;
   bool may_be_piece(const run& r, std::size_t i, std::size_t j, bool simplify_curves) const;
   bool divides_regions(const run& r) const;
   std::vector<std::size_t> pieces(const run& r, bool simplify_curves) const;
@@ -234,17 +238,23 @@ bool outliner::goes_forward(const run& r, std::size_t i, std::size_t j) const {
   return true;
 }
 
+// True if the run is of a side that stays a polygon. All edges of a run have the same marker.
+bool outliner::is_polygon(const run& r) const {
+  return std::find(options_.polygons.begin(), options_.polygons.end(),
+                   mesh_.boundary[r.edges.front()].marker) != options_.polygons.end();
+}
+
 // Returns the greatest distance allowed between dropped vertices and the piece between two kept
 // ones.
-double outliner::allowed_off(vertex_index a, vertex_index b) const {
+double outliner::allowed_off(vertex_index a, vertex_index b, double part_of_piece) const {
   if (options_.largest_distance) return *options_.largest_distance - rounding * greatest_;
-  constexpr double part = 0.01;
+  constexpr double part_of_size = 0.01;
   const point d{where(b).x - where(a).x, where(b).y - where(a).y};
   const double piece = elementary::hypot(d.x, d.y);
   const point across{-d.y / piece, d.x / piece};
   const double per_length = std::max(plain_length(mesh_.sites[a].metric, across),
                                      plain_length(mesh_.sites[b].metric, across));
-  return part * std::min(piece, 1 / per_length);
+  return std::min(part_of_piece * piece, part_of_size / per_length);
 }
 
 // True if all vertices of the run between two of its vertices may be dropped.
@@ -259,7 +269,8 @@ bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
   const point d{where(b).x - where(a).x, where(b).y - where(a).y};
   const double measured =
       (plain_length(mesh_.sites[a].metric, d) + plain_length(mesh_.sites[b].metric, d)) / 2;
-  return measured <= 1 && off <= allowed_off(a, b) && goes_forward(r, i, j);
+  const double part = is_polygon(r) ? part_of_polygon : part_of_cubic;
+  return measured <= 1 && off <= allowed_off(a, b, part) && goes_forward(r, i, j);
 }
 
 // Returns the places of the vertices of the run between two of its vertices.
@@ -294,7 +305,7 @@ double outliner::width(const run& r, std::size_t i, std::size_t j,
 void outliner::add_curve(const run& r, std::size_t i, std::size_t j,
                          const std::vector<vertex_index>& number, domain& shape) const {
   const vertex_index a = r.vertices[i], b = r.vertices[j];
-  if (mesh_.boundary[r.edges[i]].internal) return;
+  if (mesh_.boundary[r.edges[i]].internal || is_polygon(r)) return;
   if (std::binary_search(required_.begin(), required_.end(),
                          std::array{std::min(a, b), std::max(a, b)}))
     return;
@@ -309,7 +320,8 @@ void outliner::add_curve(const run& r, std::size_t i, std::size_t j,
   cubic.segment = static_cast<std::uint32_t>(shape.segments.size() - 1);
   const curve_path path(cubic, where(a), where(b));
   if (!path.is_straightforward(0, 1) || path.height(0, 1) <= rounding * greatest_) return;
-  if (options_.largest_distance && !(width(r, i, j, *control) <= allowed_off(a, b))) return;
+  if (options_.largest_distance && !(width(r, i, j, *control) <= allowed_off(a, b, part_of_cubic)))
+    return;
   shape.curves.push_back(std::move(cubic));
 }
 
@@ -326,7 +338,9 @@ bool outliner::divides_regions(const run& r) const {
 std::vector<std::size_t> outliner::pieces(const run& r, bool simplify_curves) const {
   simplify_curves = simplify_curves && !divides_regions(r);
   const std::size_t last = r.vertices.size() - 1;
-  if (may_be_piece(r, 0, last, false)) return {0, last};
+  // Tries the whole run of a polygon at once, as vertices that its partner keeps end the run: going
+  // along it the other way, a part of it may be no piece.
+  if (may_be_piece(r, 0, last, simplify_curves && is_polygon(r))) return {0, last};
   // Largest number of edges in a straight piece: each longer piece that is tried is tested in full.
   // So a longer straight run keeps one vertex after each such number of edges.
   constexpr std::size_t most_straight = 4096;

@@ -12,6 +12,9 @@
 //     length 1 in the metric of its ends, and no removed vertex is farther from its piece than is
 //     allowed: by default a hundredth of the piece's length, and of the metric's size across it.
 //     So a curved boundary follows the polygon, with longer pieces where the metric is coarser.
+//     A side that stays a polygon has no cubics, and removed vertices may be three hundredths of
+//     the piece's length away: its vertices stay in the next mesh, and many short pieces leave no
+//     room for triangles whose angles meet the bound.
 //     Lines between different regions keep every vertex that is not on a straight part. A piece of
 //     the outer boundary is a cubic through its ends (outline_curves.hpp), on which the next mesh
 //     splits it; it is straight if the cubic would be farther from the polygon than is allowed, or
@@ -41,6 +44,7 @@ struct outline_options {
   // default: as described above. Must be at least 2^-40 of the largest coordinate, which exceeds
   // rounding errors.
   std::optional<double> largest_distance = {};
+  std::vector<int> polygons = {};  // markers of sides that stay polygons
 };
 
 // The domain of a mesh, and how it was found.

@@ -2,7 +2,6 @@
 #include "asterism/mesh/pipeline/periodic_outline.hpp"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
@@ -12,24 +11,6 @@
 
 namespace asterism::internal {
 namespace {
-
-std::array<vertex_index, 2> ascending(vertex_index a, vertex_index b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
-// Removes the curves along segments with these markers: their chords are straight then. Returns
-// whether there were any.
-bool straighten(domain& shape, const std::set<int>& markers) {
-  std::set<std::array<vertex_index, 2>> sides;
-  for (const segment& one : shape.segments)
-    if (markers.contains(one.marker)) sides.insert(ascending(one.a, one.b));
-  const auto is_on_side = [&sides](const domain_curve& c) {
-    for (std::size_t i = 1; i < c.vertices.size(); ++i)
-      if (sides.contains(ascending(c.vertices[i - 1], c.vertices[i]))) return true;
-    return false;
-  };
-  return std::erase_if(shape.curves, is_on_side) > 0;
-}
 
 // Adds the vertices that the outline keeps on the first sides of the pairs, or on both sides, and
 // their partners, to the required ones. Returns whether any vertex was kept without its partner.
@@ -58,16 +39,16 @@ bool require_partners(const mesh& m, const mesh_outline& outline,
 
 }  // namespace
 
-result<periodic_outline> outline_with_partners(const mesh& m, mesh_marks marks,
-                                               const outline_options& how,
+result<periodic_outline> outline_with_partners(const mesh& m, mesh_marks marks, outline_options how,
                                                const std::vector<periodic_pair>& pairs) {
   constexpr int most_times = 8;
   std::set<int> markers;
   for (const periodic_pair& one : pairs) markers.insert({one.first, one.second});
+  how.polygons.assign(markers.begin(), markers.end());
   for (int times = 0; times < most_times; ++times) {
     auto found = outline_of_mesh(m, marks, how);
     if (!found) return found.failure();
-    if (!straighten(found.value().shape, markers) || !check_periodic(found.value().shape, pairs))
+    if (!check_periodic(found.value().shape, pairs))
       return periodic_outline{std::move(found).value(), {}};
     if (!require_partners(m, found.value(), pairs, times == 0, marks)) break;
   }
