@@ -134,14 +134,8 @@ class periodic_mesher {
   // Makes the mesh for the number of vertices in the options.
   result<certified_mesh> attempt(star_confirmation confirmed, bool may_deliver,
                                  const mesh_options& options) {
-    const double length = edge_length_for_count(domain_, field_, options.vertices).value_or(1);
-    auto sides = find_sides(domain_, pairs_);
+    auto sides = divided_sides(options);
     if (!sides) return sides.failure();
-    constexpr std::size_t part = 4;  // of the sites there may be: more leaves few for the inside
-    if (options.limit_size && options.strategy == refinement_strategy::fill)
-      for (periodic_sides& one : sides.value())
-        if (auto failed = divide_by_length(field_, length, options.max_sites / part, one))
-          return *failed;
     auto made = make_in_rounds(sides.value(), confirmed, may_deliver, options);
     if (!made) return made.failure();
     if (progress_) progress_({.phase = mesh_phase::auditing, .sites = made.value().sites});
@@ -150,6 +144,29 @@ class periodic_mesher {
     claim_periodic(pairs_, judged);
     if (why_sides_differ_ && !judged.claim.complete) judged.claim.reason = *why_sides_differ_;
     return judged;
+  }
+
+  // Returns the sides with the stations that a fill has. A mesh keeps all of them. So if there are
+  // more vertices than wanted before the inside has any, edges are made longer by that ratio: every
+  // part of a side has a whole number of edges, which the length for the count leaves out.
+  result<all_sides> divided_sides(const mesh_options& options) const {
+    constexpr int most_times = 4;
+    const auto fitted = edge_length_for_count(domain_, field_, options.vertices);
+    double length = fitted.value_or(1);
+    for (int times = 1;; ++times) {
+      auto sides = find_sides(domain_, pairs_);
+      if (!sides || !options.limit_size || options.strategy != refinement_strategy::fill)
+        return sides;
+      constexpr std::size_t part = 4;  // of the sites there may be: more leaves few for the inside
+      for (periodic_sides& one : sides.value())
+        if (auto failed = divide_by_length(field_, length, options.max_sites / part, one))
+          return *failed;
+      if (!fitted || times == most_times || domain_.vertices.size() >= *options.vertices)
+        return sides;
+      const std::size_t there = periodic_division(domain_, sides.value()).shape().vertices.size();
+      if (there <= *options.vertices) return sides;
+      length *= static_cast<double>(there) / static_cast<double>(*options.vertices);
+    }
   }
 
   // Makes meshes until the sides of one agree. Returns the last complete one, whose sides differ,
