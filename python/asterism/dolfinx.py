@@ -331,7 +331,9 @@ def _interpolated(of: Any, old: Mesh, mesh: Any) -> Any:
     old mesh, beside a curved boundary, gets the value of the nearest point."""
     made, block = _new_function(of, mesh), _block(of)
     at = np.asarray(made.function_space.tabulate_dof_coordinates())[:, :2]
-    found = old.locate(at)
+    found = np.array(old.locate(at))
+    if len(np.unique(np.array(old.points).view(np.complex128))) < len(old.points):
+        _find_own_sides(found, at, old, mesh, _dofs(made))
     cells = _cells(of.function_space.mesh)
     weights = np.empty((len(at), 3))
     inside = found >= 0
@@ -344,6 +346,39 @@ def _interpolated(of: Any, old: Mesh, mesh: Any) -> Any:
     values = np.asarray(of.x.array).reshape(-1, block)[_dofs(of)[found]]
     made.x.array.reshape(-1, block)[:] = np.einsum("nk,nkc->nc", shapes, values)
     return made
+
+
+def _find_own_sides(found: Any, at: Any, old: Mesh, mesh: Any, dofs: Any) -> None:
+    """Sets the triangles of points on the boundary of the new mesh of a domain with slits to those on the side of the
+    slit where the new cell is. dofs: the numbers of points of each new cell, as _dofs() has them."""
+    cells = _cells(mesh)
+    keys = _keys(cells[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2), len(mesh.geometry.x))
+    _, of, times = np.unique(keys, return_inverse=True, return_counts=True)
+    t, i = np.nonzero((times[of] == 1).reshape(-1, 3))
+    middles = np.asarray(mesh.geometry.x)[cells[t], :2].mean(axis=1)
+    links = np.asarray(old.points), np.asarray(old.triangles), np.asarray(old.neighbors)
+    for cell, side, middle, start in zip(t, i, middles, old.locate(middles)):
+        for dof in dofs[cell, [(side + 1) % 3, (side + 2) % 3, 3 + side]]:
+            end = _walked(links, int(start), middle, at[dof])
+            found[dof] = end if end >= 0 else found[dof]
+
+
+def _walked(links: Tuple[Any, Any, Any], start: int, first: Any, last: Any) -> int:
+    """Returns the triangle in which a walk along a segment ends. Returns -1 where it leaves the mesh, or begins outside.
+    A segment within a new cell crosses no slit. links: points, triangles and neighbors."""
+    from ._predicates import orientation
+
+    points, triangles, neighbors = links
+    t, steps = start, 0
+    while t >= 0 and steps <= len(triangles):
+        a, b = points[np.roll(triangles[t], -1)], points[np.roll(triangles[t], -2)]
+        is_beyond = np.asarray(orientation(a, b, last)) < 0
+        if not is_beyond.any():
+            return t
+        crossed = is_beyond & (np.asarray(orientation(first, last, a)) <= 0)
+        crossed &= np.asarray(orientation(first, last, b)) >= 0
+        t, steps = (int(neighbors[t, np.argmax(crossed)]) if crossed.any() else -1), steps + 1
+    return -1
 
 
 def _barycentric(corners: Any, at: Any) -> Any:

@@ -117,7 +117,8 @@ def test_a_function_of_degree_two_makes_the_metric(square):
 def test_functions_are_metrics(square):
     mesh, _, _ = square
     size = fill(fem.FunctionSpace(mesh, ("CG", 2)), lambda x: 0.05 + 0.1 * x[0])
-    rows = fill(fem.VectorFunctionSpace(mesh, ("CG", 1), dim=3), lambda x: np.vstack([400 + x[0], 0 * x[0], 100 + x[1]]))
+    rows = fill(fem.VectorFunctionSpace(mesh, ("CG", 1), dim=3),
+                lambda x: np.vstack([400 + x[0], 0 * x[0], 100 + x[1]]))
     matrix = fill(fem.TensorFunctionSpace(mesh, ("CG", 1)),
                   lambda x: np.vstack([400 + x[0], 0 * x[0], 0 * x[0], 100 + x[1]]))
     sizes = asterism.dolfinx._at_nodes(size)[:, None]
@@ -135,10 +136,45 @@ def test_parts_of_functions(square):
     flow.sub(0).interpolate(lambda x: np.vstack([x[0] * x[1], x[1] ** 2]))
     flow.sub(1).interpolate(lambda x: 3 + x[0])
     carried = asterism.dolfinx.adapt(mesh, u, vertices=300, carry=[v.sub(1), flow.sub(0), flow.sub(1)]).carried
-    for of, exact in zip(carried, (lambda x: 5 + x[1], lambda x: np.vstack([x[0] * x[1], x[1] ** 2]), lambda x: 3 + x[0])):
+    wanted = (lambda x: 5 + x[1], lambda x: np.vstack([x[0] * x[1], x[1] ** 2]), lambda x: 3 + x[0])
+    for of, exact in zip(carried, wanted):
         assert np.allclose(of.x.array, fill(of.function_space, exact).x.array, atol=1e-13)
     with pytest.raises(asterism.InputError, match="degree 1 or 2 is wanted"):
         asterism.dolfinx.adapt(mesh, u, vertices=300, carry=flow)
+
+
+def cut_square(n):
+    """Returns a mesh of the unit square, cut from (0, 0.5) to its middle: vertices of the cut are there twice."""
+    whole = dmesh.create_unit_square(MPI.COMM_SELF, n, n)
+    points, cells = whole.geometry.x[:, :2].copy(), asterism.dolfinx._cells(whole).copy()
+    on_cut = np.flatnonzero((points[:, 1] == 0.5) & (points[:, 0] < 0.49))
+    above = np.arange(len(points))
+    above[on_cut] = len(points) + np.arange(len(on_cut))
+    is_above = points[cells].mean(axis=1)[:, 1] > 0.5
+    cells[is_above] = above[cells[is_above]]
+    domain = ufl.Mesh(ufl.VectorElement("CG", "triangle", 1))
+    return dmesh.create_mesh(MPI.COMM_SELF, cells, np.concatenate([points, points[on_cut]]), domain)
+
+
+def jump(mesh, degree):
+    """Returns a function that is the distance from x = 0.5 on the left, its sign that of the side of the cut."""
+    made = fem.Function(fem.FunctionSpace(mesh, ("CG", degree)))
+    places = made.function_space.tabulate_dof_coordinates()
+    for cell, nodes in enumerate(asterism.dolfinx._cells(mesh)):
+        sign = 1 if mesh.geometry.x[nodes].mean(axis=0)[1] > 0.5 else -1
+        dofs = made.function_space.dofmap.cell_dofs(cell)
+        made.x.array[dofs] = sign * np.maximum(0.5 - places[dofs, 0], 0)
+    return made
+
+
+def test_values_on_a_cut_stay_on_their_side():
+    mesh = cut_square(12)
+    made = asterism.dolfinx.adapt(mesh, jump(mesh, 1), vertices=300, carry=jump(mesh, 2))
+    for of, degree in ((made.values, 1), (made.carried, 2)):
+        at = of.function_space.tabulate_dof_coordinates()
+        on_cut = (at[:, 1] == 0.5) & (at[:, 0] < 0.5)
+        assert on_cut.sum() >= 10
+        assert np.allclose(of.x.array[on_cut], jump(made.mesh, degree).x.array[on_cut], atol=1e-13)
 
 
 def test_a_height_is_left_out_with_a_warning():
@@ -175,6 +211,8 @@ def test_what_is_refused(square):
     mesh, cell_tags, facet_tags = square
     u = fill(fem.FunctionSpace(mesh, ("CG", 1)), front)
     q = fill(fem.FunctionSpace(mesh, ("CG", 2)), front)
+    flow = fem.Function(fem.VectorFunctionSpace(mesh, ("CG", 1)))
+    nowhere = fill(q.function_space, lambda x: np.nan * x[0])
     other = dmesh.create_unit_square(MPI.COMM_SELF, 5, 5)
     zero = dmesh.meshtags(mesh, 1, facet_tags.indices, facet_tags.values * 0)
     ones = np.arange(4, dtype=np.int32), np.ones(4, dtype=np.int32)
@@ -190,8 +228,8 @@ def test_what_is_refused(square):
             (lambda: asterism.dolfinx.adapt(mesh, u, dmesh.meshtags(mesh, 2, ones[0], 1.5 * ones[1])), "whole numbers"),
             (lambda: asterism.dolfinx.adapt(mesh, u * 2), "a Function is wanted, not an expression"),
             (lambda: asterism.dolfinx.adapt(mesh, metric=u * 2), "a Function is wanted, not an expression"),
-            (lambda: asterism.dolfinx.adapt(mesh, metric=fem.Function(fem.VectorFunctionSpace(mesh, ("CG", 1)))), "3 .m11"),
-            (lambda: asterism.dolfinx.adapt(mesh, u, carry=fill(q.function_space, lambda x: np.nan * x[0])), "not finite"),
+            (lambda: asterism.dolfinx.adapt(mesh, metric=flow), "3 .m11"),
+            (lambda: asterism.dolfinx.adapt(mesh, u, carry=nowhere), "not finite"),
             (lambda: asterism.dolfinx.adapt(mesh), "which metric is wanted"),
             (lambda: asterism.dolfinx.from_dolfinx(7), "a dolfinx mesh is wanted"),
             (lambda: asterism.dolfinx.to_dolfinx(mesh), "an asterism.Mesh is wanted"),
