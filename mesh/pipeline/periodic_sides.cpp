@@ -109,6 +109,21 @@ std::optional<std::array<point, 2>> exact_images(const side_map& map, const poin
   return std::array{point{(*y)[0], (*x)[0]}, point{(*x)[1], (*y)[1]}};
 }
 
+enum class slide { none, along_x, along_y };
+
+// Moves a place along the line from a to b until its x or its y has an exact image. Near the origin
+// doubles are much denser than near the image, and rounding alone would leave the line.
+point slid(const side_map& map, const point& a, const point& b, const point& from, slide along) {
+  const auto exact = exact_images(map, from);
+  if (along == slide::none || !exact) return from;
+  const bool by_x = along == slide::along_x;
+  const double to = by_x ? (*exact)[0].x : (*exact)[0].y, begin = by_x ? a.x : a.y,
+               whole = by_x ? b.x - a.x : b.y - a.y;
+  if (whole == 0) return from;
+  const point on_line = at_part(a, b, (to - begin) / whole);
+  return by_x ? point{to, on_line.y} : point{on_line.x, to};
+}
+
 // Returns the markers of the boundary, as the end of a message.
 std::string markers_of(const domain& d) {
   std::set<int> found;
@@ -365,14 +380,21 @@ side_station periodic_sides::station_at(const side_interval& in, const point& pl
   made.first = at_part(in.first_from, in.first_to, part);
   made.second = at_part(in.second_from, in.second_to, part);
   if (!map_.is_exact) return made;
-  const auto exact = exact_images(map_, made.first);
-  if (exact && is_near_enough(in.first_from, in.first_to, made.first, (*exact)[0]) &&
-      is_near_enough(in.second_from, in.second_to, made.second, (*exact)[1])) {
+  for (const slide along : {slide::none, slide::along_x, slide::along_y}) {
+    const point near = slid(map_, in.first_from, in.first_to, made.first, along);
+    const auto exact = exact_images(map_, near);
+    const double there = part_of(in.first_from, in.first_to, near);
+    constexpr double farthest = 0x1p-30;  // part of the interval, as along an axis
+    if (!exact || !(std::abs(there - part) <= farthest) ||
+        !is_near_enough(in.first_from, in.first_to, near, (*exact)[0]) ||
+        !is_near_enough(in.second_from, in.second_to, at_part(in.second_from, in.second_to, there),
+                        (*exact)[1]))
+      continue;
     made.first = (*exact)[0];
     made.second = (*exact)[1];
-  } else {
-    map_.is_exact = false;
+    return made;
   }
+  map_.is_exact = false;
   return made;
 }
 
