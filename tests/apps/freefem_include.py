@@ -249,8 +249,8 @@ class IncludeTest(unittest.TestCase):
         self.assertEqual((status, numbers), (2, []), text)
 
     def test_two_fields_are_no_metric(self):
-        status, _, text, _ = call("[x, y]", "IsMetric = 1")
-        self.assertEqual(status, 2, text)
+        status, _, text, files = call("[x, y]", "IsMetric = 1")
+        self.assertEqual((status, files), (2, ["script.edp"]), text)  # no run failed, so no file is kept
         self.assertIn("not 2 fields", text)
 
 
