@@ -340,7 +340,8 @@ def _whole_of(parts: List[_Part]) -> _Whole:
     cells = np.concatenate([number[part.cells + start] for part, start in zip(parts, starts)])
     cells = _one_way_round(in_order[is_new], cells)
     # Two triangles on one side of an edge overlap, and are refused later: two vertices say which triangle it is.
-    cell_order = np.argsort(cells[:, 0] * len(points) + cells[:, 1], kind="stable")
+    # numpy sorts numbers of 16 bits by counting, in a quarter of the time.
+    cell_order = np.lexsort([(cells[:, k] >> shift).astype(np.uint16) for k in (1, 0) for shift in (0, 16)])
     cell_number = np.empty(len(cells), dtype=np.int64)
     cell_number[cell_order] = np.arange(len(cells))
     of_cells, of_edges, of_vertices = _whole_labels(parts, starts, number, cell_number)
@@ -365,11 +366,9 @@ def _one_way_round(points: Any, cells: Any) -> Any:
     """Returns the triangles counter-clockwise, each from its least vertex on."""
     from ._predicates import orientation
 
-    cells = np.sort(cells, axis=1)
-    corners = points[cells]
-    turns = np.asarray(orientation(corners[:, 0], corners[:, 1], corners[:, 2])).reshape(-1)
-    cells[turns < 0, 1:] = cells[turns < 0, :0:-1]
-    return cells
+    first, second, third = np.sort(cells, axis=1).T
+    turns = np.asarray(orientation(points[first], points[second], points[third])).reshape(-1)
+    return np.column_stack([first, np.where(turns < 0, third, second), np.where(turns < 0, second, third)])
 
 
 def _whole_labels(parts: Any, starts: Any, number: Any, cell_number: Any) -> Tuple[Any, Any, Any]:
