@@ -91,6 +91,22 @@ class Periodic(command.CommandTest):
         self.assertLess(match["greatest_offset"], 1e-15)
         self.assertGreater(match["greatest_offset"], 0)
 
+    def test_bent_side_near_the_origin(self):
+        """Doubles near zero are denser than near their images at one: places slide along their segments."""
+        bends = [round(64 * math.sin(math.pi * i / 8)) / 1024 for i in range(17)]
+        points = [(0, 0)] + [(1 + x, i / 16) for i, x in enumerate(bends)]
+        points += [(x, i / 16) for i, x in reversed(list(enumerate(bends))) if i > 0]
+        markers = [1] + [2] * 16 + [3] + [4] * 16
+        domain = "\n".join([f"{len(points)} 2", *(f"{k} {x!r} {y!r}" for k, (x, y) in enumerate(points, 1)),
+                                     f"{len(points)} 1", *(f"{k} {k} {k % len(points) + 1} {marker}"
+                                                           for k, marker in enumerate(markers, 1)), "0", ""])
+        for sizes in (["--size", "0.05"], ["--metric", "swirl:12", "--size", "0.3"]):
+            told, _ = self.mesh(domain, *sizes, "--periodic", "4,2")
+            self.assertIn("translated exactly by (1, 0)", told)
+            sides = self.sides()
+            self.assertGreater(len(sides[4]), 17)
+            self.assertEqual({(x + 1, y) for x, y in sides[4]}, sides[2])
+
     def test_corners_of_one_side_alone(self):
         told, _ = self.mesh(CORNERS, "--size", "0.2", "--periodic", "4,2")
         self.assertIn("translated exactly by (1, 0)", told)
@@ -262,6 +278,18 @@ class Periodic(command.CommandTest):
                 self.assertAlmostEqual(float(b[0] - a[0]), 1, delta=1e-12)
                 self.assertAlmostEqual(float(b[1] - a[1]), 0, delta=1e-12)
             self.assertEqual(self.run_command("verify", "n.mesh").returncode, 0)
+
+    def test_bent_sides_where_edges_wanted_are_long(self):
+        """Fronts along and across the channel: its sides keep no more vertices than angles beside them allow."""
+        for wanted, front in ((1500, lambda x, y: math.tanh(20 * math.sin(2 * math.pi * (x - 0.25)))),
+                              (400, lambda x, y: math.tanh(20 * math.sin(2 * math.pi * y)))):
+            self.torus(80, front)
+            self.bend_torus(lambda y: math.sin(2 * math.pi * y) / 8)
+            done = self.run_command("adapt", "t.mesh", "--solution", "t.u.sol", "--vertices", str(wanted),
+                                    "--periodic", "4,2", "-o", "n.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            again = self.run_command("verify", "n.mesh")
+            self.assertEqual(again.returncode, 0, again.stdout)
 
     def bent_front(self):
         """A front that leaves one bent side of two, and a region inside."""
