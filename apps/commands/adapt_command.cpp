@@ -388,6 +388,7 @@ int run_adapt(adapt_job job) {
 
 void add_mesh_options(CLI::App& app, adapt_job& job) {
   constexpr real_range corner_angles = {0, 180, false, true, "above 0, at most 180 degrees"};
+  constexpr real_range boundary_parts = {0, 0.125, false, true, "above 0, at most 0.125"};
   auto* const exact =
       app.add_option("--domain", job.domain, "What to mesh (default: what the mesh covers)")
           ->type_name("DOMAIN");
@@ -411,6 +412,12 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
       "hundredth of the size wanted across it)")
       ->excludes(exact)
       ->type_name("D");
+  add_real(
+      app, "--boundary-part", boundary_parts, [&job](double x) { job.options.boundary_part = x; },
+      "Without --hausd, greatest distance of a piece of the boundary from what it takes the place "
+      "of, in sizes wanted across it and in its length (default 0.01)")
+      ->excludes(exact)
+      ->type_name("P");
   add_periodic_option(app, job.options.periodic);
   app.add_flag(
       "--no-split-across", job.options.no_split_across,

@@ -32,7 +32,7 @@ constexpr std::array<heading, 5> headings = {{
      "size-at size-in size-near size-box layers frozen sizes-of-file transfer how "},
     {"Domain",
      " domain repair-domain repair-distance regions random-points seed chord-tolerance "
-     "corner-angle hausd strict "
+     "corner-angle hausd boundary-part strict "
      "all-edges convex-hull periodic no-split-across "},
     {"Files and words",
      " output certificate colour-by ellipses no-sites quiet json long all-findings values format "

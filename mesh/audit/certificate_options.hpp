@@ -45,8 +45,9 @@ inline constexpr std::array<std::string_view, 4> certify_option_names = {"angle-
                                                                          "repair", "size"};
 
 // Names of options that a certificate has only if the option was given.
-inline constexpr std::array<std::string_view, 5> rare_option_names = {
-    "adapt-cutoff", "adapt-given-hessian", "adapt-relative", "guarantee", "split-across"};
+inline constexpr std::array<std::string_view, 6> rare_option_names = {
+    "adapt-cutoff",  "adapt-given-hessian", "adapt-relative",
+    "boundary-part", "guarantee",           "split-across"};
 // Names that the certificate of a run with frozen regions (pipeline/frozen_regions.hpp) has in
 // addition.
 inline constexpr std::array<std::string_view, 6> frozen_option_names = {

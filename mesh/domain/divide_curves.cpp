@@ -53,8 +53,9 @@ result<bool> is_short(const curve_path& path, const metric_field& field, double 
 
 // True if the piece is near enough to its chord for the size that the metric wants across, or too
 // short to be halved.
-result<bool> suits_size_across(const curve_path& path, const metric_field& field, double t0,
+result<bool> suits_size_across(const curve_path& path, const curve_division& wanted, double t0,
                                double t1) {
+  const metric_field& field = *wanted.field;
   const auto short_already = is_short(path, field, t0, t1);
   if (!short_already || short_already.value()) return short_already;
   const point from = path.at(t0), to = path.at(t1), middle = path.at((t0 + t1) / 2);
@@ -65,7 +66,8 @@ result<bool> suits_size_across(const curve_path& path, const metric_field& field
   const point across{-chord.y / length, chord.x / length};
   const double size = 1 / std::sqrt(squared_length(metric.value(), across));
   const bool is_on_mesh = field.background() != nullptr;
-  return path.height(t0, t1) <= (is_on_mesh ? part_of_size_on_mesh : part_of_size) * size;
+  const double usual = is_on_mesh ? part_of_size_on_mesh : part_of_size;
+  return path.height(t0, t1) <= wanted.part_of_size.value_or(usual) * size;
 }
 
 result<bool> is_near_enough(const curve_path& path, const curve_division& wanted, double t0,
@@ -80,8 +82,9 @@ result<bool> is_near_enough(const curve_path& path, const curve_division& wanted
   }
   const double height = path.height(t0, t1);
   if (wanted.chord_tolerance) return height <= *wanted.chord_tolerance;
-  if (!(height <= part_of_chord * distance_between(path.at(t0), path.at(t1)))) return false;
-  return wanted.field == nullptr ? true : suits_size_across(path, *wanted.field, t0, t1);
+  const double part = std::max(part_of_chord, wanted.part_of_size.value_or(0));
+  if (!(height <= part * distance_between(path.at(t0), path.at(t1)))) return false;
+  return wanted.field == nullptr ? true : suits_size_across(path, wanted, t0, t1);
 }
 
 // Halves pieces until all are near enough to their chords, or there are more than `most`.

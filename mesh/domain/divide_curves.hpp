@@ -52,6 +52,9 @@ struct curve_division {
   // call.
   const metric_field* field = nullptr;
   std::size_t most_chords = 100000;
+  // Greatest distance of a curve from its chord as a part of the metric's size across; default: as
+  // described above. If it exceeds a fiftieth, it also bounds the distance in lengths of the chord.
+  std::optional<double> part_of_size = {};
   // False to add no pieces for the metric length: present pieces are halved alone, and only while
   // they are longer than the least one halved for the size across.
   bool is_even = true;

@@ -10,7 +10,8 @@
 //     these vertices are removed;
 //   - else, pieces of the polygon: vertices of it are removed as long as every piece has at most
 //     length 1 in the metric of its ends, and no removed vertex is farther from its piece than is
-//     allowed: by default a hundredth of the piece's length, and of the metric's size across it.
+//     allowed: without a distance, a part of the piece's length, and of the metric's size across
+//     it.
 //     So a curved boundary follows the polygon, with longer pieces where the metric is coarser.
 //     A side that stays a polygon has no cubics, and removed vertices may be three hundredths of
 //     the piece's length away: its vertices stay in the next mesh, and many short pieces leave no
@@ -45,6 +46,9 @@ struct outline_options {
   // rounding errors.
   std::optional<double> largest_distance = {};
   std::vector<int> polygons = {};  // markers of sides that stay polygons
+  // Without a largest distance, the distance allowed as a part of a piece's length and of the
+  // metric's size across it. Must be above 0 and at most 1/8.
+  double part = 0.01;
 };
 
 // The domain of a mesh, and how it was found.
@@ -55,6 +59,7 @@ struct mesh_outline {
   std::size_t kept = 0;               // of those
   double greatest_distance = 0;       // of a dropped vertex from its segment
   bool keeps_all = false;             // every vertex of the mesh is one of the domain
+  double part = 0.01;                 // outline_options::part
   // Segment of the domain for each boundary edge of the mesh, if the first vertices of the mesh are
   // those of the domain in their order; else empty.
   std::vector<vertex_index> segment_of_edge;

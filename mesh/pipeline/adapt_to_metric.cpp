@@ -168,7 +168,9 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     done.shape = divided.value();
   } else {
     auto outline = outline_with_partners(background, marks,
-                                         {options.corner_angle, options.largest_boundary_distance},
+                                         {.corner_angle = options.corner_angle,
+                                          .largest_distance = options.largest_boundary_distance,
+                                          .part = options.boundary_part},
                                          options.periodic);
     if (!outline) return outline.failure();
     const mesh_outline& found = outline.value().found;

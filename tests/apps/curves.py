@@ -244,6 +244,27 @@ class Curves(command.CommandTest):
             self.assertEqual(done.returncode, 2, refused)
         self.assertFalse((self.folder / "no.mesh").exists())
 
+    def test_a_part_of_the_size_takes_the_place_of_the_hundredth(self):
+        self.mesh(disc(), "--size", "0.1")
+        job = ["adapt", *self.solved("d.mesh"), "--vertices", "300"]
+        gone = {}
+        for part in ("0.01", "0.0353553"):
+            done = self.run_command(*job, "--boundary-part", part, "-o", "n.mesh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            told = json.loads((self.folder / "n.certificate.json").read_text())
+            gone[part] = told["audit"].get("former_boundary", {}).get("vertices_gone", 0)
+            self.assertEqual(told["asked"]["options"].get("boundary-part"), None if part == "0.01" else part)
+            checked = self.run_command("verify", "n.mesh")
+            self.assertEqual(checked.returncode, 0, checked.stdout)
+        self.assertGreater(gone["0.0353553"], gone["0.01"] + 20)
+        told["asked"]["options"]["boundary-part"] = "0.02"
+        self.write("n.certificate.json", json.dumps(told))
+        self.assertEqual(self.run_command("verify", "n.mesh").returncode, 1)
+        for refused in (["--boundary-part", "0"], ["--boundary-part", "0.2"],
+                        ["--boundary-part", "0.02", "--domain", "square"]):
+            done = self.run_command(*job, *refused, "-o", "no.mesh")
+            self.assertEqual(done.returncode, 2, refused)
+
     def test_what_is_forged_of_the_former_boundary_is_refused(self):
         self.mesh(disc(), "--size", "0.1")
         job = ["adapt", *self.solved("d.mesh"), "--vertices", "120", "--hausd", "0.02", "-o", "n.mesh"]

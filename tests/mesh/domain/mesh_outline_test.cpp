@@ -163,6 +163,21 @@ TEST_CASE("the distance that is asked for is kept by what goes and by cubics") {
   CHECK_FALSE(outline_of_mesh(disc(32, 1), {}, {30, 1e-15}).ok());
 }
 
+TEST_CASE("a greater part of the size lets more vertices go") {
+  const auto of_part = [](double part) {
+    outline_options how;
+    how.part = part;
+    return outline_of_mesh(disc(128, 2), {}, how);
+  };
+  // A piece may turn by eight times the part: 22.9 and 4.6 degrees, of 2.8 an edge.
+  REQUIRE(of_part(0.05).ok());
+  CHECK(of_part(0.05).value().shape.vertices.size() <= 21);
+  CHECK(of_part(0.05).value().part == 0.05);
+  CHECK(of_part(0.01).value().shape.vertices.size() == 128);
+  CHECK_FALSE(of_part(0).ok());
+  CHECK_FALSE(of_part(0.126).ok());
+}
+
 TEST_CASE("vertices go by the size across the boundary, not by that along it") {
   mesh m = disc(400, 0.5);
   CHECK(outline(m).shape.vertices.size() < 250);
