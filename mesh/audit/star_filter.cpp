@@ -33,9 +33,37 @@ struct plain_side {
   double inverse_length, bend;
 };
 
+// A parameter, and the value of a function there.
+struct sampled {
+  double t, value;
+};
+
+// Returns about the zero of a function between a parameter where it is positive and one where it is
+// not, by the Illinois method: secants through both ends of a range, where the value at an end that
+// stays is halved.
+template <class Function>
+double zero_between(const Function& value_at, sampled positive, sampled other) {
+  constexpr int most_steps = 20;
+  constexpr double near = 0x1p-18;
+  double last = positive.t;
+  bool was_positive = false;
+  for (int step = 0; step < most_steps; ++step) {
+    const double share = positive.value / (positive.value - other.value);
+    const double t = positive.t + (other.t - positive.t) * share, value = value_at(t);
+    const bool is_positive = value > 0;
+    (is_positive ? positive : other) = {t, value};
+    if (step > 0 && is_positive == was_positive) (is_positive ? other : positive).value *= 0.5;
+    if (!(std::abs(t - last) > near)) return t;
+    last = t;
+    was_positive = is_positive;
+  }
+  return last;
+}
+
 // Returns the direction in which the lower bounds of s_x and s_y are about equal, in plain doubles:
 // any direction is a valid choice, a good one makes the filter strong. Between x and y the
-// difference of the bounds changes sign once; the secant through both ends is refined by bisection.
+// difference of the bounds changes sign once. Searches beyond one of them if it does not: obtuse
+// triangles have their Voronoi vertex there.
 vector2<double> balanced_direction(const gap_side& x_side, const gap_side& y_side,
                                    const metric_tensor& m) {
   const plain_side x(x_side), y(y_side);
@@ -45,15 +73,23 @@ vector2<double> balanced_direction(const gap_side& x_side, const gap_side& y_sid
     return vector2<double>{at_x * x.offset.x + at_y * y.offset.x,
                            at_x * x.offset.y + at_y * y.offset.y};
   };
-  // Searches beyond both ends: obtuse triangles have their Voronoi vertex beyond x or y.
-  double low = -1, high = 2;
-  for (int i = 0; i < 20; ++i) {
-    const double t = (low + high) / 2;
+  const auto difference = [&](double t) {
     const vector2<double> u = direction(t);
     const double length_squared = u.x * (m.m11 * u.x + 2 * m.m12 * u.y) + m.m22 * u.y * u.y;
-    (x.bound(u, length_squared) > y.bound(u, length_squared) ? low : high) = t;
+    return x.bound(u, length_squared) - y.bound(u, length_squared);
+  };
+  const auto sample = [&](double t) { return sampled{t, difference(t)}; };
+  sampled at_x = sample(0), at_y = sample(1);
+  if (!(at_x.value > 0)) {
+    at_y = at_x;
+    at_x = sample(-1);
+  } else if (!(at_y.value < 0)) {
+    at_x = at_y;
+    at_y = sample(2);
   }
-  return direction((low + high) / 2);
+  if (!(at_x.value > 0)) return direction(at_x.t);
+  if (!(at_y.value < 0)) return direction(at_y.t);
+  return direction(zero_between(difference, at_x, at_y));
 }
 
 }  // namespace
