@@ -121,11 +121,11 @@ audit_report counts_of(const mesh& subject) {
 auditor::auditor(const mesh& subject, audit_options asked)
     : subject_(&subject), asked_(std::move(asked)) {}
 
-auditor::auditor(const mesh& subject, audit_options asked, audit_report before, audit_memory memory)
+auditor::auditor(const mesh& subject, audit_options asked, past_audit before)
     : subject_(&subject),
       asked_(std::move(asked)),
-      report_(std::move(before)),
-      memory_(std::move(memory)) {}
+      report_(std::move(before.report)),
+      memory_(std::move(before.memory)) {}
 
 auditor::auditor(auditor&&) noexcept = default;
 auditor::~auditor() = default;
@@ -189,9 +189,15 @@ const audit_report& auditor::check_triangulation() {
 const audit_report& auditor::check_angles() {
   report_ = counts_of(*subject_);
   audit_context context(*subject_, asked_, report_);
-  check_values(context);
-  check_orientations(context);
-  check_edges(context);
+  const auto before = memory_.triangulation;
+  if (before != nullptr && before->has_lists_of(*subject_)) {
+    static_cast<triangulation_lists&>(context) = before->lists();
+    check_sites(context);
+  } else {
+    check_values(context);
+    check_orientations(context);
+    check_edges(context);
+  }
   audit_detail::check_angles(context);
   charge(context);
   return report_;
@@ -220,6 +226,13 @@ void auditor::ask_filters(const std::function<bool(const open_question&)>& is_as
   asked_.stop.charge(work_units(decided));
 }
 
+std::shared_ptr<const site_tree> auditor::known_tree() const {
+  if (tree_ != nullptr || memory_.tree == nullptr) return tree_;
+  const auto copy = std::make_shared<site_tree>(*memory_.tree);
+  copy->take_metrics(subject_->sites);
+  return copy;
+}
+
 certificate auditor::make_certificate(const cancellation& account) const {
   std::optional<theorem_hypotheses> theorem;
   certificate made;
@@ -227,7 +240,7 @@ certificate auditor::make_certificate(const cancellation& account) const {
     if (i == 1)
       made = asterism::make_certificate(*subject_, asked_, report_, std::nullopt);
     else if (is_theorem_asked(asked_, report_))
-      theorem = theorem_of_mesh(*subject_, *asked_.angle_bound, account, tree_.get());
+      theorem = theorem_of_mesh(*subject_, *asked_.angle_bound, account, known_tree().get());
   });
   made.theorem = std::move(theorem);
   return made;

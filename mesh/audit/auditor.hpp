@@ -32,6 +32,7 @@
 #include "asterism/mesh/audit/audit_memory.hpp"
 #include "asterism/mesh/audit/audit_report.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/past_audit.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 
@@ -59,9 +60,9 @@ class auditor {
   // The mesh must outlive the auditor, and so must the domain that the options name. It may be
   // changed before recheck(), not moved.
   auditor(const mesh& subject, audit_options asked);
-  // Continues from the report and the memory of an audit made before the mesh was changed; the
-  // reaches in it are indexed by the present numbers of the sites.
-  auditor(const mesh& subject, audit_options asked, audit_report before, audit_memory memory);
+  // Continues from an audit made before the mesh was changed; the reaches in its memory are indexed
+  // by the present numbers of the sites.
+  auditor(const mesh& subject, audit_options asked, past_audit before);
   auditor(auditor&&) noexcept;
   ~auditor();
 
@@ -84,7 +85,8 @@ class auditor {
   // report says certified if it is one.
   const audit_report& check_triangulation();
   // Checks angles alone, of a mesh that is known to be a triangulation, and the values,
-  // orientations and edges on which that check relies.
+  // orientations and edges on which that check relies; of the mesh of a past audit with other
+  // tensors, the tensors and the angles.
   const audit_report& check_angles();
 
   // Tries the filters of edge_test on the open questions for which `is_asked` is true, in order.
@@ -104,6 +106,8 @@ class auditor {
  private:
   void ask(const std::vector<vertex_index>* changed, audit_memory* memory,
            const audit_effort& effort);
+  // Returns a tree of the mesh's sites with their present metrics; null if no audit made one.
+  std::shared_ptr<const audit_detail::site_tree> known_tree() const;
 
   const mesh* subject_;
   audit_options asked_;

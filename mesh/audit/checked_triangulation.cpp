@@ -41,8 +41,8 @@ checked_triangulation::checked_triangulation(const mesh& subject, const domain* 
       largest_deviation_ulps_(report.largest_deviation_ulps),
       curves_(report.curves) {}
 
-bool checked_triangulation::is_of(const mesh& subject, const domain* original) const {
-  return original == original_ && subject.given == given_ && subject.disagreeing.empty() &&
+bool checked_triangulation::has_lists_of(const mesh& subject) const {
+  return subject.given == given_ && subject.disagreeing.empty() &&
          std::equal(subject.sites.begin(), subject.sites.end(), places_.begin(), places_.end(),
                     has_place) &&
          subject.triangles == triangles_ && subject.regions == regions_ &&

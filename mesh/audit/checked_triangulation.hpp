@@ -102,9 +102,12 @@ class checked_triangulation {
   checked_triangulation(const mesh& subject, const domain* original, triangulation_lists lists,
                         const audit_report& report);
 
-  // True if the mesh differs from the checked one in tensors alone, bit for bit, and the domain is
-  // the same object.
-  bool is_of(const mesh& subject, const domain* original) const;
+  // True if the mesh differs from the checked one in tensors alone, bit for bit.
+  bool has_lists_of(const mesh& subject) const;
+  // True if also the domain is the same object.
+  bool is_of(const mesh& subject, const domain* original) const {
+    return original == original_ && has_lists_of(subject);
+  }
 
   const triangulation_lists& lists() const { return lists_; }
   // Enters the measurements of the domain that the checks entered into their report.

@@ -17,7 +17,9 @@
 
 namespace asterism {
 
-struct audit_report;  // audit/audit.hpp
+namespace internal {
+struct past_audit;  // audit/past_audit.hpp
+}
 
 // Corner of the domain whose angle in its own metric is below the bound: it cannot be met there.
 struct exempt_corner {
@@ -173,9 +175,9 @@ struct mesh_outcome {
   // alone.
   std::vector<attempt_report> tried;
   std::optional<mesh_attempt> chosen;
-  // The auditor's report, if the mesher ran the audit already: with the angle bound and the domain
-  // of the run, no corner exempt, and nothing asked of the Voronoi diagram.
-  std::shared_ptr<const audit_report> audited;
+  // The audit of the mesh, if the mesher ran it already: with the angle bound and the domain of the
+  // run, no corner exempt, and no check of the Voronoi diagram.
+  std::shared_ptr<const internal::past_audit> audited;
 
   // Returns how the run as a whole ended, also where the refinement of its mesh ended otherwise.
   ending how() const {

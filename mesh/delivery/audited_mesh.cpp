@@ -74,7 +74,7 @@ void audited_mesh::judge_again(node_list changed, hard_questions hard) {
   node_list sites;
   for (vertex_index s = 0; s < node_of_.size(); ++s)
     if (std::binary_search(changed.begin(), changed.end(), node_of_[s])) sites.push_back(s);
-  auditor judge(subject_, question(all_findings), *report_, std::move(memory_));
+  auditor judge(subject_, question(all_findings), {*report_, std::move(memory_)});
   judge.recheck(sites, {hard, many_for_a_gap_, many_open + 1});
   keep(judge);
 }
@@ -94,7 +94,7 @@ void audited_mesh::ask_filters(const adapting::editable_mesh& m,
   const auto is_asked = [&](const open_question& q) {
     return std::all_of(q.sites.begin(), q.sites.end(), is_as_it_was);
   };
-  auditor judge(subject_, question(all_findings), *report_, std::move(memory_));
+  auditor judge(subject_, question(all_findings), {*report_, std::move(memory_)});
   judge.ask_filters(is_asked, [&](const open_question& q) { refuse(nodes_of(q.sites)); });
   keep(judge);
 }

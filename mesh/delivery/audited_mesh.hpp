@@ -26,6 +26,8 @@ class audited_mesh {
 
   const mesh& subject() const { return subject_; }
   const std::shared_ptr<audit_report>& report() const { return report_; }
+  // Returns the last audit; requires that there is one.
+  past_audit last_audit() const { return {*report_, memory_}; }
   // True if the last mesh that was audited is certified; false before there is one.
   bool is_certified() const { return report_ && report_->certified; }
   // True if the last audit left hard questions open.

@@ -127,7 +127,8 @@ void note_distances(const mesh& delivered, const mesh& wanted, delivered_report&
 }  // namespace
 
 result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
-                                             std::optional<double> angle_bound) {
+                                             std::optional<double> angle_bound,
+                                             const past_audit* audited) {
   mesh as_wanted = m;
   wanted.expect([&m] { return positions_of(m.sites); });
   if (auto failure = take_tensors(wanted, as_wanted.sites)) return *failure;
@@ -141,7 +142,10 @@ result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& 
   options.angle_bound = angle_bound;
   options.find_exempt_corners = true;
   options.findings_kept = 0;
-  const audit_report found = auditor(as_wanted, options).check_angles();
+  past_audit before;
+  if (audited != nullptr) before.memory.triangulation = audited->memory.triangulation;
+  auditor judge(as_wanted, options, std::move(before));
+  const audit_report& found = judge.check_angles();
   report.worst_angle_wanted = found.worst().degrees;
   report.low_wanted = found.refused_triangles();
   return report;

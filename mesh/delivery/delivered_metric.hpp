@@ -10,6 +10,7 @@
 
 #include "asterism/core/result.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/audit/past_audit.hpp"
 #include "asterism/mesh/data/delivered_report.hpp"
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
@@ -17,9 +18,11 @@
 namespace asterism::internal {
 
 // Reports the distance of the mesh's metric from the wanted one, without the length factor. Fails
-// if `wanted` cannot be evaluated at a site.
+// if `wanted` cannot be evaluated at a site. An audit of the mesh, if not null, saves checks that
+// no tensor affects.
 result<delivered_report> compare_with_wanted(const mesh& m, const metric_field& wanted,
-                                             std::optional<double> angle_bound);
+                                             std::optional<double> angle_bound,
+                                             const past_audit* audited = nullptr);
 
 // Returns a sentence for each number of the first report that differs from the second's, to the
 // last bit; the length factor is not compared.

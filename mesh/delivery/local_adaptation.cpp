@@ -483,10 +483,11 @@ class local_adaptation {
     outcome.ended.how = ending::complete;
     outcome.ended.max_sites = options_.max_sites;
     outcome.ended.sites = outcome.sites;
-    outcome.audited = made_.report();
-    for (const vertex_index v : outcome.audited->exempt_corners)
+    outcome.audited = std::make_shared<const past_audit>(made_.last_audit());
+    const audit_report& report = outcome.audited->report;
+    for (const vertex_index v : report.exempt_corners)
       outcome.exempt.push_back({v, options_.angle_bound});
-    for (const vertex_index t : outcome.audited->exempt_triangles)
+    for (const vertex_index t : report.exempt_triangles)
       outcome.exempt_triangles.push_back(outcome.result.triangles[t]);
     return outcome;
   }

@@ -190,7 +190,7 @@ void metric_delivery::bring_density_near(mesh_outcome& made) const {
   const int k = static_cast<int>(std::lround(power));
   auto scaled = k == 0 ? std::nullopt : exactly_times_power_of_two(made.result, k);
   if (!scaled) return;
-  auto compared = compare_with_wanted(*scaled, field_, options_.angle_bound);
+  auto compared = compare_with_wanted(*scaled, field_, options_.angle_bound, made.audited.get());
   if (!compared) return;
   const delivered_report& after = compared.value();
   if (!(after.median < before.median) || after.greatest > before.greatest) return;
@@ -206,7 +206,8 @@ std::optional<mesh_outcome> metric_delivery::in_given_units(mesh_outcome made, i
   if (halved != 0 || !image_.frame().is_identity()) made.audited.reset();
   if (!made.complete) return made;
   const double length_factor = made.delivered->length_factor;
-  auto compared = compare_with_wanted(made.result, field_, options_.angle_bound);
+  auto compared =
+      compare_with_wanted(made.result, field_, options_.angle_bound, made.audited.get());
   if (!compared) return std::nullopt;
   made.delivered = std::move(compared).value();
   made.delivered->length_factor = length_factor;

@@ -60,7 +60,7 @@ auditor audit_if_possible(const mesh& subject, const audit_options& asked) {
     judge.run();
     return judge;
   } catch (const std::bad_alloc&) {
-    return {subject, asked, without_memory(subject, asked), {}};
+    return {subject, asked, {without_memory(subject, asked), {}}};
   }
 }
 
@@ -71,7 +71,7 @@ certified_mesh judge_outcome(mesh_outcome outcome, const domain& d, const mesh_o
   certified_mesh judged;
   const bool is_known =
       outcome.audited && asked.check_stars && !asked.check_voronoi && asked.exempt_corners.empty();
-  const auditor judge = is_known ? auditor(outcome.result, asked, *outcome.audited, {})
+  const auditor judge = is_known ? auditor(outcome.result, asked, *outcome.audited)
                                  : audit_if_possible(outcome.result, asked);
   judged.report = judge.report();
   if (options.prove_voronoi && outcome.stopped)

@@ -11,6 +11,7 @@
 
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/audit/audit.hpp"
+#include "asterism/mesh/audit/past_audit.hpp"
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/search/mesh_links.hpp"
@@ -111,8 +112,9 @@ std::optional<mesh_outcome> outcome_of_keeping(const mesh& m, const domain& shap
   asked.check_stars = false;
   if (!audit(m, asked).certified) return std::nullopt;
   asked.check_stars = true;
-  const auto report = std::make_shared<const audit_report>(audit(m, asked));
-  if (!report->certified) return std::nullopt;
+  const auto audited = std::make_shared<const past_audit>(past_audit{audit(m, asked), {}});
+  const audit_report& report = audited->report;
+  if (!report.certified) return std::nullopt;
   mesh_outcome outcome;
   outcome.complete = true;
   outcome.result = m;
@@ -120,10 +122,10 @@ std::optional<mesh_outcome> outcome_of_keeping(const mesh& m, const domain& shap
   outcome.triangles = m.triangles.size();
   outcome.ended.how = ending::complete;
   outcome.ended.sites = outcome.sites;
-  outcome.audited = report;
-  for (const vertex_index v : report->exempt_corners)
+  outcome.audited = audited;
+  for (const vertex_index v : report.exempt_corners)
     outcome.exempt.push_back({v, options.angle_bound});
-  for (const vertex_index t : report->exempt_triangles)
+  for (const vertex_index t : report.exempt_triangles)
     outcome.exempt_triangles.push_back(m.triangles[t]);
   return outcome;
 }

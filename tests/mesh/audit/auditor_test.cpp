@@ -14,6 +14,7 @@
 #include <optional>
 #include <set>
 
+#include "asterism/mesh/audit/checked_triangulation.hpp"
 #include "fixtures/audit_meshes.hpp"
 
 using namespace asterism;
@@ -334,4 +335,32 @@ TEST_CASE("parts of an audit find what the whole of it finds") {
   }
   CHECK(low > 1000);
   CHECK(refused >= 30);
+}
+
+TEST_CASE("angles of a mesh audited before are those that are found without that audit") {
+  splitmix64 random{5};
+  patch p = make_patch(12);
+  audit_options asked;
+  asked.angle_bound = 30;
+  asked.find_exempt_corners = true;
+  auditor judge(p.m, asked);
+  judge.run({hard_questions::left_open});
+  const past_audit before{judge.report(), judge.memory()};
+  REQUIRE(before.memory.triangulation != nullptr);
+  std::size_t low = 0;
+  for (int round = 0; round < 10; ++round) {
+    mesh other = p.m;
+    for (site& s : other.sites) s.metric.m11 *= random.real(1, 30);
+    CHECK(before.memory.triangulation->has_lists_of(other));
+    // Moves a vertex in half of the rounds: the lists are then made anew.
+    if (round % 2 == 1) {
+      other.sites[p.at(5, 5)].position.x += 0.1;
+      CHECK_FALSE(before.memory.triangulation->has_lists_of(other));
+    }
+    const audit_report again = auditor(other, asked, before).check_angles();
+    const audit_report anew = auditor(other, asked).check_angles();
+    check_same_angles(again, anew);
+    low += anew.refused_triangles().size();
+  }
+  CHECK(low > 100);
 }
