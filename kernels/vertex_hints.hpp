@@ -10,41 +10,49 @@
 #include <optional>
 
 #include "asterism/kernels/double_arithmetic.hpp"
+#include "asterism/kernels/two_doubles.hpp"
 #include "asterism/predicates/insertion_test.hpp"
 
 namespace asterism::internal::numeric {
 
+// Solves two linear equations by Cramer's rule. Each lane has the coefficients and the right side
+// of one.
+inline two_doubles solution_of(const two_displacements& coefficients, two_doubles right) {
+  const double determinant = difference(coefficients.x * exchanged(coefficients.y));
+  const two_doubles x = right * exchanged(coefficients.y), y = coefficients.x * exchanged(right);
+  return (pair(x[0], y[0]) - pair(x[1], y[1])) / both(determinant);
+}
+
 // Returns a point with f_v = f_w = f_x, as its displacement from v: Newton's method from the centre
 // of the circle in the sum of the three metrics, until a step is at most `last_step` of the
 // displacement. Steps become smaller by their squares: the error is about the square of the last.
+// Has values of w and x side by side, and those of v twice.
 inline std::optional<displacement<double>> voronoi_vertex_near(const basic_site<double>& v,
                                                                const basic_site<double>& w,
                                                                const basic_site<double>& x,
                                                                double last_step = 0x1p-24) {
-  const auto to_w = between(v.position, w.position), to_x = between(v.position, x.position);
-  const metric_tensor sum{v.metric.m11 + w.metric.m11 + x.metric.m11,
-                          v.metric.m12 + w.metric.m12 + x.metric.m12,
-                          v.metric.m22 + w.metric.m22 + x.metric.m22};
-  const auto sum_w = apply(sum, to_w), sum_x = apply(sum, to_x);
-  const double half_w = 0.5 * dot(to_w, sum_w), half_x = 0.5 * dot(to_x, sum_x);
-  const double determinant = cross(sum_w, sum_x);
-  displacement<double> p{(half_w * sum_x.y - half_x * sum_w.y) / determinant,
-                         (sum_w.x * half_x - sum_x.x * half_w) / determinant};
+  const two_displacements to{pair(w.position.x, x.position.x) - v.position.x,
+                             pair(w.position.y, x.position.y) - v.position.y};
+  const metric_tensor& m = v.metric;
+  const two_doubles m11 = pair(w.metric.m11, x.metric.m11), m12 = pair(w.metric.m12, x.metric.m12),
+                    m22 = pair(w.metric.m22, x.metric.m22);
+  const double sum11 = m.m11 + w.metric.m11 + x.metric.m11,
+               sum12 = m.m12 + w.metric.m12 + x.metric.m12,
+               sum22 = m.m22 + w.metric.m22 + x.metric.m22;
+  const two_displacements in_sum{sum11 * to.x + sum12 * to.y, sum12 * to.x + sum22 * to.y};
+  two_doubles p = solution_of(in_sum, 0.5 * (to.x * in_sum.x + to.y * in_sum.y));
   constexpr int most_steps = 8;
   for (int step = 0; step < most_steps; ++step) {
-    const auto from_w = p - to_w, from_x = p - to_x;
-    const auto at_v = apply(v.metric, p), at_w = apply(w.metric, from_w),
-               at_x = apply(x.metric, from_x);
-    const double f_v = dot(p, at_v);
-    const double excess_w = 0.5 * (f_v - dot(from_w, at_w)),
-                 excess_x = 0.5 * (f_v - dot(from_x, at_x));
-    const auto slope_w = at_v - at_w, slope_x = at_v - at_x;
-    const double slopes = cross(slope_w, slope_x);
-    const displacement<double> move{(excess_w * slope_x.y - excess_x * slope_w.y) / slopes,
-                                    (slope_w.x * excess_x - slope_x.x * excess_w) / slopes};
+    const two_displacements from_v{both(p[0]), both(p[1])}, from = from_v - to;
+    const two_displacements at_v{m.m11 * from_v.x + m.m12 * from_v.y,
+                                 m.m12 * from_v.x + m.m22 * from_v.y},
+        at{m11 * from.x + m12 * from.y, m12 * from.x + m22 * from.y};
+    const two_doubles f_v = from_v.x * at_v.x + from_v.y * at_v.y,
+                      excess = 0.5 * (f_v - (from.x * at.x + from.y * at.y));
+    const two_doubles move = solution_of(at_v - at, excess);
     p = p - move;
-    const double size = std::abs(p.x) + std::abs(p.y);
-    if (std::abs(move.x) + std::abs(move.y) <= last_step * size) return p;
+    const double size = sum(absolute(p));
+    if (sum(absolute(move)) <= last_step * size) return displacement<double>{p[0], p[1]};
     if (!(size < std::numeric_limits<double>::max())) return std::nullopt;
   }
   return std::nullopt;
