@@ -5,7 +5,8 @@
 // lasts (kernels/lasting_reasons.hpp), says no.
 //
 // Runs on intervals and on exact numbers by the same code. Neither answer is reached when good and
-// bad meet in a point (a tie, a tangency): the search then stops at its budget and is undecided.
+// bad meet in a point (a tie, a tangency): the search then stops at its budget, or where a range
+// around a proposed cut has become narrow, and is undecided.
 // Parameters are doubles, exact as such in both number types.
 #pragma once
 
@@ -36,6 +37,7 @@ class arc_search {
         a_(polynomial_as<Number>(source.arc.a)),
         h_(polynomial_as<Number>(source.arc.h)),
         hints_(hints.samples.data(), hints.count),
+        cuts_(hints.cuts.data(), hints.cut_count),
         witness_hint_(hints.witness),
         extent_(hints.extent),
         budget_(budget),
@@ -110,12 +112,27 @@ class arc_search {
     // at about the geometric mean of its ends.
     if (std::isinf(low)) return high < 0 ? -(high * high + 1 - high) : -1 - high;
     if (std::isinf(high)) return low > 0 ? low * low + 1 + low : 1 - low;
+    if (const auto beside = beside_cut(low, high)) return *beside;
     constexpr double long_range = 16;
     if (high > long_range * (1 + std::abs(low)))
       return std::sqrt(high) * std::sqrt(1 + std::abs(low));
     if (-low > long_range * (1 + std::abs(high)))
       return -std::sqrt(-low) * std::sqrt(1 + std::abs(high));
     return 0.5 * low + 0.5 * high;
+  }
+
+  // Returns a parameter close to the equidistance cut in the range, on the longer side, as reasons
+  // to fail change at cuts: the rest of that side is likely to have one reason. Returns an end of
+  // the range, which ends the search, if the range is so narrow that good and bad are likely to
+  // meet in the cut. Returns nothing if there is no cut.
+  std::optional<double> beside_cut(double low, double high) const {
+    constexpr double part = 0x1p-8, narrowest = 0x1p-20;
+    for (const double c : cuts_) {
+      if (!(low < c && c < high)) continue;
+      if (high - low < narrowest * (1 + std::abs(c))) return low;
+      return c - low >= high - c ? c - part * (c - low) : c + part * (high - c);
+    }
+    return std::nullopt;
   }
 
   uncertain_bool on_arc(double m) const {
@@ -135,6 +152,7 @@ class arc_search {
   polynomial<Number, 2> e_, a_;
   polynomial<Number, 1> h_;
   std::span<const double> hints_;  // in increasing order
+  std::span<const double> cuts_;
   std::optional<double> witness_hint_;
   numeric::arc_extent extent_;
   int budget_;

@@ -28,6 +28,10 @@ class cut_list {
     for (const double x : roots)
       if (count_ < cuts_.size()) cuts_[count_++] = x;
   }
+  template <class Visitor>
+  void visit(Visitor&& visit) const {
+    for (std::size_t k = 0; k < count_; ++k) visit(cuts_[k]);
+  }
   // Calls visit(m) once for each section until it returns true; returns that m, if any.
   template <class Visitor>
   std::optional<double> first_sample(Visitor&& visit) {
@@ -135,10 +139,12 @@ inline arc_extent find_extent(const visible_arc<double>& arc) {
 
 // Parameters to try first in a search: one in each section of the arc between the equidistance
 // cuts, in increasing order, and the first of them, if any, at which the condition holds in
-// doubles.
+// doubles. The cuts are in any order.
 struct search_hints {
-  std::array<double, 14> samples;
-  std::size_t count = 0;
+  static constexpr std::size_t most = 14;
+
+  std::array<double, most> samples, cuts;
+  std::size_t count = 0, cut_count = 0;
   std::optional<double> witness;
   arc_extent extent;
 };
@@ -146,9 +152,13 @@ struct search_hints {
 inline search_hints find_hints(const insertion_question<double>& question) {
   search_hints hints;
   hints.extent = find_extent(question.arc);
-  critical_cuts(question, cuts::equidistance_only).first_sample([&](double m) {
+  cut_list found = critical_cuts(question, cuts::equidistance_only);
+  found.visit([&](double m) {
+    if (hints.cut_count < search_hints::most) hints.cuts[hints.cut_count++] = m;
+  });
+  found.first_sample([&](double m) {
     if (!question.arc.contains(1.0, m).value()) return false;
-    if (hints.count < hints.samples.size()) hints.samples[hints.count++] = m;
+    if (hints.count < search_hints::most) hints.samples[hints.count++] = m;
     if (is_good_point(question, m)) hints.witness = m;
     return hints.witness.has_value();
   });
