@@ -69,7 +69,9 @@ void star_check::hold_all(std::span<const prepared_fan> fans) {
 
 star_extent star_check::extent_of(const prepared_fan& p, bool of_concerned,
                                   std::vector<outline_point>& outline) const {
+  constexpr std::size_t points_of_ray = 3;  // at most
   outline.clear();
+  outline.reserve(points_of_ray * p.rays.size());
   const auto is_in = [&](std::size_t i) {
     return i < p.gaps.size() && !p.gaps[i].is_skipped && p.gaps[i].is_concerned == of_concerned;
   };
