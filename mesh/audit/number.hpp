@@ -19,7 +19,7 @@ using internal::rational;
 // an overflow leaves, bounds nothing.
 inline double greatest_bound(double a, double b) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return a < infinity && b < infinity ? std::fmax(a, b) : infinity;
+  return a < infinity && b < infinity ? (a > b ? a : b) : infinity;
 }
 inline double positive_bound(double a) { return a > 0 ? a : 0; }
 

@@ -143,8 +143,8 @@ unit_displacements unit_circle(const metric_tensor& m) {
   const double x = 1 / std::sqrt(s.m11);
   const double least = std::numeric_limits<double>::min();
   const double y = 1 / std::sqrt(std::max(determinant(s) / s.m11, least));
-  const auto back = [&](double t) { return std::ldexp(t, -even / 2); };
-  return {{back(x), 0}, {back(-(s.m12 / s.m11) * y), back(y)}};
+  const double back = std::ldexp(1.0, -even / 2);
+  return {{back * x, 0}, {back * (-(s.m12 / s.m11) * y), back * y}};
 }
 
 }  // namespace asterism::internal

@@ -140,8 +140,7 @@ bool triangle_locator::walk(const point& q, located& at) const {
   // Tolerance of weights: their roundings are a few 1e-16 in a triangle that is not thin. Only the
   // choice between two neighbours depends on it, and both agree at their common edge.
   constexpr double slack = 1e-12;
-  const std::size_t most = 64 + 4 * static_cast<std::size_t>(std::sqrt(triangles_.size()));
-  for (std::size_t step = 0; step < most; ++step) {
+  for (std::size_t step = 0; step < most_steps_; ++step) {
     const triangle& t = triangles_[at.triangle];
     const point &a = places_[t[0]], &b = places_[t[1]], &c = places_[t[2]];
     const double whole = doubled_area(a, b, c), least = -slack * whole;

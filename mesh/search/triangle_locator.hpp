@@ -8,6 +8,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <mutex>
 #include <optional>
@@ -80,6 +81,8 @@ class triangle_locator {
 
   std::vector<point> places_;
   std::vector<triangle> triangles_;
+  // Number of steps after which a walk is given up.
+  std::size_t most_steps_ = 64 + 4 * static_cast<std::size_t>(std::sqrt(triangles_.size()));
   corner_links across_;
   bounding_box box_;
   // Boxes of the triangles, indexed when they are first needed: most walks arrive.
