@@ -23,12 +23,12 @@ void star_check::run(const vertex_index* begin, const vertex_index* end, const v
     context_.fans.visit(*v, [&](const vertex_fan& fan) { check_neighbours(*v, fan); });
   }
   if (neighbours_alone) return;
-  hold_all(prepared_);
-  outlines_.resize(std::max(outlines_.size(), std::size_t{1}));
-  for (const prepared_fan& p : prepared_)
+  hold_all(lists_.prepared);
+  lists_.outlines.resize(std::max(lists_.outlines.size(), std::size_t{1}));
+  for (const prepared_fan& p : lists_.prepared)
     if (p.has_others)
       around_.changed_sites.visit_near(
-          extent_of(p, false, outlines_.front()),
+          extent_of(p, false, lists_.outlines.front()),
           [&](vertex_index nth) { look(p, (*context_.changed)[nth], false); });
 }
 
@@ -39,29 +39,29 @@ void star_check::make_room(std::span<const vertex_index> vertices) {
       ++fans;
       rays += fan.link.size();
     });
-  prepared_.clear();
-  rays_.clear();
-  gaps_.clear();
-  kernel_gaps_.clear();
-  filters_.clear();
-  prepared_.reserve(fans);
-  rays_.reserve(rays);
-  gaps_.reserve(rays);
+  lists_.prepared.clear();
+  lists_.rays.clear();
+  lists_.gaps.clear();
+  lists_.kernel_gaps.clear();
+  lists_.filters.clear();
+  lists_.prepared.reserve(fans);
+  lists_.rays.reserve(rays);
+  lists_.gaps.reserve(rays);
 }
 
 void star_check::hold_all(std::span<const prepared_fan> fans) {
-  extents_.clear();
-  if (outlines_.size() < fans.size()) outlines_.resize(fans.size());
+  lists_.extents.clear();
+  if (lists_.outlines.size() < fans.size()) lists_.outlines.resize(fans.size());
   for (const prepared_fan& p : fans)
     if (p.has_concerned && is_finite(p.reach_concerned))
-      extents_.push_back(extent_of(p, true, outlines_[extents_.size()]));
-  around_.sites->gather(extents_, leaves_);
+      lists_.extents.push_back(extent_of(p, true, lists_.outlines[lists_.extents.size()]));
+  around_.sites->gather(lists_.extents, lists_.leaves);
   std::size_t nth = 0;
   for (const prepared_fan& p : fans) {
     if (!p.has_concerned) continue;
     const auto look_at = [&](vertex_index w) { look(p, w, true); };
     if (is_finite(p.reach_concerned))
-      around_.sites->visit_near(leaves_, extents_[nth++], look_at);
+      around_.sites->visit_near(lists_.leaves, lists_.extents[nth++], look_at);
     else
       around_.sites->visit_near({at(p.v), p.reach_concerned}, look_at);
   }
@@ -131,7 +131,7 @@ void star_check::prepare(vertex_index v) {
       return;
     }
     prepare(v, fan);
-    reach = greatest_bound(reach, prepared_.back().reach);
+    reach = greatest_bound(reach, lists_.prepared.back().reach);
   });
   known = reach;
 }
@@ -148,24 +148,24 @@ bool star_check::is_reached(vertex_index v, double reach) {
 }
 
 void star_check::prepare(vertex_index v, const vertex_fan& fan) {
-  prepared_fan& p = prepared_.emplace_back();
+  prepared_fan& p = lists_.prepared.emplace_back();
   p.v = v;
   p.link = fan.link;
   const quick_reaches reaches(at(v));
-  const std::size_t first_ray = rays_.size(), first_gap = gaps_.size();
-  measured_.clear();
-  measured_.reserve(fan.link.size());
+  const std::size_t first_ray = lists_.rays.size(), first_gap = lists_.gaps.size();
+  lists_.measured.clear();
+  lists_.measured.reserve(fan.link.size());
   for (const vertex_index r : fan.link) {
-    const measured_ray& measured = measured_.emplace_back(reaches.ray_to(at(r)));
-    rays_.push_back({to(v, r), measured.on_bisector()});
+    const measured_ray& measured = lists_.measured.emplace_back(reaches.ray_to(at(r)));
+    lists_.rays.push_back({to(v, r), measured.on_bisector()});
   }
   const std::size_t n = fan.link.size();
   for (std::size_t i = 0; i + (fan.closed ? 0 : 1) < n; ++i) {
-    fan_gap& gap = gaps_.emplace_back(fan.link[i], fan.link[(i + 1) % n]);
+    fan_gap& gap = lists_.gaps.emplace_back(fan.link[i], fan.link[(i + 1) % n]);
     gap.is_skipped = find_subsegment(context_, gap.x, gap.y) != context_.subject.boundary.size();
     if (gap.is_skipped) continue;
     gap.is_concerned = around_.concerns(v, gap.x, gap.y);
-    bound(v, gap, reaches, measured_[i], measured_[(i + 1) % n]);
+    bound(v, gap, reaches, lists_.measured[i], lists_.measured[(i + 1) % n]);
     if (gap.is_concerned && is_left_open(gap)) {
       leave_open(v, v, gap.x, gap.y, open_question::about::gap);
       gap.is_skipped = true;
@@ -175,8 +175,8 @@ void star_check::prepare(vertex_index v, const vertex_fan& fan) {
     (gap.is_concerned ? p.has_concerned : p.has_others) = true;
     if (gap.is_concerned) p.reach_concerned = greatest_bound(p.reach_concerned, gap.reach);
   }
-  p.rays = std::span(rays_).subspan(first_ray);
-  p.gaps = std::span(gaps_).subspan(first_gap);
+  p.rays = std::span(lists_.rays).subspan(first_ray);
+  p.gaps = std::span(lists_.gaps).subspan(first_gap);
 }
 
 bool star_check::is_left_open(const fan_gap& gap) const {

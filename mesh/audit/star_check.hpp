@@ -15,7 +15,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "asterism/kernels/star_gap.hpp"
@@ -67,17 +69,54 @@ struct prepared_fan {
   bool has_others = false;
 };
 
+// Lists of the vertices that are checked together, in memory that later checks use again.
+struct star_lists {
+  std::vector<prepared_fan> prepared;
+  std::vector<fan_ray> rays;
+  std::vector<fan_gap> gaps;
+  std::vector<star_gap> kernel_gaps;
+  std::vector<star_gap_filter> filters;
+  std::vector<std::vector<outline_point>> outlines;
+  std::vector<star_extent> extents;
+  std::vector<std::size_t> leaves;
+  std::vector<measured_ray> measured;
+};
+
+// Keeps the lists of checks that have ended, for those that begin, in any thread.
+class star_lists_pool {
+ public:
+  star_lists take() {
+    const std::scoped_lock lock(access_);
+    if (free_.empty()) return {};
+    star_lists taken = std::move(free_.back());
+    free_.pop_back();
+    return taken;
+  }
+  void give_back(star_lists lists) {
+    const std::scoped_lock lock(access_);
+    free_.push_back(std::move(lists));
+  }
+
+ private:
+  std::mutex access_;
+  std::vector<star_lists> free_;
+};
+
 // Checks the stars of some vertices in one thread, and enters findings into the tally of that
 // thread.
 class star_check {
  public:
-  star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around)
+  // `lists` may have any contents.
+  star_check(const audit_context& context, audit_tally& tally, const star_surroundings& around,
+             star_lists lists)
       : context_(context),
         tally_(tally),
         guard_(context, tally),
         around_(around),
-        sight_(context, around.subsegments, tally.kernel()) {}
+        sight_(context, around.subsegments, tally.kernel()),
+        lists_(std::move(lists)) {}
 
+  star_lists take_lists() { return std::move(lists_); }
   bool is_over() { return guard_.is_over(); }
 
   // Checks vertices near each other: searches the sites around all of them once. Needs the tree
@@ -143,10 +182,10 @@ class star_check {
   // test first needs them. They stay in place until the next call.
   const star_gap* prepared_gap(vertex_index v, fan_gap& gap) {
     if (context_.options.own_filter_alone) return nullptr;
-    return &made_once(kernel_gaps_, gap.prepared, v, gap);
+    return &made_once(lists_.kernel_gaps, gap.prepared, v, gap);
   }
   const star_gap_filter& filter_of(vertex_index v, fan_gap& gap) {
-    return made_once(filters_, gap.filter, v, gap);
+    return made_once(lists_.filters, gap.filter, v, gap);
   }
   template <class Test>
   const Test& made_once(std::vector<Test>& made, std::uint32_t& nth, vertex_index v,
@@ -197,16 +236,7 @@ class star_check {
   audit_work_guard guard_;
   const star_surroundings& around_;
   site_visibility sight_;
-  // Scratch vectors for the present vertices; members, so that they are not allocated each time.
-  std::vector<prepared_fan> prepared_;
-  std::vector<fan_ray> rays_;
-  std::vector<fan_gap> gaps_;
-  std::vector<star_gap> kernel_gaps_;
-  std::vector<star_gap_filter> filters_;
-  std::vector<std::vector<outline_point>> outlines_;
-  std::vector<star_extent> extents_;
-  std::vector<std::size_t> leaves_;
-  std::vector<measured_ray> measured_;
+  star_lists lists_;
 };
 
 }  // namespace asterism::internal::audit_detail

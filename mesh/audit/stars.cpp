@@ -44,11 +44,13 @@ look_end check_in_turn(audit_context& context, const star_surroundings& around,
   const std::vector<std::size_t>& groups = in_order.groups;
   const std::size_t together = in_order.together;
   const std::size_t before = context.report.total_found();
+  star_lists_pool pool;
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-    star_check part(context, tally, around);
+    star_check part(context, tally, around, pool.take());
     for (std::size_t i = begin; i < end && !part.is_over(); i += together)
       part.run(order.data() + groups[i], order.data() + groups[std::min(i + together, end)],
                order.data() + order.size(), neighbours_alone);
+    pool.give_back(part.take_lists());
   };
   const auto is_refused = [&] { return context.report.total_found() - before > most; };
   if (check_in_parts(context, groups.size() - 1, check, is_refused)) return look_end::all;
