@@ -60,6 +60,7 @@ class gmsh_reader : private gmsh_source {
 
  private:
   failure read_section(const word& head);
+  void note_values_on_triangles();  // once for all sections of such values
   failure read_names();
   failure read_entities(const std::string& section);
   failure read_partitioned_entities(const std::string& section);
@@ -85,7 +86,7 @@ class gmsh_reader : private gmsh_source {
   failure read_node_data();
   failure read_metric();
 
-  bool elements_seen_ = false;
+  bool elements_seen_ = false, values_on_triangles_ = false;
   std::map<std::pair<int, long long>, int> physical_;  // groups of each entity, by its dimension
   gmsh_groups groups_;
 };
@@ -116,7 +117,13 @@ failure gmsh_reader::read_section(const word& head) {
     return read_element_list(version_ == 1 ? "$ENDELM" : "$EndElements");
   }
   if (name == "$NodeData") return read_node_data();
+  if (name == "$ElementData" || name == "$ElementNodeData") note_values_on_triangles();
   return skip_to_end("$End" + name.substr(1), head.line);
+}
+
+void gmsh_reader::note_values_on_triangles() {
+  if (std::exchange(values_on_triangles_, true)) return;
+  file_.content.notes.push_back("values on triangles have no place here and are passed over");
 }
 
 failure gmsh_reader::read_names() {

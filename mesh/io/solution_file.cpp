@@ -160,7 +160,9 @@ bool has_types(const std::filesystem::path& path) { return path.extension() == "
 
 failure check_fields(const solution& s, const std::string& file) {
   if (s.fields.empty())
-    return error{file + ": there is no field in it, and values at the vertices are wanted",
+    return error{file +
+                     ": there is no field in it; values at the vertices are wanted, as "
+                     "floating-point numbers: scalars, or vectors of the plane",
                  error_code::malformed_file};
   if (s.fields.size() == 1 && s.fields[0].kind == field_kind::tensor)
     return error{file +

@@ -41,10 +41,11 @@ constexpr std::array<cell_kind, 13> kinds = {{{3, 2, 2},
 constexpr std::array<std::string_view, 12> names_of_regions = {
     "region",      "regions",   "gmsh:physical", "medit:ref", "Label",      "CellEntityIds",
     "GeometryIds", "cell_tags", "reference",     "material",  "MaterialID", "materialid"};
-// Names of whole numbers that are no regions: counts and numbers of the cells themselves.
-constexpr std::array<std::string_view, 7> other_names = {
-    "disagreeing",      "vtkGhostType",     "vtkOriginalCellIds", "GlobalCellIds",
-    "GlobalElementIds", "gmsh:geometrical", "vtkGhostLevels"};
+// Names of arrays that are neither regions nor lost: counts and numbers of the cells themselves,
+// and what this library writes of each triangle.
+constexpr std::array<std::string_view, 8> other_names = {
+    "disagreeing",   "smallest_angle",   "vtkGhostType",     "vtkOriginalCellIds",
+    "GlobalCellIds", "GlobalElementIds", "gmsh:geometrical", "vtkGhostLevels"};
 
 bool is_other(std::string_view name) {
   return std::find(other_names.begin(), other_names.end(), name) != other_names.end();
@@ -132,8 +133,22 @@ void vtk_cells::set_numbers(const std::vector<double>& of_cells) {
   for (std::size_t i = 0; i < lines_.size(); ++i) m.boundary[i].marker = number(lines_[i]);
 }
 
-result<std::optional<std::size_t>> choose_region_array(const std::vector<vtk_candidate>& arrays,
-                                                       listed_mesh& m) {
+namespace {
+
+// Notes the arrays that hold values on triangles, for which a mesh has no place.
+void note_values(const std::vector<vtk_candidate>& arrays, std::optional<std::size_t> chosen,
+                 listed_mesh& m) {
+  std::string names;
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+    if (i != chosen && !arrays[i].whole_numbers && !is_other(arrays[i].name))
+      names += (names.empty() ? "" : ", ") + quoted_token(arrays[i].name);
+  if (!names.empty())
+    m.content.notes.push_back("values on triangles have no place here and are passed over: " +
+                              names);
+}
+
+result<std::optional<std::size_t>> find_region_array(const std::vector<vtk_candidate>& arrays,
+                                                     listed_mesh& m) {
   using chosen = std::optional<std::size_t>;
   for (const std::string_view name : names_of_regions)
     for (std::size_t i = 0; i < arrays.size(); ++i)
@@ -153,6 +168,15 @@ result<std::optional<std::size_t>> choose_region_array(const std::vector<vtk_can
     m.content.notes.push_back("the cell data " + quoted_token(arrays[*only].name) +
                               " are taken for the regions");
   return only;
+}
+
+}  // namespace
+
+result<std::optional<std::size_t>> choose_region_array(const std::vector<vtk_candidate>& arrays,
+                                                       listed_mesh& m) {
+  const auto found = find_region_array(arrays, m);
+  if (found) note_values(arrays, found.value(), m);
+  return found;
 }
 
 }  // namespace asterism::internal

@@ -56,7 +56,7 @@ struct vtk_candidate {
 
 // Chooses the array of cell data that numbers the regions; none where there is none. An array that
 // fits only by its values is taken, with a note, if it is the only one; if there are several the
-// file is refused.
+// file is refused. Notes the names of arrays of other numbers.
 result<std::optional<std::size_t>> choose_region_array(const std::vector<vtk_candidate>& arrays,
                                                        listed_mesh& m);
 

@@ -440,6 +440,12 @@ class GmshTest(ReaderTest):
         self.assertIn("higher order", notes[0])
         self.expect_refusal("o.msh", gmsh("2.2", ["1 4 2 5 5 1 2 3 4"]), "element of type")
 
+    def test_values_on_triangles_are_passed_over_with_a_note(self):
+        values = '$ElementData\n1\n"u"\n1\n0\n3\n0\n1\n1\n1 2.5\n$EndElementData\n'
+        _, notes = self.mesh("m.msh", gmsh("2.2", gmsh_elements()) + values + values)
+        self.assertEqual(len(notes), 1, notes)
+        self.assertIn("values on triangles", notes[0])
+
     def test_medit_under_the_same_name(self):
         """BAMG names its meshes .msh."""
         made, notes = self.mesh("m.msh", medit())
@@ -460,6 +466,14 @@ class GmshTest(ReaderTest):
 
 
 class NewFormatsTest(ReaderTest):
+    def test_values_on_cells_of_vtk_are_passed_over_with_a_note(self):
+        cells = len(TRIANGLES) + len(EDGES)
+        more = b"SCALARS pressure double 1\nLOOKUP_TABLE default\n" + b"0.5 " * cells + b"\n"
+        _, notes = self.mesh("m.vtk", vtk() + more)
+        self.assertEqual(len(notes), 1, notes)
+        self.assertIn("values on triangles", notes[0])
+        self.assertIn("'pressure'", notes[0])
+
     def regions(self, made):
         return {r["number"]: r["area"] for r in made["regions"]}
 
