@@ -1,7 +1,7 @@
 # The mesher for WebAssembly (packages/npm): one thread, no files, no pictures, no formulas. Libraries that are
 # headers are found where scripts/build-npm has put them.
-target_compile_definitions(asterism PRIVATE FMT_HEADER_ONLY)
-target_include_directories(asterism SYSTEM PRIVATE ${Boost_INCLUDE_DIR} ${PROJECT_SOURCE_DIR}/packages/one_thread)
+target_compile_definitions(asterism PRIVATE ASTERISM_ONE_THREAD FMT_HEADER_ONLY)
+target_include_directories(asterism SYSTEM PRIVATE ${Boost_INCLUDE_DIR})
 foreach(folder IN ITEMS support data search numerics domain metric stars fill refine adapt solution audit io delivery pipeline claims c_interface)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/mesh/${folder}/*.cpp)
   target_sources(asterism PRIVATE ${sources})

@@ -35,7 +35,7 @@ asterism_pkg_config(asterism-predicates asterism_predicates
 if(TARGET asterism)
   set(of_threads)
   if(ASTERISM_THREADS)
-    set(of_threads -ltbb)
+    set(of_threads -pthread)
   endif()
   asterism_pkg_config(asterism asterism "Certified anisotropic triangle meshes"
                       -lasterism_predicates -lfmt ${of_threads} -lz -lmpfr ${of_predicates})

@@ -128,14 +128,13 @@ function(asterism_compile_folders_cheaply target)
   set_target_properties(${target} PROPERTIES SOURCES "${sources}")
 endfunction()
 
-# asterism_use_threads(TARGET): oneTBB; without ASTERISM_THREADS what stands in for the little that is used of
-# it, with one thread (packages/one_thread).
+# asterism_use_threads(TARGET): threads of the system; without ASTERISM_THREADS the caller's thread does all.
 function(asterism_use_threads target)
   if(ASTERISM_THREADS)
-    find_package(TBB REQUIRED)
-    target_link_libraries(${target} PRIVATE TBB::tbb)
+    set(THREADS_PREFER_PTHREAD_FLAG ON)
+    find_package(Threads REQUIRED)
+    target_link_libraries(${target} PRIVATE Threads::Threads)
   else()
-    target_include_directories(${target} SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/packages/one_thread)
     target_compile_definitions(${target} PRIVATE ASTERISM_ONE_THREAD)
   endif()
 endfunction()

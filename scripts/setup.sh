@@ -9,7 +9,7 @@ build=$project/build/release
 command_packages=(
   g++ cmake ninja-build pkg-config
   libgmp-dev libmpfr-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev
-  libcairo2-dev libtbb-dev zlib1g-dev
+  libcairo2-dev zlib1g-dev
 )
 
 # Further packages for the tests and the Python package.

@@ -14,7 +14,7 @@ class App;
 
 namespace asterism::apps {
 
-// Adds --threads, one alone in a program that was built without oneTBB. `what` names the result
+// Adds --threads, one alone in a program that was built without threads. `what` names the result
 // that does not depend on the number: "the mesh is".
 void add_threads_option(CLI::App& app, std::size_t& threads, const std::string& what);
 

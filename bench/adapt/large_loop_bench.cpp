@@ -9,7 +9,6 @@
 // at their peak, and a fingerprint of the numbers that came out, which must not depend on the
 // threads.
 #include <sys/resource.h>
-#include <tbb/global_control.h>
 
 #include <bit>
 #include <chrono>
@@ -26,6 +25,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/pipeline/adapt_to_metric.hpp"
 #include "asterism/mesh/solution/solution_metric.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "asterism/mesh/transfer/transfer.hpp"
 
 namespace asterism::bench {
@@ -173,8 +173,7 @@ int run(int count, char** words) {
   }
   const double vertices = std::strtod(words[1], nullptr);
   const int threads = std::max(1, std::atoi(words[2]));
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
+  const internal::thread_limit limit(static_cast<std::size_t>(threads));
   const auto n = static_cast<vertex_index>(std::lround(std::sqrt(vertices)) - 1);
   mesh m = shaken_grid(n, 1);
   measure_metrics(m, threads);

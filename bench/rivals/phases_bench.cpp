@@ -6,8 +6,6 @@
 // refinement (fill, stars, bad-triangle queue, mending), the audit, and bulk building: all stars at
 // once from the sites and the boundary of the mesh that came out. Measures refinement also on plain
 // doubles. Prints medians as JSON.
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <algorithm>
 #include <chrono>
@@ -34,6 +32,7 @@
 #include "asterism/mesh/stars/star_oracle.hpp"
 #include "asterism/mesh/stars/star_predicates.hpp"
 #include "asterism/mesh/stars/star_set.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 
 namespace asterism::bench {
 using namespace internal;
@@ -101,7 +100,7 @@ std::size_t stars_at_once(const adopted_mesh& adopted) {
 // Times all phases on `threads` threads. Returns whether all succeeded. Plain doubles take long and
 // run once.
 bool round(const job& j, std::size_t threads, bool in_doubles, stopwatch& watch, json& about) {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const internal::thread_limit limit(threads);
   const std::string suffix = threads == 1 ? ", one thread" : ", all threads";
   mesh_outcome outcome;
   bool good = true;
@@ -125,7 +124,7 @@ int run(const std::string& metric, double size, int rounds) {
   j.field = std::move(field).value();
   j.options.limit_size = true;
   j.options.max_sites = 100000000;
-  const auto threads = static_cast<std::size_t>(tbb::info::default_concurrency());
+  const auto threads = internal::processor_count();
   json about = {{"metric", metric}, {"size", size}, {"rounds", rounds}, {"threads", threads}};
   stopwatch watch;
   bool good = true;

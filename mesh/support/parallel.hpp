@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Splits work into chunks of fixed size, done by as many threads as the caller's oneTBB arena has.
+// Splits work into chunks of fixed size, done by as many threads as the caller may have.
 // The work of a chunk must depend on its bounds alone; results are put together chunk by chunk,
 // so that the outcome is the same for every number of threads.
 #pragma once

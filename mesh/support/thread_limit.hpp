@@ -3,43 +3,30 @@
 // Limits the number of threads.
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <cstddef>
-#include <optional>
 
 namespace asterism::internal {
 
+// Returns the number of processors that the process may use, and 1 in a build without threads.
+std::size_t processor_count();
+
+// Returns the number of threads that a loop of the calling thread may have. No result may depend on
+// it.
+std::size_t thread_count();
+
 // Limits the number of threads of loops that the calling thread begins during the lifetime of the
-// object. 0 sets no limit: there is one thread a processor. A limit of one is kept here and not by
-// oneTBB, whose start takes several hundred microseconds: it loads its allocator, reads files about
-// the machine and begins a thread. Objects of one thread end in the reverse order of their
-// beginnings.
+// object. 0 sets no limit: there is one thread a processor. Objects of one thread end in the
+// reverse order of their beginnings.
 class thread_limit {
  public:
-  explicit thread_limit(std::size_t threads) : was_one_(one()) {
-    if (threads == 1)
-      one() = true;
-    else if (threads > 1)
-      limit_.emplace(tbb::global_control::max_allowed_parallelism, threads);
-  }
-  ~thread_limit() { one() = was_one_; }
+  // There are no more threads than `most`, which tests raise above the number of processors.
+  explicit thread_limit(std::size_t threads, std::size_t most = processor_count());
+  ~thread_limit();
   thread_limit(const thread_limit&) = delete;
   thread_limit& operator=(const thread_limit&) = delete;
 
-  // Returns whether loops of the calling thread are limited to itself.
-  static bool is_one() { return one(); }
-
  private:
-  static bool& one() {
-    // Keeps one flag a thread, as oneTBB keeps its arenas, since loops read it at any depth of
-    // calls.
-    thread_local bool is_one = false;
-    return is_one;
-  }
-
-  bool was_one_;
-  std::optional<tbb::global_control> limit_;
+  std::size_t before_;  // 0 without a limit
 };
 
 }  // namespace asterism::internal

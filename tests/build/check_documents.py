@@ -49,15 +49,6 @@ def files_in_comments(top, path):
             yield f"{path}: a comment names {name}, which does not exist"
 
 
-def missing_in_suppressions(top):
-    """Reports entries of the thread sanitizer's suppressions for files that do not exist: such an entry suppresses
-    nothing."""
-    listed = (top / "tests/thread_sanitizer.supp").read_text(encoding="utf-8")
-    for name in re.findall(r"^race_top:([a-z_]+/.*\.hpp)$", listed, flags=re.MULTILINE):
-        if not is_there(top, name):
-            yield f"tests/thread_sanitizer.supp: names {name}, which does not exist"
-
-
 def pages_without_figure(top):
     words = re.compile(r"\b(wedged?|wedges|arcs?|gaps?|fans?)\b", re.IGNORECASE)
     for page in sorted((top / "docs/math").glob("*.md")):
@@ -97,7 +88,7 @@ def main():
     problems = [p for document in paths for p in broken_links(top, document)]
     problems += [p for document in paths if document.name != "CHANGELOG.md"
                  for p in missing_files(top, document)]
-    problems += [*missing_in_suppressions(top), *pages_without_figure(top), *differences_of_angle_tables(top),
+    problems += [*pages_without_figure(top), *differences_of_angle_tables(top),
                  *readme_scripts(top)]
     code = sources.files(top, sources.FOLDERS, sources.CODE)
     problems += [p for path in code for p in files_in_comments(top, path)]

@@ -5,8 +5,6 @@
 // the one given, and their low angles are named.
 #include "asterism/mesh/delivery/constant_metric_fallback.hpp"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -21,6 +19,7 @@
 #include "asterism/mesh/delivery/normalised_problem.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/judged_mesh.hpp"
 
@@ -237,7 +236,7 @@ TEST_CASE("last resort: the same for any number of threads and at any scale") {
   const domain d = accepted(square());
   const mesh_outcome& first = checkered();
   {
-    tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const internal::thread_limit one(1);
     const mesh_outcome again = mesh_at_last_of(d, checkerboard(0.52, 0.8), with_size());
     CHECK(mesh_fingerprint(again.result) == mesh_fingerprint(first.result));
     CHECK(ending_text(again) == ending_text(first));

@@ -2,8 +2,6 @@
 //
 // Metrics of formulas. Where a mesh exists for a metric it is met to the last bit; elsewhere the
 // mesh is certified in a delivered metric, whose distance from the wanted one is reported.
-#include <tbb/global_control.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -11,6 +9,7 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/delivery/delivered_metric.hpp"
 #include "asterism/mesh/mesher.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/judged_mesh.hpp"
 
@@ -95,7 +94,7 @@ TEST_CASE("a metric delivered is the same for any number of threads and at any s
   const domain d = accepted(square());
   const mesh_outcome first = mesh_of(d, formula_field(checkered), with_size());
   {
-    tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const internal::thread_limit one(1);
     const mesh_outcome again = mesh_of(d, formula_field(checkered), with_size());
     CHECK(mesh_fingerprint(again.result) == mesh_fingerprint(first.result));
     CHECK(ending_text(again) == ending_text(first));

@@ -2,8 +2,6 @@
 //
 // Improves finished meshes by passes. Accepted meshes are certified and never worse; passes leave
 // barred sites and incomplete meshes unchanged.
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/numerics/mesh_statistics.hpp"
 #include "asterism/mesh/numerics/triangle_quality.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "fixtures/audit_meshes.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/judged_mesh.hpp"
@@ -179,7 +178,7 @@ TEST_CASE("improvement: never worse, on domains and metrics of all kinds") {
 TEST_CASE("improvement: the same mesh with one thread and with two") {
   const domain d = with_dangling_segments();
   const auto made_by = [&](std::size_t threads) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const internal::thread_limit limit(threads);
     return mesh_of(d, sized(swirl_field(12), 0.12), with_passes(3, true));
   };
   const mesh_outcome one = made_by(1), two = made_by(2);

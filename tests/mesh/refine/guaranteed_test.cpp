@@ -2,8 +2,6 @@
 //
 // The guaranteed refinement: whole meshes, certified by the auditor, equal for any number of
 // threads. Problems that it cannot solve are named.
-#include <tbb/global_control.h>
-
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,6 +13,7 @@
 #include "asterism/mesh/fill/segment_division.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "asterism/mesh/refine/mesh_domain.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "fixtures/domain_kinds.hpp"
 #include "fixtures/judged_mesh.hpp"
 
@@ -77,7 +76,7 @@ TEST_CASE("guaranteed: the same mesh with one thread and with two") {
   const domain d = with_dangling_segments();
   const formula_field field = sized(swirl_field(3), 0.06);
   const auto made_by = [&](std::size_t threads) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const internal::thread_limit limit(threads);
     return mesh_of(d, field, with_size(true));
   };
   const mesh_outcome one = made_by(1), two = made_by(2);

@@ -5,13 +5,12 @@
 // threads.
 #include "asterism/mesh/solution/hessian.hpp"
 
-#include <tbb/global_control.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
 #include "asterism/core/random.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
 using namespace asterism;
@@ -158,7 +157,7 @@ TEST_CASE("the Hessian is the same for any number of threads") {
   for (const auto method :
        {hessian_method::l2_projection, hessian_method::green, hessian_method::least_squares}) {
     const auto many = recovered(m, values, method);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const internal::thread_limit one(1);
     CHECK(many.at == recovered(m, values, method).at);
   }
 }

@@ -4,8 +4,6 @@
 // final metric.
 #include "asterism/mesh/solution/solution_metric.hpp"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -20,6 +18,7 @@
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "asterism/mesh/solution/mean_moduli.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 #include "asterism/tests/mesh/solution/made_metric.hpp"
 
@@ -319,7 +318,7 @@ TEST_CASE("the metric is the same for any number of threads") {
   options.vertices = 5000;
   const std::vector<nodal_values> fields{field(m, "a", front), field(m, "b", layer)};
   const auto many = made(m, fields, options);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const internal::thread_limit one(1);
   CHECK(many.tensors == made(m, fields, options).tensors);
 }
 

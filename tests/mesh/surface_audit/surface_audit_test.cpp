@@ -2,8 +2,6 @@
 //
 // Control nets contain the surface over their triangles, hulls and pairs of triangles bound
 // distances, and enclosures contain the known values of flat and round surfaces.
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include "asterism/core/floating_point_environment.hpp"
 #include "asterism/core/random.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "asterism/mesh/surface/built_in_surfaces.hpp"
 #include "asterism/mesh/surface_audit/deviation.hpp"
 #include "asterism/mesh/surface_audit/hull_bounds.hpp"
@@ -162,7 +161,7 @@ TEST_CASE("an enclosure is the same for any number of threads") {
   const space_mesh m = lifted_grid(bezier_pieces(s).value(), 4);
   std::vector<double> first;
   for (const std::size_t threads : {1, 2, 7}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const internal::thread_limit limit(threads);
     const deviation_report found = deviation(m, s).value();
     const std::vector<double> now = {found.from_mesh.low, found.from_mesh.high,
                                      found.from_surface.low, found.from_surface.high};

@@ -4,8 +4,6 @@
 // no new extrema, and no value is read across a gap.
 #include "asterism/mesh/transfer/transfer.hpp"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <utility>
 
 #include "asterism/core/random.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "asterism/mesh/transfer/triangle_overlap.hpp"
 #include "asterism/tests/mesh/io/sample_mesh.hpp"
 
@@ -433,7 +432,7 @@ TEST_CASE("values are the same for any number of threads") {
   const solution s = scalar(from, bump);
   for (const auto how : methods) {
     const auto many = moved(from, s, to, how);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const internal::thread_limit one(1);
     CHECK(many.values.fields[0].values == moved(from, s, to, how).values.fields[0].values);
   }
 }

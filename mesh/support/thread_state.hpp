@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// What each thread keeps about loops.
+#pragma once
+
+#include <cstddef>
+
+namespace asterism::internal {
+
+struct loop_team;
+struct team_loop;
+
+// What a thread works on, and the limit that it has set since it began to.
+struct thread_state {
+  loop_team* member_of = nullptr;
+  team_loop* inside = nullptr;
+  std::size_t team_limit = 0;  // number of threads that the team may have
+  std::size_t limit = 0;       // 0 without one
+};
+
+// Returns the state of the calling thread. Loops read it at any depth of calls.
+inline thread_state& this_thread() {
+  thread_local thread_state state;
+  return state;
+}
+
+}  // namespace asterism::internal
