@@ -139,14 +139,24 @@ function(asterism_use_threads target)
   endif()
 endfunction()
 
-# asterism_contain_numbers(TARGET): links the archives of GMP and MPFR into a program. It then loads two libraries less,
-# binds fewer names, and calls their functions without a table: 0.3 of 22 milliseconds of a pass with 500 vertices. The
-# linker searches a folder with these two archives first, so that what the static libraries export stays as it is.
-# Packages of a distribution, which replaces libraries by themselves, leave it out.
-function(asterism_contain_numbers target)
-  if(NOT ASTERISM_CONTAIN_NUMBERS OR NOT ASTERISM_EXACT STREQUAL "gmp")
+# asterism_contain_libraries(TARGET): links the archives of GMP, MPFR and the C++ library into a program, and compiles
+# into it what fmt has in a library. It then loads five libraries less, binds fewer names, and calls their functions
+# without a table. The linker searches a folder with the archives of GMP and MPFR first, so that what the static
+# libraries export stays as it is. Packages of a distribution, which replaces libraries by themselves, leave it out.
+function(asterism_contain_libraries target)
+  if(NOT ASTERISM_CONTAIN_LIBRARIES)
     return()
   endif()
+  if(ASTERISM_EXACT STREQUAL "gmp")
+    asterism_contain_numbers(${target})
+  endif()
+  # The libraries of sanitizers bind the names of the C++ library.
+  if(NOT ASTERISM_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    asterism_contain_cxx(${target})
+  endif()
+endfunction()
+
+function(asterism_contain_numbers target)
   find_library(ASTERISM_MPFR_ARCHIVE libmpfr.a)
   find_library(ASTERISM_GMP_ARCHIVE libgmp.a)
   if(NOT ASTERISM_MPFR_ARCHIVE OR NOT ASTERISM_GMP_ARCHIVE)
@@ -162,5 +172,23 @@ function(asterism_contain_numbers target)
     file(CREATE_LINK ${ASTERISM_MPFR_ARCHIVE} ${PROJECT_BINARY_DIR}/archives/libmpfr.a SYMBOLIC)
     file(CREATE_LINK ${ASTERISM_GMP_ARCHIVE} ${PROJECT_BINARY_DIR}/archives/libgmp.a SYMBOLIC)
     target_link_directories(${target} BEFORE PRIVATE ${PROJECT_BINARY_DIR}/archives)
+  endif()
+endfunction()
+
+# The archive of the C++ library is of use only where no other library loads that library: fmt does, so that both are
+# contained or none. The functions of fmt are tried with the fmt that there is, whose versions differ in them.
+function(asterism_contain_cxx target)
+  set(options -static-libstdc++ -static-libgcc -Wl,--as-needed)
+  if(NOT DEFINED ASTERISM_FMT_COMPILES)
+    file(WRITE ${PROJECT_BINARY_DIR}/contained/main.cpp "#include <fmt/format.h>
+      int main() { return fmt::format(\"{} {:.3f} {:L}\", 0.1, 0.1f, 1).empty() ? 1 : 0; }")
+    get_target_property(folder fmt::fmt INTERFACE_INCLUDE_DIRECTORIES)
+    try_compile(ASTERISM_FMT_COMPILES ${PROJECT_BINARY_DIR}/contained
+      SOURCES ${PROJECT_BINARY_DIR}/contained/main.cpp ${PROJECT_SOURCE_DIR}/apps/base/fmt_library.cpp
+      CMAKE_FLAGS "-DINCLUDE_DIRECTORIES=${folder}" LINK_OPTIONS ${options} CXX_STANDARD 20)
+  endif()
+  if(ASTERISM_FMT_COMPILES)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/apps/base/fmt_library.cpp)
+    target_link_options(${target} PRIVATE ${options})
   endif()
 endfunction()
