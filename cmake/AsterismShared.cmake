@@ -14,6 +14,8 @@ function(asterism_shared_library target of)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set(script ${PROJECT_SOURCE_DIR}/cmake/exported.map)
   target_link_options(${target} PRIVATE LINKER:--version-script=${script} LINKER:-Bsymbolic-functions)
+  # Threads of the pool stay in the library's code until the process ends, so closing it leaves it in place.
+  target_link_options(${target} PRIVATE LINKER:-z,nodelete)
   if(NOT ASTERISM_SANITIZE)  # the program brings the sanitizer's run-time library
     target_link_options(${target} PRIVATE LINKER:--no-undefined)
   endif()

@@ -7,7 +7,6 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -74,21 +73,22 @@ class thread_pool {
 
   void open(team_loop& l) {
     const std::lock_guard<std::mutex> alone(lock_);
+    // The team is listed last: where memory ends before, nothing refers to it.
+    l.of.open.push_back(&l);
     if (l.around == nullptr) {
       teams_.push_back(&l.of);
       begin_threads(l.of.limit - 1);
     }
-    l.of.open.push_back(&l);
     opened_.fetch_add(1, std::memory_order_relaxed);
     if (sleeping_ > 0) work_.notify_one();
     if (waiting_ > 0) ended_.notify_all();
   }
 
-  // Fewer threads than wanted do as well.
+  // Fewer threads than wanted do as well, where the system or the memory has no more.
   void begin_threads(std::size_t wanted) {
     try {
       for (; threads_ < wanted; ++threads_) std::thread([this] { serve(); }).detach();
-    } catch (const std::system_error&) {
+    } catch (const std::exception&) {
     }
   }
 
