@@ -7,11 +7,11 @@
 #include "asterism/mesh/audit/audit_memory.hpp"
 #include "asterism/mesh/audit/audit_report.hpp"
 
-namespace asterism::internal {
+namespace asterism {
 
 struct past_audit {
   audit_report report;
-  audit_memory memory;
+  internal::audit_memory memory;
 };
 
-}  // namespace asterism::internal
+}  // namespace asterism

@@ -17,9 +17,7 @@
 
 namespace asterism {
 
-namespace internal {
 struct past_audit;  // audit/past_audit.hpp
-}
 
 // Corner of the domain whose angle in its own metric is below the bound: it cannot be met there.
 struct exempt_corner {
@@ -177,7 +175,7 @@ struct mesh_outcome {
   std::optional<mesh_attempt> chosen;
   // The audit of the mesh, if the mesher ran it already: with the angle bound and the domain of the
   // run, no corner exempt, and no check of the Voronoi diagram.
-  std::shared_ptr<const internal::past_audit> audited;
+  std::shared_ptr<const past_audit> audited;
 
   // Returns how the run as a whole ended, also where the refinement of its mesh ended otherwise.
   ending how() const {
