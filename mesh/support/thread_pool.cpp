@@ -68,8 +68,9 @@ class thread_pool {
   }
 
  private:
-  // Numbers of polls before a thread sleeps, some tens of microseconds: waking takes as long.
-  static constexpr int polls = 100;
+  // Number of polls before a thread sleeps, some hundreds of microseconds. Waking takes some tens,
+  // and a pass of an adaptation begins loops that often.
+  static constexpr int polls = 1000;
 
   void open(team_loop& l) {
     const std::lock_guard<std::mutex> alone(lock_);
