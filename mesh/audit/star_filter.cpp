@@ -33,7 +33,7 @@ struct plain_side {
   double inverse_length, bend;
 };
 
-// A parameter, and the value of a function there.
+// A parameter of a function, with the value of the function at it.
 struct sampled {
   double t, value;
 };

@@ -16,7 +16,7 @@ inline metric_tensor times(const metric_tensor& m, double factor) {
 }
 
 // Returns the tensor times 2^exponent: exact while no entry leaves the range of normal doubles.
-// Where the power is a normal double, multiplies by it: the result is that of scalbn.
+// Multiplies by the power where that is a normal double, which gives the result of scalbn.
 inline metric_tensor times_power_of_two(const metric_tensor& m, int exponent) {
   constexpr int bias = 1023, mantissa_bits = 52;
   if (-bias < exponent && exponent <= bias)

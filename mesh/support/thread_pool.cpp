@@ -149,7 +149,7 @@ class thread_pool {
     if (l.helpers.fetch_sub(1, std::memory_order_release) == 1) ended_.notify_all();
   }
 
-  // What a thread of the pool does.
+  // Joins teams that have work, and rests where none has, until the process ends.
   void serve() {
     std::fesetenv(FE_DFL_ENV);  // the thread that began this one may be in another rounding mode
     std::unique_lock<std::mutex> alone(lock_);

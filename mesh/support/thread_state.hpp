@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What each thread keeps about loops.
+// Keeps for each thread the team and the loop that it works for, and its limit of threads.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace asterism::internal {
 struct loop_team;
 struct team_loop;
 
-// What a thread works on, and the limit that it has set since it began to.
+// The team and the loop that a thread works for, and the limit that it has set since it joined.
 struct thread_state {
   loop_team* member_of = nullptr;
   team_loop* inside = nullptr;

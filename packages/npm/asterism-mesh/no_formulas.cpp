@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Replaces mesh/metric/plane_expression.cpp: refuses formulas. A program of JavaScript gives a
-// function instead.
+// Replaces mesh/metric/plane_expression.cpp by a reader that refuses every formula: programs of
+// JavaScript give metrics as functions.
 #include <limits>
 
 #include "asterism/mesh/metric/plane_expression.hpp"

@@ -169,7 +169,8 @@ TEST_CASE("a greater part of the size lets more vertices go") {
     how.part = part;
     return outline_of_mesh(disc(128, 2), {}, how);
   };
-  // A piece may turn by eight times the part: 22.9 and 4.6 degrees, of 2.8 an edge.
+  // The arc of a piece may turn by eight times the part, in radians: by 22.9 degrees for 0.05 and
+  // 4.6 for 0.01. Each edge of the polygon turns by 2.8 degrees.
   REQUIRE(of_part(0.05).ok());
   CHECK(of_part(0.05).value().shape.vertices.size() <= 21);
   CHECK(of_part(0.05).value().part == 0.05);
