@@ -143,7 +143,7 @@ constexpr std::array<named_field, 4> tensor_fields = {{
      make_rotating<rotating_field::kind::swirl>},
     {"sink", "[:K]", "stretched as much along rays (12)",
      make_rotating<rotating_field::kind::sink>},
-    {"expr", ":M11;M12;M22", "three expressions in x and y (muparser's syntax)", make_expression},
+    {"expr", ":M11;M12;M22", "three formulas in x and y", make_expression},
 }};
 
 // Returns the rows of all fields: those given by tensors, then those given by lengths.
