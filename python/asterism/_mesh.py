@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from typing import Any, Dict, List, Mapping, Optional, Union
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +19,7 @@ from ._page import Before, Page, page_of
 
 Doubles = npt.NDArray[np.float64]
 Wholes = npt.NDArray[np.int32]
+Markers = Union[npt.ArrayLike, Mapping[Tuple[int, int], int]]
 
 
 def _made_of(points: npt.ArrayLike, triangles: npt.ArrayLike, metric: npt.ArrayLike, more: Dict[str, Any]) -> _Mesh:
@@ -39,12 +40,32 @@ def _in_plane(at: Doubles) -> Doubles:
     return at[:, :2]
 
 
+def _edges_in(name: str, markers: Markers) -> Tuple[Any, Any]:
+    """Returns the edges and their markers from markers that have the edges with them."""
+    if isinstance(markers, Mapping):
+        markers = [(*_pair_of(name, edge), marker) for edge, marker in markers.items()] or np.empty((0, 3))
+    rows = doubles(name, markers)
+    if rows.ndim != 2 or rows.shape[1] != 3:
+        raise InputError(f"{name}: edges (b, 2) are wanted with markers (b,); without edges, markers are rows (b, 3) "
+                         f"of two points and the marker, or {{(i, j): marker}}, not an array of the shape {rows.shape}")
+    return rows[:, :2], rows[:, 2]
+
+
+def _pair_of(name: str, edge: Any) -> Tuple[Any, Any]:
+    try:
+        first, second = edge
+    except (TypeError, ValueError):
+        raise InputError(f"{name}: a key is a pair of points (i, j), not {edge!r}") from None
+    return first, second
+
+
 @told_methods
 class Mesh:
     """Triangles and the metric at their points.
 
     From elsewhere: points (n, 2), or (n, 3) at one height, triangles (t, 3); a metric in any form that tensors have, one for all
-    or one a point; regions (t,); edges (b, 2) with their markers (b,), also called edge_markers; values:
+    or one a point; regions (t,); edges (b, 2) with their markers (b,), also called edge_markers, or markers
+    alone, as rows (b, 3) of two points and the marker or as {(i, j): marker}; values:
     fields at the points, as asterism.adapt() takes them. Numbers are whole and of 32 bits. Without
     regions the region is 1; sides that are not among the edges get the marker 0, with a UserWarning.
     corners, required_points (k,) and required_edges (k, 2) stay where the mesh is adapted.
@@ -52,15 +73,18 @@ class Mesh:
 
     def __init__(self, points: npt.ArrayLike, triangles: npt.ArrayLike, metric: npt.ArrayLike = (1, 0, 1), *,
                  regions: Optional[npt.ArrayLike] = None, edges: Optional[npt.ArrayLike] = None,
-                 markers: Optional[npt.ArrayLike] = None, edge_markers: Optional[npt.ArrayLike] = None,
+                 markers: Optional[Markers] = None, edge_markers: Optional[Markers] = None,
                  values: Optional[Fields] = None, corners: Optional[npt.ArrayLike] = None,
                  required_points: Optional[npt.ArrayLike] = None,
                  required_edges: Optional[npt.ArrayLike] = None) -> None:
         if markers is not None and edge_markers is not None:
             raise InputError("markers, edge_markers: two names of one thing, and both are given")
+        name, given = ("markers", markers) if edge_markers is None else ("edge_markers", edge_markers)
+        if edges is None and given is not None:
+            edges, given = _edges_in(name, given)
         self._made = _made_of(
             points, triangles, metric,
-            {"regions": regions, "edges": edges, "edge_markers": markers if edge_markers is None else edge_markers,
+            {"regions": regions, "edges": edges, "edge_markers": given,
              "corners": corners, "required_points": required_points, "required_edges": required_edges})
         self._take_values(values)
 

@@ -160,10 +160,7 @@ std::vector<int> numbers_of(const py::object& given, const char* name, std::size
 }
 
 void add_edges(mesh& m, const py::object& edges, const py::object& markers) {
-  if (edges.is_none()) {
-    if (!markers.is_none()) throw input_error("edge_markers: there are no edges");
-    return;
-  }
+  if (edges.is_none()) return;
   const whole_array ends = point_numbers(edges, "edges", 2);
   const auto count = static_cast<std::size_t>(ends.shape(0));
   const std::vector<int> marked = markers.is_none()

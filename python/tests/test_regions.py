@@ -86,11 +86,24 @@ def test_what_is_not_listed_is_told():
     assert sorted(domain.markers) == [0] * 9 + [4]
 
 
+def test_markers_with_their_edges():
+    points, triangles, regions = grid(2, lambda i, j, h: 1)
+    sides = [(0, 1), (1, 2), (2, 5), (5, 8), (8, 7), (7, 6), (6, 3), (3, 0)]
+    apart = asterism.Mesh(points, triangles, edges=sides, markers=range(1, 9))
+    for together in ([(*side, k + 1) for k, side in enumerate(sides)], {side: k + 1 for k, side in enumerate(sides)}):
+        mesh = asterism.Mesh(points, triangles, markers=together)
+        assert np.array_equal(mesh.edges, apart.edges) and np.array_equal(mesh.edge_markers, apart.edge_markers)
+    assert not np.any(asterism.Mesh(points, triangles, markers={}).edge_markers)
+
+
 def test_wrong_arguments():
     points, triangles, regions = grid(1, lambda i, j, h: 1)
     for more, word in (({"regions": [1]}, r"regions: the shape \(2,\) is wanted, one for each triangle"), ({"edges": [1, 2]}, "edges: the shape"),
                        ({"edges": [(0, 4)]}, "names point 4 of 4"),
-                       ({"edge_markers": [1]}, "there are no edges"),
+                       ({"edge_markers": [1]}, r"edge_markers: edges \(b, 2\) are wanted"),
+                       ({"markers": {3: 1}}, "markers: a key is a pair of points"),
+                       ({"markers": {(0, 4): 1}}, "names point 4 of 4"),
+                       ({"markers": [(0, 1, 2.5)]}, "2.5"),
                        ({"regions": [1, 2**31]}, "more than 32 bits"),
                        ({"edges": [(0, 1)], "edge_markers": [1, 2]}, r"edge_markers: the shape \(1,\) is wanted, one for each edge")):
         with pytest.raises(asterism.InputError, match=word):
