@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Evaluates a formula in x and y (formula.hpp) in doubles. The results are the same bits on every
-// machine, as those of elementary.hpp.
+// Evaluates a formula in x and y (formula.hpp) in doubles, step by step as it is written. The
+// results are the same bits on every machine, as those of elementary.hpp.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,8 @@ class plane_expression {
   // Returns the value, which may be infinite or not a number. Several threads may call it.
   double operator()(const point& q) const;
 
-  // A step of the formula, where a multiple of a coordinate plus a constant is one step: of x and y
-  // the value is factor * x + constant. The other steps are those of the formula.
-  struct step : formula::step {
-    double factor = 1;
-  };
-
  private:
-  std::vector<step> steps_;
+  std::vector<formula::step> steps_;
 };
 
 }  // namespace asterism::internal

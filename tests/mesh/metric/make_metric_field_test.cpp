@@ -91,14 +91,15 @@ TEST_CASE("expressions have all functions of their language") {
 }
 
 // Meshes depend on the bits of these.
-TEST_CASE("multiples of a coordinate plus a constant are one step of an expression") {
-  const double x = 0.3, y = 0.7;
-  const metric_tensor m = value("expr:7*(x-0.1);y/3-y/7;9+(x+2*x-1)/3", {x, y});
-  CHECK(m.m11 == x * 7 + -0.1 * 7);
+TEST_CASE("expressions are evaluated step by step as they are written") {
+  const double x = 0.7, y = 0.3;
+  const metric_tensor m = value("expr:7*(x-0.1);y/3-y/7;9+(x+2*x-0.1-0.2)*3/7", {x, y});
+  CHECK(m.m11 == 7 * (x - 0.1));
   CHECK(m.m12 == y / 3 - y / 7);
-  CHECK(m.m22 == x * (3.0 / 3) + (-1.0 / 3 + 9));
-  // Powers are made from the numbers as written.
-  CHECK(value("expr:3*x*2^0.5;0;9", {x, y}).m11 == x * 3 * std::sqrt(2.0));
+  CHECK(m.m22 == 9 + (x + 2 * x - 0.1 - 0.2) * 3 / 7);
+  // A multiple of x plus a constant would be x itself.
+  CHECK(value("expr:1;(x+0.1)-0.1;1", {1e-20, 0}).m12 == 0);
+  CHECK(value("expr:3*x*2^0.5;0;9", {x, y}).m11 == 3 * x * std::sqrt(2.0));
 }
 
 TEST_CASE("faults of expressions are told with their places") {
