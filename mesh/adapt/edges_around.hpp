@@ -46,10 +46,18 @@ class edges_around {
   // Stores the node as the mesh has it, for comparisons with the node as it is tried.
   void remember() { before_ = m_.at(v_); }
   // True if is_enough(now, before) for each edge: its clearance for the node as it is tried, and a
-  // function that computes the clearance for the stored node. Begins with the edges of the face
-  // that had one without enough in the last call: that edge often has too little again.
+  // function that computes the clearance for the stored node. Greater clearances must be enough,
+  // too: the distances of the node from the faces across are tested first, before any centre of its
+  // own faces is computed. Begins with the edges of the face that had one without enough in the
+  // last call: that edge often has too little again.
   template <class Enough>
   bool all_of(const Enough& is_enough) {
+    for (std::size_t nth = 0, k = first_; nth < at_.size(); ++nth, k = following(k)) {
+      if (is_enough(clearance_across(k), [&] { return clearance_before(k, edge_of_face::across); }))
+        continue;
+      first_ = k;
+      return false;
+    }
     own_.assign(at_.size(), {});
     const auto tried = [this](std::size_t k) { return own_centre(k); };
     for (std::size_t nth = 0, k = first_; nth < at_.size(); ++nth, k = following(k))
@@ -73,6 +81,14 @@ class edges_around {
   enum class edge_of_face { across, beside };
 
   std::size_t following(std::size_t k) const { return k + 1 < at_.size() ? k + 1 : 0; }
+  // Returns the clearance of the node, as it is tried, from the face across the k-th one at it;
+  // infinite at a segment.
+  double clearance_across(std::size_t k) {
+    const face& f = m_.faces()[at_[k]];
+    const std::size_t i = f.corner_of(v_);
+    if (f.next[i] == none || f.segment[i] != none) return std::numeric_limits<double>::infinity();
+    return clearance(present_.of(f.next[i]), m_.at(v_));
+  }
   // Returns the clearance of an edge of the k-th face at the node; infinite at a segment. `own(k)`
   // returns the centre of that face.
   template <class Own>
