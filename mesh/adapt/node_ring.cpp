@@ -8,13 +8,6 @@
 #include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::adapting {
-namespace {
-
-// Returns twice the excess of an energy over that of a poor shape, without a branch: so that loops
-// of it are compiled to vector instructions.
-double twice_above(double energy) { return (energy - poor) + std::abs(energy - poor); }
-
-}  // namespace
 
 bool node_ring::gather(const editable_mesh& m, vertex_index v, const face_list& at) {
   if (at.size() > most_faces) return false;
@@ -64,7 +57,8 @@ void node_ring::measure(const node& v, double unit, energies& out) const {
     const double p = (n11 * xx + n12 * xy + n22 * yy) * inverse,
                  q = (n11_[k] * xx + n12_[k] * xy + n22_[k] * yy) * inverse,
                  r = (n11_[k + 1] * xx + n12_[k + 1] * xy + n22_[k + 1] * yy) * inverse;
-    const double low_p = twice_above(p), low_q = twice_above(q), low_r = twice_above(r);
+    const double low_p = twice_above_poor(p), low_q = twice_above_poor(q),
+                 low_r = twice_above_poor(r);
     shape[k] = (p + q + r + weight_of_low / 4 * (low_p * low_p + low_q * low_q + low_r * low_r)) *
                (1.0 / 3);
     const double s = twice * (root + root_[k] + root_[k + 1]) * size_factor;

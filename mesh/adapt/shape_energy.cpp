@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/adapt/shape_energy.hpp"
 
-#include <algorithm>
-
 #include "asterism/mesh/support/infinity.hpp"
 
 namespace asterism::internal::adapting {
@@ -21,8 +19,8 @@ double shape_energy(const node& a, const node& b, const node& c, double unit) {
     const metric_tensor& m = n->metric;
     const double q =
         (m.m11 * xx + 2 * m.m12 * xy + m.m22 * yy) / (2 * std::numbers::sqrt3 * twice * n->root);
-    const double beyond = std::max(0.0, q - poor);
-    shape += q + weight_of_low * beyond * beyond;
+    const double low = twice_above_poor(q);
+    shape += q + weight_of_low / 4 * (low * low);
   }
   return unit <= 0 ? shape / 3 : shape / 3 + size_energy(a, b, c, unit);
 }
