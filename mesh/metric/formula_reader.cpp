@@ -11,6 +11,7 @@
 
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/metric/formula.hpp"
+#include "asterism/mesh/support/one_line.hpp"
 
 namespace asterism::internal {
 
@@ -109,7 +110,8 @@ class formula_reader {
   std::nullopt_t unexpected() {
     skip_spaces();
     if (at_ == text_.size()) return fail("something is missing at the end", at_);
-    return fail(std::string("unexpected '") + text_[at_] + "'", at_);
+    const std::size_t bytes = first_character_bytes(std::string_view(text_).substr(at_));
+    return fail("unexpected '" + text_.substr(at_, bytes) + "'", at_);
   }
   error failure() const {
     return {"'" + text_ + "': " + wrong_ + " (position " + std::to_string(wrong_at_ + 1) + ")"};

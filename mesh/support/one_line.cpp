@@ -2,7 +2,6 @@
 #include "asterism/mesh/support/one_line.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 
 namespace asterism::internal {
@@ -48,6 +47,8 @@ void append_word(std::string& line, std::string_view word) {
 }
 
 }  // namespace
+
+std::size_t first_character_bytes(std::string_view text) { return first_character(text).bytes; }
 
 std::string printable(std::string_view text) {
   std::string safe;

@@ -3,10 +3,15 @@
 // Makes text from files, names and arguments safe to show to people.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace asterism::internal {
+
+// Returns the number of bytes of the first character of a text of UTF-8 that is not empty; 1 where
+// the first byte begins no character.
+std::size_t first_character_bytes(std::string_view text);
 
 // Returns the text with `?` for each character that a terminal obeys or that breaks or reorders a
 // line: controls and delete (of ASCII, and U+0080 to U+009F), separators of lines and paragraphs,

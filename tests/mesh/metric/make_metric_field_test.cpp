@@ -112,7 +112,9 @@ TEST_CASE("faults of expressions are told with their places") {
         std::pair("min()", "the number of arguments of min is not 0"),
         std::pair("1e+", "'1e+' is not a number (position 1)"),
         std::pair("1e999*x", "(position 1)"), std::pair("f(x)", "unknown name \"f\""),
-        std::pair("x=1", "assignments are not allowed (position 2)")}) {
+        std::pair("x=1", "assignments are not allowed (position 2)"),
+        std::pair("x\u00b2", "unexpected '\u00b2' (position 2)"),
+        std::pair("\xe2\x88", "unexpected '\xe2' (position 1)")}) {
     CAPTURE(formula);
     REQUIRE_THAT(refusal(std::string("expr:1;0;") + formula), Catch::Contains(said));
   }
