@@ -24,7 +24,14 @@ namespace py = pybind11;
 // asterism.InputError, a ValueError.
 class input_error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit input_error(const std::string& message)
+      : std::runtime_error(message), message_(message) {}
+
+  // Returns the whole message, of which what() ends at a NUL.
+  const std::string& message() const { return message_; }
+
+ private:
+  std::string message_;
 };
 
 template <class T>

@@ -209,6 +209,17 @@ def test_names_reach_a_terminal_as_one_line():
         assert str(told.value).isprintable() and len(str(told.value)) < 300
 
 
+def test_messages_are_whole_whatever_bytes_are_in_them():
+    long = "\u00e9" * 200  # cut for the message, in the middle of a character
+    for call, shown in ((lambda: asterism.mesh("square", metric="expr:1;0;x\u00b2"), "unexpected '\u00b2' (pos"),
+                        (lambda: asterism.mesh("square", metric="expr:1;0;9\0+"), "9?+': unexpected '?' (position 2)"),
+                        (lambda: asterism.mesh("square", size=long), "\u00e9?...")):
+        with pytest.raises(asterism.InputError) as told:
+            call()
+        assert shown in str(told.value)
+        assert str(told.value).isprintable()
+
+
 def test_a_surface_of_a_name_is_told_how_it_is_made():
     for name in ("torus", "hull.json"):
         with pytest.raises(asterism.InputError, match=r"Surface\.named\(\).*Surface\.read\(\)"):
