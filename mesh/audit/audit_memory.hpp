@@ -36,7 +36,7 @@ struct audit_memory {
   // large metrics are checked in other units, which depend on the largest number.
   int power_of_squares = 0;
   // The triangulation, if all checks of it that no tensor affects are passed; else null.
-  std::shared_ptr<const audit_detail::checked_triangulation> triangulation;
+  std::shared_ptr<audit_detail::checked_triangulation> triangulation;
   // Tree of the triangulation's sites, with their metrics; null where none was needed.
   std::shared_ptr<audit_detail::site_tree> tree;
   // Bound of the angles of each of its triangles (audit_context::angle_bounds); may be empty.

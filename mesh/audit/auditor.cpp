@@ -50,7 +50,7 @@ bool check_covering(audit_context& context) {
 // it in more than tensors, forgets it and returns false.
 bool take_checked(audit_context& context) {
   if (context.memory == nullptr) return false;
-  const auto before = std::move(context.memory->triangulation);
+  auto before = std::move(context.memory->triangulation);
   auto tree = std::move(context.memory->tree);
   context.angle_bounds = std::move(context.memory->angle_bounds);
   const bool is_same = context.changed != nullptr && before != nullptr &&
@@ -59,9 +59,13 @@ bool take_checked(audit_context& context) {
     context.angle_bounds.clear();
     return false;
   }
-  static_cast<triangulation_lists&>(context) = before->lists();
+  // A copy takes as long as several of the checks, most of it for new memory. One is needed only
+  // where others have the triangulation, too.
+  context.are_lists_lent = before.use_count() == 1;
+  static_cast<triangulation_lists&>(context) =
+      context.are_lists_lent ? before->lend_lists() : before->lists();
   before->enter_measurements(context.report);
-  context.memory->triangulation = before;
+  context.known = std::move(before);
   context.former_tree = std::move(tree);
   return true;
 }
@@ -85,10 +89,12 @@ void remember_triangulation(audit_context& context) {
   if (context.memory == nullptr) return;
   context.memory->tree = context.tree != nullptr ? context.tree : context.former_tree;
   context.memory->angle_bounds = std::move(context.angle_bounds);
+  auto& lists = static_cast<triangulation_lists&>(context);
+  if (context.are_lists_lent) context.known->take_back(std::move(lists));
   if (context.is_new)
-    context.memory->triangulation = std::make_shared<const checked_triangulation>(
-        context.subject, context.options.original,
-        std::move(static_cast<triangulation_lists&>(context)), context.report);
+    context.known = std::make_shared<checked_triangulation>(
+        context.subject, context.options.original, std::move(lists), context.report);
+  if (context.known != nullptr) context.memory->triangulation = std::move(context.known);
 }
 
 // Runs all checks that the options call for, one point after the other.

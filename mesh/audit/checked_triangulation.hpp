@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/audit/audit_report.hpp"
@@ -110,6 +111,9 @@ class checked_triangulation {
   }
 
   const triangulation_lists& lists() const { return lists_; }
+  // Lends the lists, and takes them back: until then this object has none.
+  triangulation_lists lend_lists() { return std::exchange(lists_, {}); }
+  void take_back(triangulation_lists lists) { lists_ = std::move(lists); }
   // Enters the measurements of the domain that the checks entered into their report.
   void enter_measurements(audit_report& report) const;
 

@@ -73,6 +73,10 @@ struct audit_context : triangulation_lists {
   // for triangles without a changed corner.
   std::vector<double> angle_bounds;
   bool is_new = false;  // the triangulation was checked in this audit, without a finding
+  // The triangulation that the audit before checked, if it is this one, and whether it has lent its
+  // lists to the context; else null.
+  std::shared_ptr<checked_triangulation> known;
+  bool are_lists_lent = false;
   // Work units that no counter of the report shows (audit/audit_work.hpp), and whether a part of a
   // check ended early.
   double looked_units = 0;
