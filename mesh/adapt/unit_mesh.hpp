@@ -134,8 +134,9 @@ class unit_mesh_remesher {
                         std::size_t done);
   std::size_t take_up(const mesh_blocks& blocks, const std::vector<block_state>& states);
   using block_work = std::function<std::size_t(unit_mesh_remesher& part, std::size_t block)>;
-  std::size_t in_blocks(const block_work& work,
-                        const std::function<void(const mesh_blocks&)>& prepare = {});
+  // Function that returns the number of changes that it expects in each block of a cut.
+  using block_preparation = std::function<std::vector<std::size_t>(const mesh_blocks&)>;
+  std::size_t in_blocks(const block_work& work, const block_preparation& prepare = {});
   bool split_all_long(double longest);
   void merge_and_move(double shortest, int sweeps);
   void move_all(int sweeps);

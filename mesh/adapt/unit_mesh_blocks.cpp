@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Changes a large unit mesh in blocks, by several threads.
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -100,15 +102,24 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
 }
 
 // Applies `work` to each block of the next cut, after calling `prepare` with the cut. Returns the
-// sum of the results of `work`.
+// sum of the results of `work`. Begins with the blocks of which `prepare` expects most: one of
+// these at the end would keep one thread alone busy.
 std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
-                                          const std::function<void(const mesh_blocks&)>& prepare) {
+                                          const block_preparation& prepare) {
   const std::size_t count = m_.count();
   mesh_blocks blocks(m_, cuts_++, spare_);
-  if (prepare) prepare(blocks);
+  std::vector<std::size_t> order(blocks.count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (prepare) {
+    const std::vector<std::size_t> expected = prepare(blocks);
+    std::stable_sort(order.begin(), order.end(), [&expected](std::size_t a, std::size_t b) {
+      return expected[a] > expected[b];
+    });
+  }
   const std::size_t room = options_.most_nodes > count ? options_.most_nodes - count : 0;
   std::vector<block_state> states(blocks.count());
-  parallel_for(blocks.count(), [&](std::size_t b) {
+  parallel_for(blocks.count(), [&](std::size_t i) {
+    const std::size_t b = order[i];
     mesh_blocks::block taken = blocks.take_out(b);
     unit_mesh_options options = options_;
     options.most_nodes = taken.part.count() + room / blocks.count();

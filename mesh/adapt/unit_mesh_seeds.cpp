@@ -124,6 +124,9 @@ std::vector<point> unit_mesh_remesher::insert_in_blocks(const std::vector<point>
   in_blocks(insert, [&](const mesh_blocks& blocks) {
     lists = by_blocks(blocks, seeds);
     left.resize(lists.size());
+    std::vector<std::size_t> seeds_of_blocks;
+    for (const seed_list& list : lists) seeds_of_blocks.push_back(list.size());
+    return seeds_of_blocks;
   });
   return joined(left);
 }
