@@ -147,7 +147,8 @@ class unit_mesh_remesher {
   void seed(const std::vector<point>& seeds);
   std::optional<vertex_index> insert_seed(const located_place& at, node& there);
   std::optional<vertex_index> insert_on_side(vertex_index t, std::size_t edge, node& there);
-  std::vector<point> insert_seeds(std::span<const point> seeds);
+  class metrics_ahead;
+  std::vector<point> insert_seeds(std::span<const point> seeds, metrics_ahead* known = nullptr);
   std::vector<point> insert_in_blocks(const std::vector<point>& seeds);
 
   // Functions defined in unit_mesh_improvement.cpp.

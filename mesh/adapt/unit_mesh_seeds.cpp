@@ -47,6 +47,47 @@ seed_list level_of(const seed_list& seeds, std::size_t step, std::size_t coarser
 
 }  // namespace
 
+// Metrics at seeds, looked up by several threads before the seeds are inserted one after the other.
+// Each look-up begins where the one before has ended, so these depend on each other: the first one
+// of each piece of the list begins elsewhere, and where its end differs it is made again, with
+// those that depend on it. Which look-ups are made does not depend on the number of threads.
+class unit_mesh_remesher::metrics_ahead {
+ public:
+  // The list and the field must outlive the object.
+  metrics_ahead(std::span<const point> seeds, const metric_at& field)
+      : seeds_(seeds), field_(field), found_(seeds.size()) {
+    constexpr std::size_t seeds_at_once = 256;
+    parallel_chunks(seeds.size(), seeds_at_once,
+                    [this](std::size_t, std::size_t begin, std::size_t end) {
+                      vertex_index hint = 0;
+                      for (std::size_t i = begin; i < end; ++i) found_[i] = look_up(i, hint);
+                    });
+  }
+
+  // Returns the metric at a seed, and sets the hint as the field would.
+  metric_tensor at(std::size_t i, vertex_index& hint) {
+    if (found_[i].from != hint) return look_up(i, hint).metric;
+    hint = found_[i].to;
+    return found_[i].metric;
+  }
+
+ private:
+  struct looked_up {
+    metric_tensor metric;
+    vertex_index from = none, to = none;  // the hint before and after
+  };
+
+  looked_up look_up(std::size_t i, vertex_index& hint) const {
+    const vertex_index from = hint;
+    const metric_tensor there = field_(seeds_[i], hint);
+    return {there, from, hint};
+  }
+
+  std::span<const point> seeds_;
+  const metric_at& field_;
+  std::vector<looked_up> found_;
+};
+
 // Splits a subsegment at a seed that is on it, up to rounding, or beside a curve that it is a chord
 // of. Returns no node where the seed is elsewhere, or has no room.
 std::optional<vertex_index> unit_mesh_remesher::insert_on_side(vertex_index t, std::size_t edge,
@@ -82,12 +123,15 @@ std::optional<vertex_index> unit_mesh_remesher::insert_seed(const located_place&
   return std::nullopt;
 }
 
-// Inserts nodes at the seeds that have room. Returns the seeds that were not reached by a walk from
-// the face of an earlier seed, or lie beyond an edge and got no node.
-std::vector<point> unit_mesh_remesher::insert_seeds(std::span<const point> seeds) {
+// Inserts nodes at the seeds that have room, with their metrics where these are known. Returns the
+// seeds that were not reached by a walk from the face of an earlier seed, or lie beyond an edge and
+// got no node.
+std::vector<point> unit_mesh_remesher::insert_seeds(std::span<const point> seeds,
+                                                    metrics_ahead* known) {
   std::vector<point> left;
   vertex_index from = 0, hint = 0;
-  for (const point& q : seeds) {
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    const point& q = seeds[i];
     if (m_.nodes().size() >= options_.most_nodes) return left;
     const located_place at = m_.locate(q, from, walls::boundary);
     if (at.face == none) {
@@ -96,7 +140,7 @@ std::vector<point> unit_mesh_remesher::insert_seeds(std::span<const point> seeds
     }
     node there;
     there.position = q;
-    there.metric = field_(q, hint);
+    there.metric = known != nullptr ? known->at(i, hint) : field_(q, hint);
     there.hint = hint;
     const auto made = insert_seed(at, there);
     if (!at.beyond)
@@ -141,7 +185,9 @@ void unit_mesh_remesher::seed(const std::vector<point>& seeds) {
       options_.count == 0 ? seeds.size() : std::min(seeds.size(), options_.count);
   std::size_t step = 1;
   while (expected / step > few) step *= finer;
-  insert_seeds(level_of(seeds, step, 0));
+  const seed_list first = level_of(seeds, step, 0);
+  metrics_ahead known(first, field_);
+  insert_seeds(first, &known);
   while (step > 1 && !is_stopped()) {
     const std::size_t coarser = std::exchange(step, step / finer);
     seed_list level = level_of(seeds, step, coarser);
