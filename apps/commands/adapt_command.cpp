@@ -415,7 +415,7 @@ void add_mesh_options(CLI::App& app, adapt_job& job) {
   add_real(
       app, "--boundary-part", boundary_parts, [&job](double x) { job.options.boundary_part = x; },
       "Without --hausd, greatest distance of a piece of the boundary from what it takes the place "
-      "of, in sizes wanted across it and in its length (default 0.01)")
+      "of, in sizes wanted across it and in its length (default 0.01 and 0.03)")
       ->excludes(exact)
       ->type_name("P");
   add_periodic_option(app, job.options.periodic);

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Adapts meshes with periodic sides that bend: bent_sides.py --asterism PROGRAM [--jobs channels rings] [--list].
+"""Adapts meshes with periodic sides that bend: bent_sides.py --asterism PROGRAM [--jobs channels rings] [--list]
+[--no-pairs] [-- OPTIONS].
 
 *channels*: sides that are bent lines, one the other shifted; *rings*: quarters of rings whose straight sides are bent,
 one the other turned. Prints how many jobs are complete with the number of vertices wanted, to a tenth, how many with
-another number, and how many are not complete. --list prints a line for each job."""
+another number, and how many are not complete. --list prints a line for each job, --no-pairs leaves sides without
+partners, and OPTIONS are the command's."""
 import argparse
 import itertools
 import pathlib
@@ -57,12 +59,12 @@ def write(folder, points, triangles, edges, values):
         out.write("End\n")
 
 
-def adapt(asterism, folder, wanted, pairs):
+def adapt(options, folder, wanted, pair):
     """Returns the status, the number of vertices, seconds of processor time and what was printed."""
     (folder / "new.mesh").unlink(missing_ok=True)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([asterism, "adapt", "old.mesh", "--solution", "u.sol", "--vertices", str(wanted),
-                           *(word for pair in pairs for word in ("--periodic", pair)), "-o", "new.mesh"],
+    done = subprocess.run([options.asterism, "adapt", "old.mesh", "--solution", "u.sol", "--vertices", str(wanted),
+                           *([] if options.no_pairs else ["--periodic", pair]), *options.more, "-o", "new.mesh"],
                           cwd=folder, capture_output=True, text=True, check=False)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     made = folder / "new.mesh"
@@ -94,7 +96,7 @@ def channels(options, folder):
         bend = sin(TURN * points[:, 1]) / part
         points[:, 0] += bend
         write(folder, points, triangles, edges, front(*points.T, bend))
-        status, count, seconds, text = adapt(options.asterism, folder, wanted, ["4,2"])
+        status, count, seconds, text = adapt(options, folder, wanted, "4,2")
         done.append((f"bend 1/{part}, {rows} rows, {name}", status, count, wanted, seconds, text))
     summarise("channels", options, done)
 
@@ -108,7 +110,7 @@ def rings(options, folder):
         angle = np.pi / 2 * points[:, 1] + sin(np.pi * (radius - 1)) / part
         points = np.stack([radius * cos(angle), radius * sin(angle)], axis=1)
         write(folder, points, triangles, edges, front(radius, angle))
-        status, count, seconds, text = adapt(options.asterism, folder, wanted, ["1,3"])
+        status, count, seconds, text = adapt(options, folder, wanted, "1,3")
         done.append((f"bend 1/{part}, {rows} rings, {name}", status, count, wanted, seconds, text))
     summarise("rings", options, done)
 
@@ -118,6 +120,8 @@ def main():
     parser.add_argument("--asterism", required=True)
     parser.add_argument("--jobs", nargs="+", default=["channels", "rings"], choices=["channels", "rings"])
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--no-pairs", action="store_true")
+    parser.add_argument("more", nargs="*", help="more options of the command")
     options = parser.parse_args()
     options.asterism = str(pathlib.Path(options.asterism).resolve())
     for job in options.jobs:

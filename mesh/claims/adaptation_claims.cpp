@@ -117,7 +117,8 @@ void compare_domain(const certificate& claim, const adapted_rest& rest, field_ch
   options.corner_angle = angle.value();
   if (const auto hausd = parse_number(word_of(claim, "hausd")))
     options.largest_distance = hausd.value();
-  if (const auto part = parse_number(word_of(claim, "boundary-part"))) options.part = part.value();
+  if (const auto part = parse_number(word_of(claim, "boundary-part")))
+    options.part_of_length = options.part_of_size = part.value();
   const auto outline =
       outline_with_partners(adopted.subject,
                             rest.part ? marks_of_rest(*rest.part, marks.value())

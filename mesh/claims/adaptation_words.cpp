@@ -56,8 +56,8 @@ void describe_adaptation(adapted_mesh& next, const adaptation_wording& w) {
                    {"boundary-kept", std::to_string(next.boundary_kept)},
                    {"boundary-distance", number_text(next.boundary_distance)},
                    {"metric-fingerprint", fingerprint_of(w.background)}};
-  if (w.options.boundary_part != outline_options{}.part)
-    claim.options["boundary-part"] = number_text(w.options.boundary_part);
+  if (w.options.boundary_part)
+    claim.options["boundary-part"] = number_text(*w.options.boundary_part);
   if (w.options.no_split_across) claim.options["split-across"] = "no";
   claim.options.merge(words_of(w.request));
   claim.options.merge(words_of(w.report));

@@ -26,9 +26,6 @@ constexpr vertex_index none = std::numeric_limits<vertex_index>::max();
 // Greatest distance from a line at which vertices count as on the line, as a part of the largest
 // coordinate.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-// Least of the greatest distances of dropped vertices from their piece where it is a polygon's, as
-// a part of the piece's length. Chosen by experiment (bench/adapt/bent_sides.py).
-constexpr double part_of_polygon = 0.03;
 
 // A run of boundary edges between two kept vertices: the vertices, and the edges after them.
 struct run {
@@ -88,7 +85,7 @@ class outliner {
   double farthest(const run& r, std::size_t i, std::size_t j) const;
   bool goes_forward(const run& r, std::size_t i, std::size_t j) const;
   bool is_polygon(const run& r) const;
-  double allowed_off(vertex_index a, vertex_index b, double part_of_piece) const;
+  double allowed_off(vertex_index a, vertex_index b) const;
   bool may_be_piece(const run& r, std::size_t i, std::size_t j, bool simplify_curves) const;
   bool divides_regions(const run& r) const;
   std::vector<std::size_t> pieces(const run& r, bool simplify_curves) const;
@@ -246,14 +243,14 @@ bool outliner::is_polygon(const run& r) const {
 
 // Returns the greatest distance allowed between dropped vertices and the piece between two kept
 // ones.
-double outliner::allowed_off(vertex_index a, vertex_index b, double part_of_piece) const {
+double outliner::allowed_off(vertex_index a, vertex_index b) const {
   if (options_.largest_distance) return *options_.largest_distance - rounding * greatest_;
   const point d{where(b).x - where(a).x, where(b).y - where(a).y};
   const double piece = elementary::hypot(d.x, d.y);
   const point across{-d.y / piece, d.x / piece};
   const double per_length = std::max(plain_length(mesh_.sites[a].metric, across),
                                      plain_length(mesh_.sites[b].metric, across));
-  return std::min(part_of_piece * piece, options_.part / per_length);
+  return std::min(options_.part_of_length * piece, options_.part_of_size / per_length);
 }
 
 // True if all vertices of the run between two of its vertices may be dropped.
@@ -268,8 +265,7 @@ bool outliner::may_be_piece(const run& r, std::size_t i, std::size_t j,
   const point d{where(b).x - where(a).x, where(b).y - where(a).y};
   const double measured =
       (plain_length(mesh_.sites[a].metric, d) + plain_length(mesh_.sites[b].metric, d)) / 2;
-  const double part = is_polygon(r) ? std::max(part_of_polygon, options_.part) : options_.part;
-  return measured <= 1 && off <= allowed_off(a, b, part) && goes_forward(r, i, j);
+  return measured <= 1 && off <= allowed_off(a, b) && goes_forward(r, i, j);
 }
 
 // Returns the places of the vertices of the run between two of its vertices.
@@ -319,8 +315,7 @@ void outliner::add_curve(const run& r, std::size_t i, std::size_t j,
   cubic.segment = static_cast<std::uint32_t>(shape.segments.size() - 1);
   const curve_path path(cubic, where(a), where(b));
   if (!path.is_straightforward(0, 1) || path.height(0, 1) <= rounding * greatest_) return;
-  if (options_.largest_distance && !(width(r, i, j, *control) <= allowed_off(a, b, options_.part)))
-    return;
+  if (options_.largest_distance && !(width(r, i, j, *control) <= allowed_off(a, b))) return;
   shape.curves.push_back(std::move(cubic));
 }
 
@@ -383,9 +378,8 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
       made.former.between.push_back(between(r, begin, end));
       const double off = farthest(r, begin, end);
       made.greatest_distance = std::max(made.greatest_distance, off);
-      if (options_.largest_distance || options_.part > outline_options{}.part)
-        swept += off * elementary::hypot(where(r.vertices[end]).x - where(r.vertices[begin]).x,
-                                         where(r.vertices[end]).y - where(r.vertices[begin]).y);
+      swept += off * elementary::hypot(where(r.vertices[end]).x - where(r.vertices[begin]).x,
+                                       where(r.vertices[end]).y - where(r.vertices[begin]).y);
       if (simplify_curves) add_curve(r, begin, end, number, made.shape);
     }
   drop_curves_in_the_way(made.shape);
@@ -404,7 +398,7 @@ std::optional<mesh_outline> outliner::outline(bool simplify_curves) const {
                  checked.value().segments.begin(), checked.value().segments.end(), same))
     made.segment_of_edge = std::move(segment_of);
   made.former.allowed = options_.largest_distance;
-  made.part = options_.part;
+  made.part_of_size = options_.part_of_size;
   if (!bring_to_order(made.shape, checked.value(), made.former.between)) return std::nullopt;
   made.shape = checked.value();
   for (std::size_t v = 0; v < at_.size(); ++v) {
@@ -422,9 +416,10 @@ result<mesh_outline> outline_of_mesh(const mesh& m, const mesh_marks& marks,
   if (!(options.corner_angle > 0 && options.corner_angle <= 180))
     return error{"the corner angle must be above 0 and at most 180 degrees",
                  error_code::bad_option};
-  if (!(options.part > 0 && options.part <= 0.125))
-    return error{"the part of a size that the boundary may be away is above 0 and at most 1/8",
-                 error_code::bad_option};
+  for (const double part : {options.part_of_length, options.part_of_size})
+    if (!(part > 0 && part <= 0.125))
+      return error{"the part of a size that the boundary may be away is above 0 and at most 1/8",
+                   error_code::bad_option};
   const auto is_there = [&](vertex_index v) { return v < m.sites.size(); };
   for (const auto* list : {&marks.corners, &marks.required_vertices})
     if (!std::all_of(list->begin(), list->end(), is_there))

@@ -12,10 +12,10 @@
 //     length 1 in the metric of its ends, and no removed vertex is farther from its piece than is
 //     allowed: without a distance, a part of the piece's length, and of the metric's size across
 //     it.
-//     So a curved boundary follows the polygon, with longer pieces where the metric is coarser.
-//     A side that stays a polygon has no cubics, and removed vertices may be three hundredths of
-//     the piece's length away: its vertices stay in the next mesh, and many short pieces leave no
-//     room for triangles whose angles meet the bound.
+//     So a curved boundary follows the polygon, with longer pieces where the metric is coarser. The
+//     part of the length matters where edges wanted are longer than that: the vertices that stay
+//     are in the next mesh, and many short pieces leave no room for triangles whose angles meet the
+//     bound. A side that stays a polygon has no cubics.
 //     Lines between different regions keep every vertex that is not on a straight part. A piece of
 //     the outer boundary is a cubic through its ends (outline_curves.hpp), on which the next mesh
 //     splits it; it is straight if the cubic would be farther from the polygon than is allowed, or
@@ -46,9 +46,10 @@ struct outline_options {
   // rounding errors.
   std::optional<double> largest_distance = {};
   std::vector<int> polygons = {};  // markers of sides that stay polygons
-  // Without a largest distance, the distance allowed as a part of a piece's length and of the
-  // metric's size across it. Must be above 0 and at most 1/8.
-  double part = 0.01;
+  // Without a largest distance, the distance allowed as a part of a piece's length, and of the
+  // metric's size across it. Must be above 0 and at most 1/8. The part of the length was chosen by
+  // experiment (bench/adapt/bent_sides.py).
+  double part_of_length = 0.03, part_of_size = 0.01;
 };
 
 // The domain of a mesh, and how it was found.
@@ -59,7 +60,7 @@ struct mesh_outline {
   std::size_t kept = 0;               // of those
   double greatest_distance = 0;       // of a dropped vertex from its segment
   bool keeps_all = false;             // every vertex of the mesh is one of the domain
-  double part = 0.01;                 // outline_options::part
+  double part_of_size = 0.01;         // outline_options::part_of_size
   // Segment of the domain for each boundary edge of the mesh, if the first vertices of the mesh are
   // those of the domain in their order; else empty.
   std::vector<vertex_index> segment_of_edge;

@@ -140,6 +140,14 @@ void compare_boundaries(adapted_mesh& done) {
                  " was asked for";
 }
 
+outline_options outline_options_of(const mesh_adaptation_options& options) {
+  outline_options made;
+  made.corner_angle = options.corner_angle;
+  made.largest_distance = options.largest_boundary_distance;
+  if (options.boundary_part) made.part_of_length = made.part_of_size = *options.boundary_part;
+  return made;
+}
+
 }  // namespace
 
 result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
@@ -167,11 +175,8 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     if (!divided) return divided.failure();
     done.shape = divided.value();
   } else {
-    auto outline = outline_with_partners(background, marks,
-                                         {.corner_angle = options.corner_angle,
-                                          .largest_distance = options.largest_boundary_distance,
-                                          .part = options.boundary_part},
-                                         options.periodic);
+    auto outline =
+        outline_with_partners(background, marks, outline_options_of(options), options.periodic);
     if (!outline) return outline.failure();
     const mesh_outline& found = outline.value().found;
     kept_sides = outline.value().kept_sides;

@@ -40,12 +40,12 @@ struct mesh_adaptation_options {
   // Its curves are divided anew, for the metric.
   std::optional<domain> exact = {};
   // Greatest distance of the new boundary from that of the mesh, both ways, where there is no
-  // `exact`. Default: boundary_part of the size wanted across the boundary where vertices are
-  // removed, and the distance of cubics through the vertices where some are added.
+  // `exact`. Default: parts of lengths where vertices are removed, and the distance of cubics
+  // through the vertices where some are added.
   std::optional<double> largest_boundary_distance = {};
-  // That part of the size wanted across the boundary, and of a piece's length, above 0 and at most
-  // 1/8.
-  double boundary_part = 0.01;
+  // The part of the size wanted across the boundary, and of a piece's length, above 0 and at most
+  // 1/8. Default: those of outline_options.
+  std::optional<double> boundary_part = {};
   // Greatest distance of a curve of `exact` from its chords; default: curve_division's.
   std::optional<double> chord_tolerance = {};
   // Options of the new mesh; limit_size is set by the run. Without `vertices` the mesh has the

@@ -39,7 +39,7 @@ chorded_outline with_chords_for(const mesh& m, const mesh_outline& found) {
   const auto field = make_interpolated_field(m, 1);
   curve_division chords;
   chords.field = field.get();
-  chords.part_of_size = found.part;
+  chords.part_of_size = found.part_of_size;
   chords.is_even = false;  // pieces are at most as long as an edge wanted
   constexpr double most = 1e7;
   chords.most_chords =

@@ -244,19 +244,20 @@ class Curves(command.CommandTest):
             self.assertEqual(done.returncode, 2, refused)
         self.assertFalse((self.folder / "no.mesh").exists())
 
-    def test_a_part_of_the_size_takes_the_place_of_the_hundredth(self):
+    def test_a_part_of_the_size_takes_the_place_of_the_hundredths(self):
         self.mesh(disc(), "--size", "0.1")
         job = ["adapt", *self.solved("d.mesh"), "--vertices", "300"]
         gone = {}
-        for part in ("0.01", "0.0353553"):
-            done = self.run_command(*job, "--boundary-part", part, "-o", "n.mesh")
+        for part in (None, "0.01", "0.0353553"):
+            done = self.run_command(*job, *(["--boundary-part", part] if part else []), "-o", "n.mesh")
             self.assertEqual(done.returncode, 0, done.stderr)
             told = json.loads((self.folder / "n.certificate.json").read_text())
             gone[part] = told["audit"].get("former_boundary", {}).get("vertices_gone", 0)
-            self.assertEqual(told["asked"]["options"].get("boundary-part"), None if part == "0.01" else part)
+            self.assertEqual(told["asked"]["options"].get("boundary-part"), part)
             checked = self.run_command("verify", "n.mesh")
             self.assertEqual(checked.returncode, 0, checked.stdout)
         self.assertGreater(gone["0.0353553"], gone["0.01"] + 20)
+        self.assertGreaterEqual(gone[None], gone["0.01"])
         told["asked"]["options"]["boundary-part"] = "0.02"
         self.write("n.certificate.json", json.dumps(told))
         self.assertEqual(self.run_command("verify", "n.mesh").returncode, 1)
@@ -264,6 +265,27 @@ class Curves(command.CommandTest):
                         ["--boundary-part", "0.02", "--domain", "square"]):
             done = self.run_command(*job, *refused, "-o", "no.mesh")
             self.assertEqual(done.returncode, 2, refused)
+
+    def test_sides_that_bend_take_no_more_vertices_than_are_wanted(self):
+        """A channel of 40 rows with bent sides, and a solution with two layers across it: along the sides unit edges
+        between the layers are many times as long as the rows."""
+        rows = 40
+        places = [(i / rows + math.sin(2 * math.pi * j / rows) / 8, j / rows)
+                  for j in range(rows + 1) for i in range(rows + 1)]
+        first = [j * (rows + 1) + i + 1 for j in range(rows) for i in range(rows)]
+        triangles = [t for a in first for t in ((a, a + 1, a + rows + 2), (a, a + rows + 2, a + rows + 1))]
+        self.write("c.mesh", "MeshVersionFormatted 2\nDimension 2\n"
+                   + f"Vertices\n{len(places)}\n" + "".join(f"{x!r} {y!r} 0\n" for x, y in places)
+                   + f"Triangles\n{len(triangles)}\n" + "".join(f"{a} {b} {c} 1\n" for a, b, c in triangles)
+                   + "End\n")
+        self.write("u.sol", f"MeshVersionFormatted 2\nDimension 2\nSolAtVertices\n{len(places)}\n1 1\n"
+                   + "".join(f"{math.tanh(20 * math.sin(2 * math.pi * y))!r}\n" for x, y in places) + "End\n")
+        job = ["adapt", "c.mesh", "--solution", "u.sol", "--vertices", "400", "-o", "n.mesh"]
+        done = self.run_command(*job)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        checked = self.run_command("verify", "n.mesh")
+        self.assertEqual(checked.returncode, 0, checked.stdout)
+        self.assertEqual(self.run_command(*job, "--boundary-part", "0.01").returncode, 1)
 
     def test_what_is_forged_of_the_former_boundary_is_refused(self):
         self.mesh(disc(), "--size", "0.1")

@@ -130,6 +130,18 @@ TEST_CASE("a curved boundary follows the polygon, coarser where the metric is") 
   CHECK(outline(disc(200, 0.5), {}, 1).shape.vertices.size() == 200);
 }
 
+TEST_CASE("where edges wanted are longer, pieces are three hundredths of their length away") {
+  // An arc of t radians is t / 8 of its chord high: 0.24 radians are 7 edges of the polygon, and
+  // with a hundredth 0.08 radians 2.
+  const mesh m = disc(200, 4);
+  CHECK(outline(m).shape.vertices.size() <= 30);
+  CHECK(outline(m).greatest_distance < 0.03 * 0.24);
+  outline_options how;
+  how.part_of_length = 0.01;
+  REQUIRE(outline_of_mesh(m, {}, how).ok());
+  CHECK(outline_of_mesh(m, {}, how).value().shape.vertices.size() >= 100);
+}
+
 TEST_CASE("pieces of a curved boundary are cubics through its vertices, near to the circle") {
   const auto found = outline(disc(32, 0.02));
   REQUIRE(found.shape.curves.size() == 32);
@@ -166,14 +178,14 @@ TEST_CASE("the distance that is asked for is kept by what goes and by cubics") {
 TEST_CASE("a greater part of the size lets more vertices go") {
   const auto of_part = [](double part) {
     outline_options how;
-    how.part = part;
+    how.part_of_length = how.part_of_size = part;
     return outline_of_mesh(disc(128, 2), {}, how);
   };
   // The arc of a piece may turn by eight times the part, in radians: by 22.9 degrees for 0.05 and
   // 4.6 for 0.01. Each edge of the polygon turns by 2.8 degrees.
   REQUIRE(of_part(0.05).ok());
   CHECK(of_part(0.05).value().shape.vertices.size() <= 21);
-  CHECK(of_part(0.05).value().part == 0.05);
+  CHECK(of_part(0.05).value().part_of_size == 0.05);
   CHECK(of_part(0.01).value().shape.vertices.size() == 128);
   CHECK_FALSE(of_part(0).ok());
   CHECK_FALSE(of_part(0.126).ok());

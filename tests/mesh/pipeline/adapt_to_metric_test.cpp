@@ -356,11 +356,13 @@ mesh coast_with_metric() {
 
 TEST_CASE("a boundary finer than the metric has as many vertices as are wanted, at once") {
   const mesh m = coast_with_metric();
-  constexpr std::size_t wanted = 4000;
+  constexpr std::size_t wanted = 3000;
   const auto next = adapted({m, {}}, wanted);
   CHECK(next.made.certified());
   REQUIRE(next.made.outcome.delivered);
-  CHECK(next.made.claim.measured.at("unit_edges") > 0.5);  // the smoothest metric tried has 0.37
+  // With 4,000, more than the metric takes, the smoothest metric tried had 0.37 where this one had
+  // 0.5.
+  CHECK(next.made.claim.measured.at("unit_edges") > 0.7);
   CHECK(static_cast<double>(next.made.outcome.result.sites.size()) ==
         Approx(static_cast<double>(wanted)).epsilon(0.03));
 }
