@@ -37,6 +37,8 @@ namespace asterism::internal::audit_detail {
 struct fan_gap {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
+  fan_gap(vertex_index from, vertex_index to) : x(from), y(to) {}
+
   vertex_index x, y;
   bool is_skipped = false;   // x -> y is a subsegment, beyond which nothing is seen, or left open
   bool is_concerned = true;  // or else changed sites alone are to be held against it
