@@ -43,7 +43,8 @@ await assert.rejects(mesh('square', () => [1, 5, 1], { size: 0.3 }), RangeError)
 // Wrong arguments are refused with the command's own messages, or for their shape.
 await assert.rejects(mesh({ points: [[0, 0], [1, 1], [1, 0], [0, 1]] }, 'identity'), { name: 'RangeError', message: /cross/ });
 await assert.rejects(mesh('square', 'no such metric'), RangeError);
-await assert.rejects(mesh('square', 'expr:1;0;1'), { name: 'RangeError', message: /formulas are not part of this module/ });
+await assert.rejects(mesh('square', 'expr:1;0;x²'), { name: 'RangeError', message: /M22: 'x²': unexpected '²' \(position 2\)/ });
+await assert.rejects(mesh('square', `expr:1;0;${'('.repeat(1000000)}`), { name: 'RangeError', message: /more than 200 levels/ });
 await assert.rejects(mesh('circle'), RangeError);
 await assert.rejects(mesh('square', 'identity', { sizes: 1 }), { name: 'TypeError', message: /there is no option 'sizes'/ });
 for (const [name, value] of [['size', 0], ['size', NaN], ['angleBound', 60], ['angleBound', '20a'], ['refine', 'best'], ['maxSites', 2.5], ['improve', -1], ['strict', 1]])

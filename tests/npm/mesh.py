@@ -52,10 +52,10 @@ def translated(words):
             options["refine"] = value
         elif word == "--certify":
             options["proveVoronoi"] = value == "voronoi"
-        elif word == "--metric" and not value.startswith("expr:"):
+        elif word == "--metric":
             metric = value
         elif word not in OF_THE_RUN:
-            return None, word if word != "--metric" else "a formula"
+            return None, word
         at += 2
     return {"domain": words[1], "metric": metric, "options": options}, None
 

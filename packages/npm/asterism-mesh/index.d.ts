@@ -18,7 +18,7 @@ export interface Polygon {
 export interface DomainFile { name: string; text: string; files?: Record<string, string>; }
 export type Domain = 'square' | 'airfoil' | Polygon | DomainFile;
 
-/** As --metric takes it, but for formulas: or a function, which returns m11, m12, m22 at a place. */
+/** As --metric takes it, but for files: or a function, which returns m11, m12, m22 at a place. */
 export type Metric = string | ((x: number, y: number) => ArrayLike<number>);
 
 /** The command's options, with its defaults. */
