@@ -45,19 +45,25 @@ class edges_around {
   }
   // Stores the node as the mesh has it, for comparisons with the node as it is tried.
   void remember() { before_ = m_.at(v_); }
-  // True if is_enough(now, before) for each edge: its clearance for the node as it is tried, and a
-  // function that computes the clearance for the stored node. Greater clearances must be enough,
-  // too: the distances of the node from the faces across are tested first, before any centre of its
-  // own faces is computed. Begins with the edges of the face that had one without enough in the
-  // last call: that edge often has too little again.
+  // True if is_enough(now, before) for the edge of each face that lies across from the node: the
+  // clearance of the node, as it is tried, from the face beyond, and a function that computes the
+  // clearance of the edge for the stored node. That of an edge is no more than this: what fails
+  // here fails in all_of(), too, which also computes the centres of the faces at the node.
   template <class Enough>
-  bool all_of(const Enough& is_enough) {
+  bool all_across(const Enough& is_enough) {
     for (std::size_t nth = 0, k = first_; nth < at_.size(); ++nth, k = following(k)) {
       if (is_enough(clearance_across(k), [&] { return clearance_before(k, edge_of_face::across); }))
         continue;
       first_ = k;
       return false;
     }
+    return true;
+  }
+  // True if is_enough(now, before) for each edge: its clearance for the node as it is tried, and a
+  // function that computes the clearance for the stored node. Begins with the edges of the face
+  // that had one without enough in the last call: that edge often has too little again.
+  template <class Enough>
+  bool all_of(const Enough& is_enough) {
     own_.assign(at_.size(), {});
     const auto tried = [this](std::size_t k) { return own_centre(k); };
     for (std::size_t nth = 0, k = first_; nth < at_.size(); ++nth, k = following(k))

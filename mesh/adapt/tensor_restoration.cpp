@@ -110,6 +110,7 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
   // Tries only the whole step where less than a hundredth of the way is left.
   constexpr double short_way = 0.01;
   const auto is_short = [&] { return !(log_distortion(now, wanted_[v]) > short_way); };
+  const auto is_enough = [](double clear, const auto& before) { return has_room(clear, before); };
   std::optional<tensor_way> way;
   edges_.turn_to(v);
   edges_.remember();
@@ -119,10 +120,8 @@ bool tensor_restoration::give(vertex_index v, bool whole_alone) {
     const metric_tensor tried = share < 1 ? way->at(share) : wanted_[v];
     if (!is_usable(tried)) continue;
     m_.set_metric(v, tried);
-    // Tests angles first: they exclude most nodes where few can change, and clearances cost
-    // more.
-    if (has_low_face(edges_.faces())) continue;
-    if (!edges_.all_of([](double clear, const auto& before) { return has_room(clear, before); }))
+    // Tests last what takes most: the centres of the faces at the node.
+    if (!edges_.all_across(is_enough) || has_low_face(edges_.faces()) || !edges_.all_of(is_enough))
       continue;
     edges_.accept();
     return true;

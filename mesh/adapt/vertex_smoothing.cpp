@@ -243,7 +243,8 @@ bool vertex_smoothing::may_be_at(vertex_index v, const place& there) {
   const auto has_room = [](double now, const auto& before) {
     return now >= clearance_kept || now >= before();
   };
-  return std::none_of(at.begin(), at.end(), is_low) && edges_.all_of(has_room);
+  return edges_.all_across(has_room) && std::none_of(at.begin(), at.end(), is_low) &&
+         edges_.all_of(has_room);
 }
 
 // Moves v to the best of the places found where all edges and angles pass their tests, if there is
