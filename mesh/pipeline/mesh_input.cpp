@@ -18,6 +18,7 @@ scale_demand demand_of(const mesh_source& source, const mesh_options& options, d
   if (options.vertices) {
     wanted.size.reset();
     wanted.complexity = density * complexity_of_vertices(*options.vertices);
+    wanted.vertices = options.vertices;
   }
   if (!wanted.size && !wanted.complexity && !wanted.sizes.is_empty())
     wanted.size = size_where_none_is_wished(wanted.sizes, d);

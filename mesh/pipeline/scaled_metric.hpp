@@ -8,6 +8,7 @@
 // side 1 have an area of sqrt 3 / 4, and there are two for each vertex.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -34,6 +35,8 @@ struct scale_demand {
   std::optional<double> gradation;   // beta, above 1
   cancellation stop = {};            // polled now and then
   size_wishes sizes = {};            // at places, in units of the domain: not scaled
+  // The number of vertices that the complexity is for, if it is: for messages.
+  std::optional<std::size_t> vertices = {};
 };
 
 // The scaled metric, and the size, gradation and complexity that it has.

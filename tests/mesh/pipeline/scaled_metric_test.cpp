@@ -80,6 +80,27 @@ TEST_CASE("grading and scaling by turns meet a complexity that grading changes")
     CHECK(graded.sites[v].metric.m11 >= given.sites[v].metric.m11 * factor * (1 - 1e-12));
 }
 
+TEST_CASE("sizes at places are not scaled: little above them is met, and less is refused") {
+  scale_demand wanted;
+  wanted.sizes.at = {{{0, 0}, 0.5, 0.05, 1.2}};
+  wanted.size = 1e3;
+  const auto alone = make_scaled_metric(square(), of_spec("identity"), wanted);
+  REQUIRE(alone.ok());
+  const double least = complexity_over(square(), *alone.value().field, {}).value();
+  wanted.size.reset();
+  wanted.complexity = 1.02 * least;
+  const auto made = make_scaled_metric(square(), of_spec("identity"), wanted);
+  REQUIRE(made.ok());
+  CHECK(made.value().complexity.value() == Approx(1.02 * least).epsilon(0.005));
+  wanted.complexity = 0.5 * least;
+  wanted.vertices = 100;
+  const auto fails = make_scaled_metric(square(), of_spec("identity"), wanted);
+  REQUIRE_FALSE(fails.ok());
+  CHECK(fails.failure().message.find(
+            "100 vertices were wanted, and sizes and layers at places, which are not scaled, take "
+            "about 200") == 0);
+}
+
 TEST_CASE("what cannot be scaled is refused, and a run that is stopped says so") {
   scale_demand wanted;
   wanted.complexity = -1;
