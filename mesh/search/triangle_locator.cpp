@@ -69,6 +69,7 @@ triangle_locator::triangle_locator(std::vector<point> places, std::vector<triang
       triangles_(std::move(triangles)),
       across_(std::move(across)),
       box_(box_of_places(places_)),
+      first_in_bin_(1),
       last_found_(1) {}
 
 // Makes bins over the box, one for a few triangles, each with the last triangle that has its first
@@ -77,9 +78,12 @@ void triangle_locator::make_bins() {
   constexpr double triangles_in_bin = 4;
   bins_in_row_ = 1 + static_cast<std::size_t>(
                          std::sqrt(static_cast<double>(triangles_.size()) / triangles_in_bin));
-  last_found_ = std::vector<std::atomic<vertex_index>>(bins_in_row_ * bins_in_row_);
+  first_in_bin_.assign(bins_in_row_ * bins_in_row_, 0);
   for (vertex_index t = 0; t < triangles_.size(); ++t)
-    last_found_[bin_of(places_[triangles_[t][0]])].store(t, std::memory_order_relaxed);
+    first_in_bin_[bin_of(places_[triangles_[t][0]])] = t;
+  last_found_ = std::vector<std::atomic<vertex_index>>(first_in_bin_.size());
+  for (std::size_t bin = 0; bin < first_in_bin_.size(); ++bin)
+    last_found_[bin].store(first_in_bin_[bin], std::memory_order_relaxed);
 }
 
 // Returns the number of the bin that q is in, or of one on the border if q is outside of the box.
@@ -160,7 +164,23 @@ bool triangle_locator::walk(const point& q, located& at) const {
 triangle_locator::located triangle_locator::nearby(const point& q, vertex_index hint) const {
   located at;
   at.triangle = hint < triangles_.size() ? hint : 0;
+  if (!walk(q, at)) return deepest_by_walk(q);
+  raise_negative_weights(at);
+  return at;
+}
+
+// Returns the result of deepest(), mostly by a walk from the bin of q: the boxes, of which
+// deepest() makes an index, take as long as tens of thousands of walks. No search changes where the
+// walk begins, so that every run does the same.
+triangle_locator::located triangle_locator::deepest_by_walk(const point& q) const {
+  located at;
+  at.triangle = first_in_bin_[bin_of(q)];
   if (!walk(q, at)) return deepest(q);
+  if (!is_in_one(at)) {
+    const auto beside = deepest_beside(q, at);
+    if (!beside) return deepest(q);
+    at = *beside;
+  }
   raise_negative_weights(at);
   return at;
 }

@@ -73,6 +73,7 @@ class triangle_locator {
   bool walk(const point& q, located& at) const;
   bool is_corner(const point& q, vertex_index t) const;
   bool is_in_one(const located& at) const;
+  located deepest_by_walk(const point& q) const;
   std::optional<located> deepest_beside(const point& q, const located& from) const;
   void make_bins();
   std::size_t bin_of(const point& q) const;
@@ -89,7 +90,9 @@ class triangle_locator {
   mutable std::once_flag are_indexed_;
   mutable box_index boxes_;
   std::size_t bins_in_row_ = 1;
-  mutable std::vector<std::atomic<vertex_index>> last_found_;  // of each bin, row after row
+  // Of each bin, row after row: a triangle with its first corner there, and the one found last.
+  std::vector<vertex_index> first_in_bin_;
+  mutable std::vector<std::atomic<vertex_index>> last_found_;
 };
 
 }  // namespace asterism::internal
