@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/adapt/mesh_gradation.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -117,7 +118,11 @@ void look_up_stretch(editable_mesh& m, const background_metric& field, vertex_in
 
 void look_up_anew(editable_mesh& m, const background_metric& field) {
   constexpr std::size_t stretch = 8192;  // nodes: a block's follow each other (mesh_blocks.hpp)
-  parallel_chunks(m.nodes().size(), stretch, [&](std::size_t, std::size_t begin, std::size_t end) {
+  const std::size_t count = m.nodes().size(), stretches = chunk_count(count, stretch);
+  // Begins with the last stretch, which takes longest: nodes made by the last splits are far from
+  // each other.
+  parallel_for(stretches, [&](std::size_t i) {
+    const std::size_t begin = (stretches - 1 - i) * stretch, end = std::min(count, begin + stretch);
     look_up_stretch(m, field, static_cast<vertex_index>(begin), static_cast<vertex_index>(end));
   });
 }
