@@ -25,10 +25,19 @@ class edges_around {
   void turn_to(vertex_index v) {
     v_ = v;
     m_.around(v, at_);
+    own_.assign(at_.size(), {});
     first_ = 0;
   }
-  // Accepts the node as it was tried: the known centres of its faces are no longer valid.
-  void accept() { present_.forget(at_); }
+  // Accepts the node as it was tried last. The centres of its faces that all_of() has computed for
+  // it, if it was called, are kept as the present ones.
+  void accept() {
+    for (std::size_t k = 0; k < at_.size(); ++k)
+      if (own_[k].is_known)
+        present_.replace(at_[k], own_[k].centre);
+      else
+        present_.forget(at_[k]);
+    own_.assign(at_.size(), {});
+  }
   // Returns the faces around the node.
   const face_list& faces() const { return at_; }
 

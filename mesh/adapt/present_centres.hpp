@@ -41,9 +41,12 @@ class present_centres {
     }
     return centres_[t];
   }
-  // Forgets the Voronoi vertices of these faces, which have changed.
-  void forget(const face_list& faces) {
-    for (const vertex_index t : faces) is_known_[t] = 0;
+  // Forgets the Voronoi vertex of a face that has changed.
+  void forget(vertex_index t) { is_known_[t] = 0; }
+  // Does the same where the new Voronoi vertex is known.
+  void replace(vertex_index t, const face_centre& centre) {
+    centres_[t] = centre;
+    is_known_[t] = 1;
   }
   void forget_all() {
     centres_.resize(m_.faces().size());
