@@ -130,6 +130,37 @@ asterismadapt(Th, [u1, u2, p], err = 0.08; abserror = 0; cutoff = 0.01; hmin = 0
 cout << "GOT " << Th.nv << endl;
 """
 
+# What the options of adaptmesh are without a word: the least value of relative errors, the height of arcs, and the
+# greatest size of a metric.
+DEFAULTS = """
+mesh Th = square(12, 12), Tb = Th;
+fespace Vh(Th, P1);
+fespace Wh(Tb, P1);
+func steep = exp(-14 * x);
+Vh u = steep;
+Wh w = steep;
+for (int i = 0; i < 3; ++i) {
+  asterismadapt(Th, u, err = 0.02; abserror = 0; hmin = 0.004)
+  Tb = adaptmesh(Tb, w, err = 0.02, abserror = 0, hmin = 0.004);
+  u = steep;
+  w = 0;
+  w = steep;
+}
+cout << "GOT " << Th.nv << " " << Tb.nv << endl;
+border circle(t = 0, 2 * pi) { x = cos(t); y = sin(t); }
+Th = buildmesh(circle(70));
+Tb = Th;
+u = x * y;
+w = x * y;
+asterismadapt(Th, u, err = 0.5; errg = 0.1)
+Tb = adaptmesh(Tb, w, err = 0.5, errg = 0.1);
+cout << "GOT " << Th.nbe << " " << Tb.nbe << endl;
+Th = square(12, 12);
+Vh h = 5;
+asterismadapt(Th, h, IsMetric = 1)
+cout << "GOT " << Th.nv << endl;
+"""
+
 def run(body):
     with tempfile.TemporaryDirectory(prefix="asterism-idp-") as folder:
         with open(os.path.join(folder, "script.edp"), "w", encoding="ascii") as file:
@@ -171,6 +202,15 @@ class IncludeTest(unittest.TestCase):
         self.assertEqual(status, 0, text)
         ours, theirs = numbers[0]
         self.assertLess(abs(ours / theirs - 1), 0.1, text)
+
+    def test_defaults_are_those_of_adaptmesh(self):
+        status, numbers, text, _ = run(DEFAULTS)
+        self.assertEqual(status, 0, text)
+        ours, theirs = numbers[0]
+        self.assertLess(abs(ours / theirs - 1), 0.04, text)
+        ours, theirs = numbers[1]
+        self.assertLess(abs(ours - theirs), 4, text)
+        self.assertGreater(numbers[2][0], 15)
 
     def test_no_inner_edge_joins_two_vertices_of_the_boundary(self):
         status, numbers, text, files = run(BOUNDARY)
