@@ -161,6 +161,40 @@ asterismadapt(Th, h, IsMetric = 1)
 cout << "GOT " << Th.nv << endl;
 """
 
+# A tensor 100 times as great at the middle of a square, and one at a vertex of its side.
+PEAKS = """
+mesh Th = square(4, 4);
+asterismbegin(Th);
+real nothing = int2d(Th, qft = qf1pTlump)(asterismtake((asterismvalue = [1., 0., 1.])[0]));
+asterismend("PEAKS");
+int[int] peaks = [12, 2];
+for (int k = 0; k < 2; ++k)
+  for (int part = 0; part < 3; part += 2) asterismvalues[part * Th.nv + peaks[k]] = 100;
+int changed = asterismpeaks(Th, 30);
+cout << "GOT " << changed << " " << asterismvalues[12] << " " << asterismvalues[2] << " " << asterismvalues.sum << endl;
+"""
+
+# Densities that fall by a power of the distance from the re-entrant corner of an L, level in the two rows around it.
+CORNER = """
+mesh Th = trunc(square(12, 12), x < 0.51 | y < 0.51);
+func int cornerdensity(real power) {
+  asterismbegin(Th);
+  real nothing = int2d(Th, qft = qf1pTlump)(asterismtake(
+    (asterismvalue = [max(0.084, max(abs(x - 0.5), abs(y - 0.5))) ^ (-power), 0.,
+                      max(0.084, max(abs(x - 0.5), abs(y - 0.5))) ^ (-power)])[0]));
+  asterismend("CORNER");
+  real[int] before(asterismvalues.n);
+  before = asterismvalues;
+  int changed = asterismpeaks(Th, 30);
+  before = asterismvalues ./ before;
+  cout << "GOT " << changed << " " << before.max << " " << before.min << endl;
+  return changed;
+}
+cornerdensity(0);
+cornerdensity(1);
+cornerdensity(4);
+"""
+
 def run(body):
     with tempfile.TemporaryDirectory(prefix="asterism-idp-") as folder:
         with open(os.path.join(folder, "script.edp"), "w", encoding="ascii") as file:
@@ -211,6 +245,21 @@ class IncludeTest(unittest.TestCase):
         ours, theirs = numbers[1]
         self.assertLess(abs(ours - theirs), 4, text)
         self.assertGreater(numbers[2][0], 15)
+
+    def test_a_peak_of_one_inner_vertex_is_limited_by_its_neighbours(self):
+        status, numbers, text, _ = run(PEAKS)
+        self.assertEqual((status, numbers), (0, [[1, 1.75, 100, 23 + 23 + 3.5 + 200]]), text)
+
+    def test_densities_at_a_re_entrant_corner_go_on(self):
+        """Densities do not change where they are level, nor where they fall steeply."""
+        status, numbers, text, _ = run(CORNER)
+        self.assertEqual(status, 0, text)
+        level, flat, steep = numbers
+        self.assertEqual(level, [0, 1, 1], text)
+        self.assertEqual((flat[0], flat[2]), (1, 1), text)
+        self.assertGreater(flat[1], 1.2, text)
+        self.assertLess(flat[1], 2, text)
+        self.assertEqual(steep[1], 1, text)
 
     def test_no_inner_edge_joins_two_vertices_of_the_boundary(self):
         status, numbers, text, files = run(BOUNDARY)
