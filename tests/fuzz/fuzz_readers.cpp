@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -18,12 +19,15 @@
 #include <string>
 #include <string_view>
 
+#include "asterism/core/floating_point_environment.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
 #include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/io/solution_file.hpp"
 #include "asterism/mesh/io/write_mesh.hpp"
+#include "asterism/mesh/metric/expression_enclosure.hpp"
+#include "asterism/mesh/metric/plane_expression.hpp"
 
 namespace {
 
@@ -127,11 +131,12 @@ mesh written_and_read(const mesh& m, const path& to) {
 // in the project's own format, which is only listed, comes back as listed.
 void expect_again(const mesh& m, const path& to) { expect_same(m, written_and_read(m, to), to); }
 
-bool is_own(const path& file) {
+std::string text_of(const path& file) {
   std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return text.find("segments") != std::string::npos;
+  return {std::istreambuf_iterator<char>(in), {}};
 }
+
+bool is_own(const path& file) { return text_of(file).find("segments") != std::string::npos; }
 
 bool read_a_mesh(const path& file) {
   medit_read_options options;
@@ -187,13 +192,43 @@ bool read_a_certificate(const path& file) {
   return true;
 }
 
+bool are_apart(const internal::rounded_interval& a, const internal::rounded_interval& b) {
+  return a.inf() > b.sup() || b.inf() > a.sup();
+}
+
+// Checks that the enclosure at a point where the formula has a value meets the one over a box
+// around it, since both contain the value and its derivatives.
+void expect_enclosures_meet(const internal::expression_enclosure& enclosed, const point& q,
+                            const std::string& text) {
+  const internal::floating_point_scope scope(internal::rounding::upward);
+  const double width = 0.4 * (1 + std::abs(q.x));
+  const auto at = enclosed.over(internal::coordinates_over({q.x, q.x}, {q.y, q.y}));
+  const auto around =
+      enclosed.over(internal::coordinates_over({q.x - width, q.x + 1}, {q.y - 0.1, q.y + width}));
+  if (are_apart(at.value, around.value) || are_apart(at.x, around.x) || are_apart(at.y, around.y))
+    give_up("enclosures of a value do not meet: " + text);
+}
+
+// Reads a file as a formula in x and y.
+bool read_a_formula(const path& file) {
+  const std::string text = text_of(file);
+  const auto read = internal::plane_expression::parse(text);
+  const auto enclosed = internal::expression_enclosure::parse(text);
+  if (!read && (enclosed || read.failure().message.empty()))
+    give_up("a formula that is refused, without a word or enclosed: " + text);
+  if (!enclosed) return read.ok();
+  for (const point q : {point{0, 0}, point{0.3, -0.7}, point{-1000, 1e-8}})
+    if (std::isfinite(read.value()(q))) expect_enclosures_meet(*enclosed, q, text);
+  return true;
+}
+
 struct reader {
   const char* name;  // stems differ: the metric of a mesh lies beside it
   bool (*read)(const path&);
   unsigned long long taken = 0, refused = 0;
 };
 
-std::array<reader, 23> readers{{{"a.poly", read_a_domain},
+std::array<reader, 24> readers{{{"a.poly", read_a_domain},
                                 {"b.geojson", read_a_domain},
                                 {"c.wkt", read_a_domain},
                                 {"d.mesh", read_a_mesh},
@@ -215,7 +250,8 @@ std::array<reader, 23> readers{{{"a.poly", read_a_domain},
                                 {"t.vtk", read_a_mesh},
                                 {"u.stl", read_a_mesh},
                                 {"v.node", read_a_domain},
-                                {"w.mesh", read_a_domain}}};
+                                {"w.mesh", read_a_domain},
+                                {"x.formula", read_a_formula}}};
 
 void write_counts() {
   const char* const name = std::getenv("ASTERISM_FUZZ_COUNTS");
