@@ -185,15 +185,17 @@ void unit_mesh_remesher::seed(const std::vector<point>& seeds) {
       options_.count == 0 ? seeds.size() : std::min(seeds.size(), options_.count);
   std::size_t step = 1;
   while (expected / step > few) step *= finer;
-  const seed_list first = level_of(seeds, step, 0);
-  metrics_ahead known(first, field_);
-  insert_seeds(first, &known);
+  const auto insert = [this](const seed_list& some) {
+    metrics_ahead known(some, field_);
+    insert_seeds(some, &known);
+  };
+  insert(level_of(seeds, step, 0));
   while (step > 1 && !is_stopped()) {
     const std::size_t coarser = std::exchange(step, step / finer);
     seed_list level = level_of(seeds, step, coarser);
     for (int cut = 0; cut < 2 && mesh_blocks::are_worth_it(m_); ++cut)
       level = insert_in_blocks(level);
-    insert_seeds(level);
+    insert(level);
   }
   is_inside_.clear();
 }
