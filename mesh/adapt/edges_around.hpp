@@ -25,18 +25,18 @@ class edges_around {
   void turn_to(vertex_index v) {
     v_ = v;
     m_.around(v, at_);
-    own_.assign(at_.size(), {});
+    own_.clear();
     first_ = 0;
   }
   // Accepts the node as it was tried last. The centres of its faces that all_of() has computed for
   // it, if it was called, are kept as the present ones.
   void accept() {
     for (std::size_t k = 0; k < at_.size(); ++k)
-      if (own_[k].is_known)
+      if (k < own_.size() && own_[k].is_known)
         present_.replace(at_[k], own_[k].centre);
       else
         present_.forget(at_[k]);
-    own_.assign(at_.size(), {});
+    own_.clear();
   }
   // Returns the faces around the node.
   const face_list& faces() const { return at_; }
@@ -133,7 +133,7 @@ class edges_around {
   vertex_index v_ = none;
   face_list at_;
   std::size_t first_ = 0;          // of these, in all_of
-  std::vector<known_centre> own_;  // of the faces around the node
+  std::vector<known_centre> own_;  // of the faces around the node; empty before all_of
   node before_;
 };
 

@@ -208,10 +208,11 @@ void vertex_smoothing::find_better_places(vertex_index v, double step, double no
     if (!(then < now)) continue;
     // The energy is infinite where a face turns over, though its defect is finite.
     then += weight_of_energy * (energy_of(there) - energy_now);
-    if (then < now) better_.push_back({to, wanted, hint, then});
+    if (!(then < now)) continue;
+    const auto is_better = [](double defect, const place& p) { return defect < p.defect; };
+    better_.insert(std::upper_bound(better_.begin(), better_.end(), then, is_better),
+                   {to, wanted, hint, then});
   }
-  std::stable_sort(better_.begin(), better_.end(),
-                   [](const place& p, const place& q) { return p.defect < q.defect; });
 }
 
 // True if an edge at v would be longer than its limit, and longer than it is now, by the mean of
