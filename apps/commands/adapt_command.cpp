@@ -346,6 +346,32 @@ adapt_facts facts_of(const adapted& made) {
           made.vertices_wanted};
 }
 
+// Returns an option to add after a run that did not reach its goal; empty where none would help. A
+// bound on sizes where most of the complexity is on edges as long as the domain, as it is where the
+// solution varies in one direction alone. A greater distance where the boundary bends and leaves
+// more vertices than were wanted, or angles below the bound.
+std::string next_step(const adapt_job& job, const adapted& made) {
+  const adapted_mesh& next = made.next;
+  const mesh_outcome& outcome = next.made.outcome;
+  if (outcome.how() == ending::stopped) return "";
+  constexpr double most = 0.5, part = 0.5;
+  const bool has_bound = std::isfinite(job.request.wishes.greatest_size);
+  if (made.wanted.report.complexity_along_ridges > most && !has_bound) {
+    const bounding_box box = next.shape.box();
+    return fmt::format("--hmax {:.2g}, or an --aspect of 30",
+                       part * std::max(box.high.x - box.low.x, box.high.y - box.low.y));
+  }
+  constexpr double greatest = 0.125, factor = 4, usual = 0.03;
+  const double now = job.options.boundary_part.value_or(usual);
+  const bool is_polygon = job.domain.empty() && !job.options.largest_boundary_distance;
+  const bool has_more = made.vertices_wanted && outcome.sites > *made.vertices_wanted;
+  if (is_polygon && !next.shape.curves.empty() && now < greatest &&
+      (has_more || !next.made.certified()))
+    return fmt::format("--boundary-part {:g}, which lets more vertices of the boundary go",
+                       std::min(greatest, factor * now));
+  return "";
+}
+
 int run_adapt(adapt_job job) {
   const auto start = std::chrono::steady_clock::now();
   const thread_limit threads(job.threads);
@@ -382,8 +408,11 @@ int run_adapt(adapt_job job) {
     summarize(job, made.value());
     write_files_written(std::cout, written_files(files, made.value().proof), start);
   }
-  return made.value().proof.conclude(missed ? complain({"not reached: " + *missed}, not_reached)
-                                            : done);
+  if (!missed) return made.value().proof.conclude(done);
+  complain({"not reached: " + *missed}, not_reached);
+  const std::string next_one = next_step(job, made.value());
+  if (!next_one.empty() && !job.quiet) std::cerr << "asterism: try " << next_one << '\n';
+  return made.value().proof.conclude(not_reached);
 }
 
 void add_mesh_options(CLI::App& app, adapt_job& job) {

@@ -88,6 +88,16 @@ std::string more_places(const mesh_job& job, const certified_mesh& made) {
   return lower_bound(job, made, "a larger --size");
 }
 
+// Returns the remedy for a metric in which sites could not be spread: one that varies less, or is
+// less thin.
+std::string more_even(const mesh_job& job, const certified_mesh& made) {
+  constexpr double thin = 1000;
+  const auto& crowded = made.outcome.ended.crowded;
+  if (!crowded || !crowded->has_one_metric) return more_places(job, made);
+  const double aspect = job.sizes.aspect > thin ? thin : std::max(1.0, job.sizes.aspect / 10);
+  return fmt::format("--aspect {:g}, or a metric that is less thin", aspect);
+}
+
 std::string more_time_or_memory(const mesh_job& job, const mesh_outcome& outcome) {
   constexpr double some_seconds = 60, some_megabytes = 1000;
   if (job.max_megabytes && outcome.ended.stopped_because.find("megabytes") != std::string::npos)
@@ -127,8 +137,9 @@ std::string next_step(const mesh_job& job, const prepared_input& input,
     case ending::stuck:
     case ending::too_steep:
     case ending::overworked:
-    case ending::crowded:
       return more_places(job, made);
+    case ending::crowded:
+      return more_even(job, made);
   }
   return "";
 }

@@ -34,7 +34,8 @@ enum class ending {
   too_steep,   // given up: at some triangles the metric varies faster than sites can resolve
   overworked,  // given up: the most work that is done for so many sites was done
   stopped,     // by mesh_options::stop
-  crowded,     // the metric varies too fast for sites to be spread: the given vertices alone
+  crowded,     // the metric varies too fast, or is too thin, for sites to be spread: the given
+               // vertices alone
   one_metric,  // for a whole run: the mesh is of one metric for all sites, the fallback
   intolerable  // for a whole run: stars agree in a metric farther away than is allowed
 };
@@ -56,8 +57,9 @@ struct sharp_corner {
 // Site whose star has so many neighbours that the fill was given up (fill/fill.hpp).
 struct crowded_site {
   point where;
-  std::size_t neighbours = 0;  // in its star
-  std::size_t sites = 0;       // proposed when the fill was given up
+  std::size_t neighbours = 0;   // in its star
+  std::size_t sites = 0;        // proposed when the fill was given up
+  bool has_one_metric = false;  // all of them have the same
 };
 
 // How one refinement ended, with the numbers that explain it.

@@ -399,7 +399,10 @@ std::optional<crowded_site> approximate_star_store::most_crowded() const {
       stars_.begin(), stars_.end(),
       [](const approximate_star& a, const approximate_star& b) { return a.size() < b.size(); });
   const auto at = static_cast<vertex_index>(most - stars_.begin());
-  return crowded_site{(*sites_)[at].position, most->size(), sites_->size()};
+  bool has_one_metric = true;
+  for (vertex_index v = 1; v < sites_->size(); ++v)
+    has_one_metric = has_one_metric && (*sites_)[v].metric == (*sites_)[0].metric;
+  return crowded_site{(*sites_)[at].position, most->size(), sites_->size(), has_one_metric};
 }
 
 }  // namespace asterism::internal

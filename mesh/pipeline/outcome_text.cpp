@@ -47,6 +47,12 @@ std::string stuck_text(const refinement_ending& e) {
 }
 
 std::string crowded_text(const crowded_site& crowded) {
+  if (crowded.has_one_metric)
+    return fmt::format(
+        "the metric, the same everywhere, wants triangles too thin for sites to be spread in this "
+        "domain: {} were proposed (a bound on their aspect "
+        "might do); only the given vertices are meshed",
+        crowded.sites);
   return fmt::format(
       "the metric varies too fast for sites to be spread: of {} proposed, the one at {} has {} "
       "neighbours (a gradation of it might do); only the given vertices are meshed",

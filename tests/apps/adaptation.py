@@ -301,6 +301,17 @@ class GivenHessianTest(AdaptationTest):
         self.write("h.sol", solution_text([(2.0, 1.0, -1.0)] * len(self.points), (3,)))
         self.assertNotEqual(self.run_command("verify", "n.mesh").returncode, 0)
 
+    def test_advice_on_a_solution_of_one_direction_is_followed(self):
+        points, _ = grid(20, -1, 1)
+        self.write("s.mesh", mesh_text(*grid(20, -1, 1)))
+        self.write("s.sol", solution_text([(1, -1, 1)] * len(points), (3,)))
+        job = ("adapt", "s.mesh", "--given-hessian", "s.sol", "--vertices", "400", "-o", "new.mesh")
+        done = self.run_command(*job)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "asterism: try --hmax 1, or an --aspect of 30\n$")
+        for advice in ("--hmax", "1"), ("--aspect", "30"):
+            self.assertEqual(self.run_command(*job, *advice).returncode, 0)
+
     def test_what_cannot_be_meant_is_refused(self):
         job = ("metric", "g.mesh", "-o", "n.mesh")
         self.refused(*job, "--given-hessian", "h.sol", "--hessian", "lsq", sentence="leave one of the two out")

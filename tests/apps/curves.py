@@ -285,7 +285,10 @@ class Curves(command.CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         checked = self.run_command("verify", "n.mesh")
         self.assertEqual(checked.returncode, 0, checked.stdout)
-        self.assertEqual(self.run_command(*job, "--boundary-part", "0.01").returncode, 1)
+        done = self.run_command(*job, "--boundary-part", "0.01")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("asterism: try --boundary-part 0.04, ", done.stderr)
+        self.assertEqual(self.run_command(*job, "--boundary-part", "0.04").returncode, 0)
 
     def test_what_is_forged_of_the_former_boundary_is_refused(self):
         self.mesh(disc(), "--size", "0.1")

@@ -45,6 +45,11 @@ TEST_CASE("outcome text: each way a refinement ends has its sentence") {
   CHECK(ending_text(e) ==
         "the metric varies too fast for sites to be spread: of 90 proposed, the one at (0.5, -2) "
         "has 30 neighbours (a gradation of it might do); only the given vertices are meshed");
+  e.crowded->has_one_metric = true;
+  CHECK(ending_text(e) ==
+        "the metric, the same everywhere, wants triangles too thin for sites to be spread in this "
+        "domain: 90 were proposed (a bound on their aspect might do); only the given vertices are "
+        "meshed");
 }
 
 TEST_CASE("outcome text: places are named where they are known") {
