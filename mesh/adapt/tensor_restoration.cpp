@@ -83,7 +83,8 @@ bool tensor_restoration::give_once(bool whole_alone) {
     if (!awake_[v] || kept_[v] || m_.at(v).kind == node_kind::gone) continue;
     awake_[v] = 0;
     if (identical(m_.at(v).metric, wanted_[v]) || !give(v, whole_alone)) continue;
-    wake_around(v);
+    for (const vertex_index t : edges_.faces())
+      for (const vertex_index u : m_.faces()[t].v) awake_[u] = 1;
     any = true;
   }
   return any;
@@ -95,13 +96,6 @@ std::size_t tensor_restoration::wanted_count() const {
   for (vertex_index v = 0; v < m_.nodes().size(); ++v)
     if (m_.at(v).kind != node_kind::gone && identical(m_.at(v).metric, wanted_[v])) ++count;
   return count;
-}
-
-void tensor_restoration::wake_around(vertex_index v) {
-  face_list ring;
-  m_.neighbours(v, ring);
-  for (const vertex_index u : ring) awake_[u] = 1;
-  awake_[v] = 1;
 }
 
 // Moves the tensor towards the wanted one; returns false if no step is possible.

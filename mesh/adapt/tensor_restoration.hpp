@@ -42,7 +42,6 @@ class tensor_restoration {
   std::size_t wanted_count() const;
   bool has_low_face(const face_list& faces) const;
   void list_disagreeing(vertex_index v, std::vector<vertex_index>& out) const;
-  void wake_around(vertex_index v);
 
   editable_mesh& m_;
   local_tests tests_;

@@ -178,12 +178,6 @@ void unit_mesh_remesher::note_change(vertex_index t) {
   if (!was_due) due_.push_back(t);
 }
 
-void unit_mesh_remesher::note_changes_around(vertex_index v) {
-  face_list at;
-  m_.around(v, at);
-  for (const vertex_index t : at) note_change(t);
-}
-
 bool unit_mesh_remesher::flip_if_better(vertex_index t, std::size_t edge) {
   const face& f = m_.faces()[t];
   const vertex_index s = f.next[edge];
@@ -220,20 +214,22 @@ bool unit_mesh_remesher::flip_if_better(vertex_index t, std::size_t edge) {
   return true;
 }
 
-// Flips edges from v outwards until no flip lowers the energy.
+// Notes that the faces at v have changed, and flips edges from v outwards until no flip lowers the
+// energy.
 void unit_mesh_remesher::settle_around(vertex_index v) {
-  note_changes_around(v);
   face_list at;
+  m_.around(v, at);
+  for (const vertex_index t : at) note_change(t);
   constexpr int most = 8;
   for (int round = 0; round < most; ++round) {
     bool any = false;
-    m_.around(v, at);
     for (const vertex_index t : at) {
       const face& f = m_.faces()[t];
       if (f.v[0] != v && f.v[1] != v && f.v[2] != v) continue;
       any = flip_if_better(t, f.corner_of(v)) || any;
     }
     if (!any) return;
+    m_.around(v, at);
   }
 }
 
@@ -308,7 +304,6 @@ bool unit_mesh_remesher::merge_if_good(vertex_index v, vertex_index w, double lo
     if (a != w && b != w && shape_energy(m_.at(w), m_.at(a), m_.at(b), unit_) > most) return false;
   }
   m_.merge(v, w);
-  note_changes_around(w);
   settle_around(w);
   return true;
 }

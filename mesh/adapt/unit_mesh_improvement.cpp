@@ -80,7 +80,6 @@ std::size_t unit_mesh_remesher::merge_where_better() {
     const auto merge = best_merge(planned.v, mean);
     if (!merge) continue;
     m_.merge(merge->v, merge->into);
-    note_changes_around(merge->into);
     settle_around(merge->into);
     ++done;
   }

@@ -276,11 +276,9 @@ bool vertex_smoothing::settle(vertex_index v) {
   for (const double step : {0.15, 0.05}) {
     find_better_places(v, step, now, energy_now);
     if (!take_place(v)) continue;
-    face_list ring;
-    m_.neighbours(v, ring);
     unmark_around(v);
-    for (const vertex_index u : ring) awake_[u] = 1;
-    awake_[v] = 1;
+    for (const vertex_index t : edges_.faces())
+      for (const vertex_index u : m_.faces()[t].v) awake_[u] = 1;
     return true;
   }
   return false;
