@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "conic.hpp"
+#include "sheared.hpp"
 #include "unit_interval_roots.hpp"
 
 namespace asterism::oracle {
@@ -17,16 +18,6 @@ namespace {
 // Numbers a + b sqrt(c) with rational a, b, c.
 using root_number = CGAL::Sqrt_extension<rational, rational>;
 using sample_point = basic_point<root_number>;
-
-// Uses the coordinates X + slope Y, Y in place of X, Y. All questions are affine, so the sites are
-// moved, and everything is asked about the moved ones.
-exact_site sheared(const exact_site& s, const rational& slope) {
-  exact_site t = s;
-  t.position.x -= slope * s.position.y;
-  t.metric.m12 += slope * s.metric.m11;
-  t.metric.m22 += slope * (rational(2) * s.metric.m12 + slope * s.metric.m11);
-  return t;
-}
 
 // Returns the conic as a polynomial in Y whose coefficients are polynomials in X.
 std::array<univariate, 3> by_powers_of_y(const conic& g) {

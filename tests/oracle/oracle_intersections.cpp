@@ -12,6 +12,7 @@
 #include "conic.hpp"
 #include "exact_numbers.hpp"
 #include "oracle.hpp"
+#include "sheared.hpp"
 
 namespace asterism::oracle {
 namespace {
@@ -20,6 +21,10 @@ using algebraic_kernel_2 = CGAL::Algebraic_kernel_d_2<integer>;
 using polynomial_2 = algebraic_kernel_2::Polynomial_2;
 using solution =
     std::pair<algebraic_kernel_2::Algebraic_real_2, algebraic_kernel_2::Multiplicity_type>;
+
+// Returns the site in coordinates in which no curves of sites of one abscissa are in a special
+// position. There CGAL 5.5's analysis of two curves may not end.
+exact_site placed(const site& s) { return sheared(to_exact(s), rational(3, 7)); }
 
 polynomial_2 with_integer_coefficients(const conic& g) {
   const std::array<const rational*, 6> coefficients = {&g.xx, &g.xy, &g.yy,
@@ -135,7 +140,7 @@ int count_with_shared_component(const factors& f, const std::array<line, 2>& sid
 }  // namespace
 
 int voronoi_vertex_count(const site& u, const site& v, const site& w) {
-  const exact_site eu = to_exact(u), ev = to_exact(v), ew = to_exact(w);
+  const exact_site eu = placed(u), ev = placed(v), ew = placed(w);
   const polynomial_2 first = with_integer_coefficients(bisector(eu, ev));
   const polynomial_2 second = with_integer_coefficients(bisector(eu, ew));
   // A common component is a rational line or a whole bisector, and therefore has real points.
@@ -144,7 +149,7 @@ int voronoi_vertex_count(const site& u, const site& v, const site& w) {
 }
 
 int arc_intersection_count(const site& v, const site& w, const site& x) {
-  const exact_site ev = to_exact(v), ew = to_exact(w), ex = to_exact(x);
+  const exact_site ev = placed(v), ew = placed(w), ex = placed(x);
   const std::array<line, 2> sides = wedge_sides(ev, ew);
   const factors f = split_common_factor(with_integer_coefficients(bisector(ev, ew)),
                                         with_integer_coefficients(bisector(ev, ex)));

@@ -39,5 +39,12 @@ TEST_CASE("the oracle on the unit square", "[oracle]") {
   CHECK(insertion_test(a, b, c, d));
 }
 
+TEST_CASE("the oracle counts common points of sites of one abscissa", "[oracle]") {
+  const site a = {{4, 4}, {51, -12, 3}}, b = {{4, -2}, {7, 2, 1}};
+  const site c = {{4, 3}, {30, -9, 0x1.7ffffffffffffp+1}};
+  CHECK(voronoi_vertex_count(a, b, c) == 2);
+  CHECK(arc_intersection_count(a, b, c) == 0);
+}
+
 }  // namespace
 }  // namespace asterism::oracle
