@@ -39,21 +39,31 @@ void append_words(std::string& text, First first, Rest... rest) {
 inline constexpr std::size_t lines_of_a_part = 2048;
 
 // Calls take(part) with the text that line(i, text) appends, for i in [0, count), part by part in
-// order. Makes a few parts at a time, so that little memory is held; with one thread one at a time,
-// as each part takes new memory.
+// order, from any thread. Makes a few parts at a time, so that little memory is held, while one
+// thread takes those made before: writing them takes about as long as making them by two threads.
+// With one thread makes one at a time, as each part takes new memory.
 template <class Line, class Take>
 void make_lines(std::size_t count, const Line& line, const Take& take) {
-  constexpr std::size_t chunk = lines_of_a_part, most_parts = 64;
+  constexpr std::size_t chunk = lines_of_a_part, most_parts = 16;
   const std::size_t at_a_time = chunk * (thread_count() > 1 ? most_parts : 1);
-  std::vector<std::string> parts(std::min(at_a_time, count) / chunk + 1);
+  std::vector<std::string> made(std::min(at_a_time, count) / chunk + 1), before(made.size());
+  std::size_t parts_before = 0;
+  const auto take_before = [&] {
+    for (std::size_t i = 0; i < parts_before; ++i) take(before[i]);
+  };
   for (std::size_t first = 0; first < count; first += at_a_time) {
-    const std::size_t lines = std::min(at_a_time, count - first);
-    parallel_chunks(lines, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
-      parts[i].clear();
-      for (std::size_t k = begin; k < end; ++k) line(first + k, parts[i]);
+    const std::size_t lines = std::min(at_a_time, count - first), parts = chunk_count(lines, chunk);
+    parallel_for(1 + parts, [&](std::size_t item) {
+      if (item == 0) return take_before();
+      std::string& part = made[item - 1];
+      part.clear();
+      const std::size_t begin = first + (item - 1) * chunk;
+      for (std::size_t k = begin; k < std::min(begin + chunk, first + lines); ++k) line(k, part);
     });
-    for (std::size_t i = 0; i < chunk_count(lines, chunk); ++i) take(parts[i]);
+    made.swap(before);
+    parts_before = parts;
   }
+  take_before();
 }
 
 // Appends the text of all lines to a text.
