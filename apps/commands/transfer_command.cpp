@@ -93,6 +93,8 @@ int run_transfer(const transfer_job& job) {
   for (const mesh_file* const read : {&from.value(), &to.value()})
     if (const auto failed = say_notes(read->content.notes, {job.quiet, job.strict}))
       return complain(*failed, refused);
+  if (const auto failed = say_notes(values.value().notes, {job.quiet, job.strict}))
+    return complain(*failed, refused);
   const auto done_so = transfer_solution(source, values.value(), to.value().content, job.how);
   if (!done_so) return complain(done_so.failure(), refused);
   const held_signals held;

@@ -28,6 +28,11 @@ result<std::vector<tensors>> read_intersected(const metric_request& request) {
   return all;
 }
 
+// Adds the notes on values to those on their mesh.
+void add_notes(const solution& values, mesh& on) {
+  on.notes.insert(on.notes.end(), values.notes.begin(), values.notes.end());
+}
+
 std::optional<error> read_values(const metric_request& request,
                                  const std::vector<vertex_index>& left_out,
                                  requested_metric& made) {
@@ -35,6 +40,7 @@ std::optional<error> read_values(const metric_request& request,
   auto values = read_solution(request.solution, made.background, left_out);
   if (!values) return values.failure();
   made.values = std::move(values).value();
+  add_notes(made.values, made.background);
   return std::nullopt;
 }
 
@@ -86,6 +92,7 @@ std::optional<error> add_carried(const metric_request& request,
                  error_code::malformed_file};
   if (!read) return read.failure();
   made.values.vertices = read.value().vertices;
+  add_notes(read.value(), made.background);
   for (solution_field& field : read.value().fields) {
     field.name = carried_prefix + field.name;
     made.values.fields.push_back(std::move(field));

@@ -40,6 +40,8 @@ result<window> read_window(const metric_request& request, const std::string& fil
   if (!fields) return fields.failure().at(file);
   made.fields = std::move(fields).value();
   made.on = std::move(read.value().content);
+  made.on.notes.insert(made.on.notes.end(), values.value().notes.begin(),
+                       values.value().notes.end());
   made.left_out = std::move(read.value().left_out);
   return made;
 }

@@ -27,6 +27,7 @@ struct solution_field {
 struct solution {
   std::size_t vertices = 0;  // of the mesh
   std::vector<solution_field> fields;
+  std::vector<std::string> notes = {};  // on what was chosen where it was read
 };
 
 // One value for each vertex: a scalar field, or one component of another field.

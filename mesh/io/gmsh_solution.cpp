@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/io/gmsh_solution.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -18,13 +20,21 @@ class node_data_reader : private gmsh_source {
   explicit node_data_reader(text_scanner& source) : gmsh_source(source) {}
 
   failure read();
-  solution take() { return std::move(made_); }
+  solution take() { return made_; }
+  // Returns a note for each field of which there are several steps.
+  std::vector<std::string> notes(const std::string& file) const;
 
  private:
   failure read_data(std::size_t line);
-  failure read_values(const std::string& name, std::size_t width);
+  failure read_values(const std::string& name, std::size_t width, std::size_t step);
+
+  // Steps of a field: their number, and the one taken, the last in the file.
+  struct steps {
+    std::size_t count = 0, taken = 0;
+  };
 
   solution made_;
+  std::vector<steps> steps_;  // of each field
 };
 
 // Skips all sections except those of nodes and node data.
@@ -77,7 +87,7 @@ failure node_data_reader::read_data(std::size_t line) {
     return source_.failure(line, "node data " + quoted_token(name) + " of " +
                                      std::to_string(tags[2]) + " nodes, and there are " +
                                      std::to_string(vertex_of_.size()));
-  if (auto failed = read_values(name, width)) return failed;
+  if (auto failed = read_values(name, width, tags[0])) return failed;
   return skip_to_end("$EndNodeData", line);
 }
 
@@ -89,7 +99,8 @@ std::optional<std::vector<double>> in_plane(const std::array<double, 9>& x, std:
   return is_plane ? std::optional(std::vector{x[0], x[1], x[4]}) : std::nullopt;
 }
 
-failure node_data_reader::read_values(const std::string& name, std::size_t width) {
+failure node_data_reader::read_values(const std::string& name, std::size_t width,
+                                      std::size_t step) {
   const std::size_t kept = width == 1 ? 1 : width == 3 ? 2 : 3;
   solution_field field{name, static_cast<field_kind>(kept),
                        std::vector<double>(kept * vertex_of_.size())};
@@ -113,13 +124,25 @@ failure node_data_reader::read_values(const std::string& name, std::size_t width
     if (!values) return {};
     for (std::size_t k = 0; k < kept; ++k) field.values[kept * at->second + k] = (*values)[k];
   }
-  for (solution_field& known : made_.fields)
-    if (known.name == name) {
-      known = std::move(field);
-      return {};
-    }
-  made_.fields.push_back(std::move(field));
+  std::size_t at = 0;
+  while (at < made_.fields.size() && made_.fields[at].name != name) ++at;
+  if (at == made_.fields.size()) {
+    made_.fields.emplace_back();
+    steps_.emplace_back();
+  }
+  made_.fields[at] = std::move(field);
+  steps_[at] = {steps_[at].count + 1, step};
   return {};
+}
+
+std::vector<std::string> node_data_reader::notes(const std::string& file) const {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < steps_.size(); ++k)
+    if (steps_[k].count > 1)
+      all.push_back(
+          fmt::format("{}: the field {} is there {} times, and the last one is taken: step {}",
+                      file, quoted_token(made_.fields[k].name), steps_[k].count, steps_[k].taken));
+  return all;
 }
 
 }  // namespace
@@ -128,7 +151,9 @@ result<solution> read_gmsh_solution(std::string_view text, const std::string& fi
   text_scanner source(file, text);
   node_data_reader reader(source);
   if (auto failed = reader.read()) return *failed;
-  return reader.take();
+  solution made = reader.take();
+  made.notes = reader.notes(file);
+  return made;
 }
 
 }  // namespace asterism::internal

@@ -42,10 +42,11 @@ std::optional<error> take_target(const adaptation_wish& wish, const std::string&
 
 namespace {
 
-// Returns the number of vertices on segments of the domain, of its boundary and inside.
-std::size_t vertices_on_segments(const mesh& m) {
+// Returns the number of vertices on segments of the domain: all of them, or those inside alone.
+std::size_t vertices_on_segments(const mesh& m, bool inside_alone) {
   std::vector<bool> is_on(m.sites.size(), false);
-  for (const boundary_edge& e : m.boundary) is_on[e.a] = is_on[e.b] = true;
+  for (const boundary_edge& e : m.boundary)
+    if (e.internal || !inside_alone) is_on[e.a] = is_on[e.b] = true;
   return static_cast<std::size_t>(std::count(is_on.begin(), is_on.end(), true));
 }
 
@@ -62,8 +63,15 @@ std::optional<std::string> what_is_missed(const adapted_mesh& next,
              got = static_cast<double>(next.made.outcome.result.sites.size());
   if (std::abs(got - wanted) <= std::max(tolerable * wanted, std::min(few, wanted / 2)))
     return std::nullopt;
-  return fmt::format("{} vertices were wanted, and {} are there, {} of them on segments", wanted,
-                     got, vertices_on_segments(next.made.outcome.result));
+  const mesh& made = next.made.outcome.result;
+  const std::size_t inside = vertices_on_segments(made, true);
+  return fmt::format("{} vertices were wanted, and {} are there, {} of them on segments{}", wanted,
+                     got, vertices_on_segments(made, false),
+                     inside == 0 || got < wanted
+                         ? ""
+                         : fmt::format(", {} on those inside, which keep every vertex at which a "
+                                       "line between regions bends",
+                                       inside));
 }
 
 }  // namespace asterism::internal

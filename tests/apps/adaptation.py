@@ -301,6 +301,24 @@ class GivenHessianTest(AdaptationTest):
         self.write("h.sol", solution_text([(2.0, 1.0, -1.0)] * len(self.points), (3,)))
         self.assertNotEqual(self.run_command("verify", "n.mesh").returncode, 0)
 
+    def test_of_several_steps_of_a_field_it_is_said_which_is_taken(self):
+        one = data_text(self.rows, "u")
+        data = one[one.index("$NodeData"):]
+        self.write("u.msh", one + data.replace("\n3\n0\n", "\n3\n4\n"))
+        done = self.run_command("transfer", "u.msh", "u.msh", "g.mesh", "-o", "v.sol")
+        self.assertIn("u.msh: the field 'u' is there 2 times, and the last one is taken: step 4", done.stderr)
+
+    def test_lines_between_regions_that_keep_their_vertices_are_named(self):
+        points, triangles = grid(20)
+        text = mesh_text(points, triangles).split("\n")
+        first = text.index("Triangles") + 2
+        for k in range(len(triangles)):
+            text[first + k] = " ".join([*text[first + k].split()[:3], str(1 + k % 5)])
+        self.write("r.mesh", "\n".join(text))
+        done = self.run_command("adapt", "r.mesh", "--given-hessian", "h.sol", "--vertices", "50", "-o", "new.mesh")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"\d+ on those inside, which keep every vertex at which a line between regions")
+
     def test_advice_on_a_solution_of_one_direction_is_followed(self):
         points, _ = grid(20, -1, 1)
         self.write("s.mesh", mesh_text(*grid(20, -1, 1)))
