@@ -124,6 +124,7 @@ std::optional<error> add_curves(const asterism_domain& arrays, domain& d) {
     curve.vertices = {d.segments[s].a, d.segments[s].b};
     curve.parameters = {0, 1};
     curve.segment = s;
+    d.origin.curve_numbers.push_back(k);
     d.curves.push_back(std::move(curve));
   }
   return std::nullopt;

@@ -383,6 +383,7 @@ static void expect_refused(const asterism_domain* domain, const asterism_metric*
 
 static void test_refused_meshes(void) {
   const unsigned open[] = {0, 1, 1, 2, 2, 3, 3, 9}, no_segment = 7;
+  const int arc = ASTERISM_ARC;
   asterism_domain square, wrong;
   asterism_metric metric, other;
   asterism_mesh_options options;
@@ -420,6 +421,8 @@ static void test_refused_meshes(void) {
   wrong.curve_segments = sides;
   wrong.curve_kinds = markers;
   expect_refused(&wrong, &metric, NULL, "curve 0 is of kind 11");
+  wrong.curve_kinds = &arc;
+  expect_refused(&wrong, &metric, NULL, "curve 0");
   options.vertices = 2;
   expect_refused(&square, &metric, &options, "vertices must be");
   options.vertices = 3;
