@@ -23,6 +23,7 @@
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
 #include "asterism/mesh/pipeline/joined_marks.hpp"
 #include "asterism/mesh/pipeline/read_triangulation.hpp"
+#include "asterism/mesh/support/tensor_text.hpp"
 #include "bindings.hpp"
 #include "pages.hpp"
 #include "py_domain.hpp"
@@ -194,6 +195,21 @@ mesh_marks marks_of(const keywords& given, std::size_t points) {
   return marks;
 }
 
+// Notes the points that no triangle uses. They stay, as rows of other arrays have their numbers.
+void note_lone_points(mesh& m) {
+  std::vector<char> is_used(m.sites.size(), 0);
+  for (const triangle& t : m.triangles)
+    for (const vertex_index v : t) is_used[v] = 1;
+  const auto first = std::find(is_used.begin(), is_used.end(), 0);
+  if (first == is_used.end()) return;
+  const auto k = static_cast<std::size_t>(first - is_used.begin());
+  const auto count = std::count(first, is_used.end(), 0);
+  m.notes.push_back((count == 1 ? "1 point is" : std::to_string(count) + " points are") +
+                    " in no triangle, the first: row " + std::to_string(k) + " at " +
+                    internal::point_text(m.sites[k].position) +
+                    "; no mesh with such points is certified, and adapt() refuses it");
+}
+
 // Makes a mesh from elsewhere: nothing is known of how it was made. more may have "is_judged": the
 // triangles stay as they are, since whether they are clockwise is what is asked.
 py_mesh from_arrays(const py::object& points, const py::object& triangles, const py::object& metric,
@@ -218,7 +234,10 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
                         std::to_string(t[0] == t[1] ? t[0] : t[2]) + " twice");
     m.triangles.push_back(t);
   }
-  if (!given.has("is_judged")) internal::turn_over_clockwise(m, "row", 0);
+  if (!given.has("is_judged")) {
+    internal::turn_over_clockwise(m, "row", 0);
+    note_lone_points(m);
+  }
   if (given.has("regions"))
     m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size(), "triangle");
   add_edges(m, given.object("edges"), given.object("edge_markers"));

@@ -326,3 +326,8 @@ def test_sizes_at_places_are_those_of_the_command():
                          ({"metric": "swirl:3", "hmax": 1}, "size says how long")]:
         with pytest.raises(asterism.InputError, match=words):
             asterism.mesh(domain, **wrong)
+
+
+def test_points_in_no_triangle_are_named():
+    with pytest.warns(UserWarning, match=r"1 point is in no triangle, the first: row 3 at \(2, 2\)"):
+        asterism.Mesh([[0, 0], [1, 0], [0, 1], [2, 2]], [[0, 1, 2]])
