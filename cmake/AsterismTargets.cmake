@@ -4,7 +4,8 @@ function(asterism_configure target)
   # Ignores CMAKE_UNITY_BUILD of a host, which would join files that asterism_unite keeps apart.
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD OFF)
   # Contraction would change the value of a*b+c. The filters' error bounds assume two roundings.
-  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  # No function of the C library that may set errno takes the place of a square root, and none of their errors is read.
+  target_compile_options(${target} PRIVATE -ffp-contract=off -fno-math-errno)
   if(EMSCRIPTEN)  # targets whose standard library lacks some functions
     target_compile_options(${target} PRIVATE
       -include ${PROJECT_SOURCE_DIR}/packages/npm/standard_library.hpp)
@@ -139,40 +140,55 @@ function(asterism_use_threads target)
   endif()
 endfunction()
 
-# asterism_contain_libraries(TARGET): links the archives of GMP, MPFR and the C++ library into a program, and compiles
-# into it what fmt has in a library. It then loads five libraries less, binds fewer names, and calls their functions
-# without a table. The linker searches a folder with the archives of GMP and MPFR first, so that what the static
-# libraries export stays as it is. Packages of a distribution, which replaces libraries by themselves, leave it out.
+# asterism_contain_libraries(TARGET): links the archives of GMP, MPFR, zlib and the C++ library into a program, and
+# compiles into it what fmt has in a library. It then loads six libraries less, binds fewer names, and calls their
+# functions without a table. Packages of a distribution, which replaces libraries by themselves, leave it out.
 function(asterism_contain_libraries target)
   if(NOT ASTERISM_CONTAIN_LIBRARIES)
     return()
   endif()
-  if(ASTERISM_EXACT STREQUAL "gmp")
-    asterism_contain_numbers(${target})
-  endif()
+  asterism_contain_archives(${target})
   # The libraries of sanitizers bind the names of the C++ library.
   if(NOT ASTERISM_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     asterism_contain_cxx(${target})
   endif()
 endfunction()
 
-function(asterism_contain_numbers target)
+# The linker searches a folder with the archives of GMP and MPFR first, so that what the static libraries export stays
+# as it is; by an option, since CMake lets a program search a folder of libraries for those that it loads, too.
+function(asterism_contain_archives target)
+  find_library(ASTERISM_ZLIB_ARCHIVE libz.a)
+  if(ASTERISM_ZLIB_ARCHIVE)
+    asterism_try_archives(ASTERISM_ZLIB_LINKS "#include <zlib.h>
+      int main() { return compressBound(1) != 0 ? 0 : 1; }" ${ASTERISM_ZLIB_ARCHIVE})
+    if(ASTERISM_ZLIB_LINKS)  # behind the library that calls it; nothing is then left to find in its own zlib
+      target_link_libraries(${target} PRIVATE asterism ${ASTERISM_ZLIB_ARCHIVE})
+    endif()
+  endif()
+  if(NOT ASTERISM_EXACT STREQUAL "gmp")
+    return()
+  endif()
   find_library(ASTERISM_MPFR_ARCHIVE libmpfr.a)
   find_library(ASTERISM_GMP_ARCHIVE libgmp.a)
   if(NOT ASTERISM_MPFR_ARCHIVE OR NOT ASTERISM_GMP_ARCHIVE)
     return()
   endif()
-  # Archives without position-independent code cannot be linked into the usual programs.
-  include(CheckCXXSourceCompiles)
-  set(CMAKE_REQUIRED_LIBRARIES ${ASTERISM_MPFR_ARCHIVE} ${ASTERISM_GMP_ARCHIVE})
-  check_cxx_source_compiles("#include <mpfr.h>
-    int main() { mpfr_t x; mpfr_init_set_ui(x, 1, MPFR_RNDN); return mpfr_sgn(x) - 1; }" ASTERISM_ARCHIVES_LINK)
+  asterism_try_archives(ASTERISM_ARCHIVES_LINK "#include <mpfr.h>
+    int main() { mpfr_t x; mpfr_init_set_ui(x, 1, MPFR_RNDN); return mpfr_sgn(x) - 1; }"
+    ${ASTERISM_MPFR_ARCHIVE} ${ASTERISM_GMP_ARCHIVE})
   if(ASTERISM_ARCHIVES_LINK)
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/archives)
     file(CREATE_LINK ${ASTERISM_MPFR_ARCHIVE} ${PROJECT_BINARY_DIR}/archives/libmpfr.a SYMBOLIC)
     file(CREATE_LINK ${ASTERISM_GMP_ARCHIVE} ${PROJECT_BINARY_DIR}/archives/libgmp.a SYMBOLIC)
-    target_link_directories(${target} BEFORE PRIVATE ${PROJECT_BINARY_DIR}/archives)
+    target_link_options(${target} BEFORE PRIVATE -L${PROJECT_BINARY_DIR}/archives)
   endif()
+endfunction()
+
+# Tries a program with archives. Those without position-independent code cannot be linked into the usual programs.
+function(asterism_try_archives links program)
+  include(CheckCXXSourceCompiles)
+  set(CMAKE_REQUIRED_LIBRARIES ${ARGN})
+  check_cxx_source_compiles("${program}" ${links})
 endfunction()
 
 # The archive of the C++ library is of use only where no other library loads that library: fmt does, so that both are
