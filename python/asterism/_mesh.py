@@ -63,11 +63,11 @@ def _pair_of(name: str, edge: Any) -> Tuple[Any, Any]:
 class Mesh:
     """Triangles and the metric at their points.
 
-    From elsewhere: points (n, 2), or (n, 3) at one height, triangles (t, 3); a metric in any form that tensors have, one for all
-    or one a point; regions (t,); edges (b, 2) with their markers (b,), also called edge_markers, or markers
-    alone, as rows (b, 3) of two points and the marker or as {(i, j): marker}; values:
-    fields at the points, as asterism.adapt() takes them. Numbers are whole and of 32 bits. Without
-    regions the region is 1; sides that are not among the edges get the marker 0, with a UserWarning.
+    From elsewhere: points (n, 2), or (n, 3) at one height, triangles (t, 3); a metric in any form that tensors
+    have, one for all or one a point; regions (t,); edges (b, 2) with their markers (b,), also called
+    edge_markers, or markers alone, as rows (b, 3) of two points and the marker or as {(i, j): marker}; values:
+    fields at the points, as asterism.adapt() takes them. Numbers are whole and of 32 bits. Without regions the
+    region is 1; sides that are not among the edges get the marker 0, with a UserWarning.
     corners, required_points (k,) and required_edges (k, 2) stay where the mesh is adapted.
     """
 
