@@ -43,7 +43,7 @@ class present_centres {
   }
   // Forgets the Voronoi vertex of a face that has changed.
   void forget(vertex_index t) { is_known_[t] = 0; }
-  // Does the same where the new Voronoi vertex is known.
+  // Stores the new Voronoi vertex of a face that has changed.
   void replace(vertex_index t, const face_centre& centre) {
     centres_[t] = centre;
     is_known_[t] = 1;

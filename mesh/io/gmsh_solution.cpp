@@ -28,7 +28,7 @@ class node_data_reader : private gmsh_source {
   failure read_data(std::size_t line);
   failure read_values(const std::string& name, std::size_t width, std::size_t step);
 
-  // Steps of a field: their number, and the one taken, the last in the file.
+  // Counts the steps of a field, and names the one taken, the last in the file.
   struct steps {
     std::size_t count = 0, taken = 0;
   };

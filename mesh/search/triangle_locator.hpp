@@ -90,7 +90,8 @@ class triangle_locator {
   mutable std::once_flag are_indexed_;
   mutable box_index boxes_;
   std::size_t bins_in_row_ = 1;
-  // Of each bin, row after row: a triangle with its first corner there, and the one found last.
+  // Hold for each bin, row after row, a triangle with its first corner there, and the triangle that
+  // a search in it found last.
   std::vector<vertex_index> first_in_bin_;
   mutable std::vector<std::atomic<vertex_index>> last_found_;
 };
