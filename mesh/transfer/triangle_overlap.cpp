@@ -126,6 +126,16 @@ void set_crossing(const numbered_triangle& old_one, const numbered_triangle& new
   made.in_new[new_edge.high] = u;
 }
 
+// Returns the corner that a crossing is, if one end of the new edge is on the line of the old edge.
+// Doubles do not determine that place where the two edges nearly lie on one line.
+symbol exact(const symbol& s, const overlap_signs& signs) {
+  if (s.what != symbol::kind::crossing) return s;
+  for (const std::size_t end : {s.new_index, next(s.new_index)})
+    if (signs.new_against[s.old_index][end] == sign::zero)
+      return {symbol::kind::new_corner, 0, end};
+  return s;
+}
+
 overlap_corner corner_of(const numbered_triangle& old_one, const numbered_triangle& new_one,
                          const symbol& s) {
   overlap_corner made;
@@ -188,7 +198,7 @@ overlap common_part(const numbered_triangle& old_one, const numbered_triangle& n
   if (p.count < 3) return made;
   made.count = std::min(p.count, made.corners.size());
   for (std::size_t i = 0; i < made.count; ++i)
-    made.corners[i] = corner_of(old_one, new_one, p.at[i].first);
+    made.corners[i] = corner_of(old_one, new_one, exact(p.at[i].first, signs));
   return made;
 }
 

@@ -427,6 +427,21 @@ TEST_CASE("common parts add up to the triangle, and degenerate positions are no 
   }
 }
 
+TEST_CASE("a corner on the line of an edge that nearly lies on its own edge is where it is") {
+  // Cell of a grid of sixteenths below its diagonal. The second corner of the other triangle is a
+  // unit in the last place inside, its third one exactly on the diagonal.
+  const numbered_triangle cell{{0, 1, 2}, {{{0.75, 0.375}, {0.8125, 0.375}, {0.8125, 0.4375}}}};
+  const numbered_triangle inside{{0, 1, 2},
+                                 {{{0x1.8ee00d72611b2p-1, 0x1.8d87f90eb9b04p-2},
+                                   {0x1.8fd481c3260ecp-1, 0x1.9fa903864c1d7p-2},
+                                   {0x1.886a29fa9adf4p-1, 0x1.90d453f535be8p-2}}}};
+  const overlap common = common_part(cell, inside, overlap_signs(cell, inside));
+  REQUIRE(common.count == 3);
+  for (const point& corner : inside.at)
+    CHECK(std::any_of(common.corners.begin(), common.corners.begin() + 3,
+                      [&](const overlap_corner& c) { return c.at == corner; }));
+}
+
 TEST_CASE("values are the same for any number of threads") {
   const mesh from = sample_mesh(90), to = sample_mesh(101);
   const solution s = scalar(from, bump);
