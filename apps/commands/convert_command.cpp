@@ -245,6 +245,7 @@ std::optional<error> convert(const convert_job& job, const places& where,
   made.fields = std::move(fields).value();
   const mesh_format format = mesh_format_of(where.out).value();
   std::vector<std::string> notes = made.read.content.notes;
+  notes.insert(notes.end(), made.fields.notes.begin(), made.fields.notes.end());
   if (!is_drawing(format))
     for (std::string& lost : losses(made.read, made.fields, format, where.out.string()))
       notes.push_back(std::move(lost));

@@ -44,6 +44,7 @@ result<drawn_thing> read_drawn(const std::string& name,
                     ? fields_of_mesh(name, read.value())
                     : read_solution(solution_file, read.value().content, read.value().left_out);
   if (!fields) return fields.failure();
+  if (auto failed = say_notes(fields.value().notes, {})) return *failed;
   return drawn_thing{std::move(read.value().content), std::move(fields).value(),
                      read.value().has_metric};
 }

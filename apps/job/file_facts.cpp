@@ -13,6 +13,7 @@
 #include "asterism/mesh/domain/check_domain.hpp"
 #include "asterism/mesh/domain/divide_curves.hpp"
 #include "asterism/mesh/io/edges_domain.hpp"
+#include "asterism/mesh/io/fields_of_mesh.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/load_domain.hpp"
@@ -123,6 +124,31 @@ void add_certificate(const fs::path& path, const mesh& m, file_facts& facts) {
                                ", says it; asterism verify proves it");
 }
 
+std::string text_of(const solution_field& field) {
+  const char* const kinds[] = {"", "scalar", "vector", "tensor"};
+  const auto [least, most] = std::minmax_element(field.values.begin(), field.values.end());
+  if (least == field.values.end()) return kinds[components_of(field.kind)];
+  return fmt::format("{}, numbers from {} to {}", kinds[components_of(field.kind)],
+                     number_text(*least), number_text(*most));
+}
+
+void add_solution(const solution& s, file_facts& facts) {
+  for (const solution_field& f : s.fields) facts.emplace_back("field " + f.name, text_of(f));
+}
+
+// Adds the fields in the file of a mesh, or beside it, and the notes on both.
+void add_fields(const fs::path& path, const mesh_file& read, file_facts& facts) {
+  const auto found = fields_of_mesh(path, read);
+  std::vector<std::string> notes = read.content.notes;
+  if (!found) {
+    facts.emplace_back("fields", "none: " + found.failure().message);
+  } else {
+    add_solution(found.value(), facts);
+    notes.insert(notes.end(), found.value().notes.begin(), found.value().notes.end());
+  }
+  if (!notes.empty()) facts.emplace_back("notes", fmt::format("{}", fmt::join(notes, "; ")));
+}
+
 result<file_facts> facts_of_mesh(const fs::path& path) {
   auto read = read_mesh_file(path, {.identity_without_solution = true});
   if (!read) return read.failure();
@@ -149,18 +175,10 @@ result<file_facts> facts_of_mesh(const fs::path& path) {
   if (m.regions.empty()) regions[1] = m.triangles.size();
   facts.emplace_back("markers", text_of(markers, names.markers));
   facts.emplace_back("regions", text_of(regions, names.regions));
-  if (!m.notes.empty()) facts.emplace_back("notes", fmt::format("{}", fmt::join(m.notes, "; ")));
+  add_fields(path, read.value(), facts);
   add_metric(read_mesh(path), facts);
   add_certificate(path, m, facts);
   return facts;
-}
-
-std::string text_of(const solution_field& field) {
-  const char* const kinds[] = {"", "scalar", "vector", "tensor"};
-  const auto [least, most] = std::minmax_element(field.values.begin(), field.values.end());
-  if (least == field.values.end()) return kinds[components_of(field.kind)];
-  return fmt::format("{}, numbers from {} to {}", kinds[components_of(field.kind)],
-                     number_text(*least), number_text(*most));
 }
 
 // Reads numbers at vertices with the mesh beside them: without one they mean nothing.
@@ -175,8 +193,7 @@ result<file_facts> facts_of_solution(const fs::path& path) {
         {"kind", "solution"}, {"mesh", beside.string()}, {"vertices", m.value().sites.size()}};
     const auto read = read_solution(path, m.value());
     if (read) {
-      for (const solution_field& f : read.value().fields)
-        facts.emplace_back("field " + f.name, text_of(f));
+      add_solution(read.value(), facts);
       return facts;
     }
     const auto measured = read_mesh(beside, {.solution = path});

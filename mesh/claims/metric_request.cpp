@@ -29,8 +29,8 @@ result<std::vector<tensors>> read_intersected(const metric_request& request) {
 }
 
 // Adds the notes on values to those on their mesh.
-void add_notes(const solution& values, mesh& on) {
-  on.notes.insert(on.notes.end(), values.notes.begin(), values.notes.end());
+void add_notes(const std::vector<std::string>& of_values, mesh& on) {
+  on.notes.insert(on.notes.end(), of_values.begin(), of_values.end());
 }
 
 std::optional<error> read_values(const metric_request& request,
@@ -40,17 +40,19 @@ std::optional<error> read_values(const metric_request& request,
   auto values = read_solution(request.solution, made.background, left_out);
   if (!values) return values.failure();
   made.values = std::move(values).value();
-  add_notes(made.values, made.background);
+  add_notes(made.values.notes, made.background);
   return std::nullopt;
 }
 
 result<solution_metric> metric_of_hessians(const metric_request& request,
                                            const std::vector<tensors>& intersected,
                                            const std::vector<vertex_index>& left_out,
-                                           const requested_metric& made) {
-  const auto fields = read_hessians(request.hessians, made.background, left_out, request.fields);
-  if (!fields) return fields.failure();
-  auto metric = make_hessian_metric(made.background, fields.value(), request.wishes, intersected);
+                                           requested_metric& made) {
+  const auto given = read_hessians(request.hessians, made.background, left_out, request.fields);
+  if (!given) return given.failure();
+  add_notes(given.value().notes, made.background);
+  auto metric =
+      make_hessian_metric(made.background, given.value().fields, request.wishes, intersected);
   if (!metric && metric.failure().code != error_code::bad_option)
     return metric.failure().at(request.hessians);
   return metric;
@@ -92,7 +94,7 @@ std::optional<error> add_carried(const metric_request& request,
                  error_code::malformed_file};
   if (!read) return read.failure();
   made.values.vertices = read.value().vertices;
-  add_notes(read.value(), made.background);
+  add_notes(read.value().notes, made.background);
   for (solution_field& field : read.value().fields) {
     field.name = carried_prefix + field.name;
     made.values.fields.push_back(std::move(field));

@@ -23,9 +23,9 @@ std::string kind_of(const solution_field& field) {
 
 }  // namespace
 
-result<std::vector<nodal_hessian>> read_hessians(const std::string& file, const mesh& m,
-                                                 const std::vector<vertex_index>& left_out,
-                                                 const std::vector<std::string>& names) {
+result<given_hessians> read_hessians(const std::string& file, const mesh& m,
+                                     const std::vector<vertex_index>& left_out,
+                                     const std::vector<std::string>& names) {
   const auto read = read_fields(file, m, left_out);
   if (!read) return read.failure();
   const std::vector<solution_field>& fields = read.value().fields;
@@ -41,12 +41,13 @@ result<std::vector<nodal_hessian>> read_hessians(const std::string& file, const 
       return error{file + ": field " + quoted_token(name) + " is " + kind_of(*at) +
                    ", and second derivatives xx xy yy are wanted"};
   }
-  std::vector<nodal_hessian> found;
+  given_hessians found{{}, read.value().notes};
   for (const solution_field& f : fields) {
     const bool is_named = std::find(names.begin(), names.end(), f.name) != names.end();
-    if (f.kind == field_kind::tensor && (names.empty() || is_named)) found.push_back(tensors_of(f));
+    if (f.kind == field_kind::tensor && (names.empty() || is_named))
+      found.fields.push_back(tensors_of(f));
   }
-  if (found.empty())
+  if (found.fields.empty())
     return error{file +
                  ": there is no symmetric tensor at the vertices in it, and second "
                  "derivatives xx xy yy are wanted"};

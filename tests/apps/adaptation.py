@@ -305,8 +305,15 @@ class GivenHessianTest(AdaptationTest):
         one = data_text(self.rows, "u")
         data = one[one.index("$NodeData"):]
         self.write("u.msh", one + data.replace("\n3\n0\n", "\n3\n4\n"))
-        done = self.run_command("transfer", "u.msh", "u.msh", "g.mesh", "-o", "v.sol")
-        self.assertIn("u.msh: the field 'u' is there 2 times, and the last one is taken: step 4", done.stderr)
+        note = "u.msh: the field 'u' is there 2 times, and the last one is taken: step 4"
+        for job in (("transfer", "u.msh", "u.msh", "g.mesh", "-o", "v.sol"),
+                    ("metric", "u.msh", "--given-hessian", "u.msh", "--vertices", "900", "-o", "n.mesh"),
+                    ("draw", "u.msh", "-o", "u.html"), ("convert", "u.msh", "u.vtu"),
+                    ("info", "u.msh")):
+            done = self.run_command(*job)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual((done.stdout if job[0] == "info" else done.stderr).count(note), 1, job)
+        self.assertRegex(done.stdout, r"field u +tensor, numbers from ")
 
     def test_lines_between_regions_that_keep_their_vertices_are_named(self):
         points, triangles = grid(20)
