@@ -5,7 +5,6 @@
 #include <bit>
 #include <utility>
 
-#include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/sort_by_counting.hpp"
 
@@ -80,62 +79,23 @@ mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut, editable_mesh::part
     : whole_(whole),
       spare_(spare),
       given_(whole.release()),
-      box_(box_of_cut(whole.shape().box(), cut)) {
-  assign_blocks();
+      parts_(given_.nodes, given_.faces, box_of_cut(whole.shape().box(), cut),
+             given_.faces.size() / faces_in_block) {
   list_blocks();
   mark_frame();
   blocks_.resize(count());
 }
 
-// Cuts the curve at quantiles of a sample of the faces' places on it: all blocks have about equally
-// many faces.
-void mesh_blocks::assign_blocks() {
-  const std::vector<face>& faces = given_.faces;
-  std::vector<std::uint64_t> places(faces.size());
-  parallel_chunks(
-      faces.size(), faces_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          if (!faces[t].exists()) continue;
-          const point &a = given_.nodes[faces[t].v[0]].position,
-                      &b = given_.nodes[faces[t].v[1]].position,
-                      &c = given_.nodes[faces[t].v[2]].position;
-          places[t] = place_on_curve({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, box_);
-        }
-      });
-  constexpr std::size_t sampled = 16;  // one face in this number
-  std::vector<std::uint64_t> sample;
-  for (std::size_t t = 0; t < faces.size(); t += sampled)
-    if (faces[t].exists()) sample.push_back(places[t]);
-  std::sort(sample.begin(), sample.end());
-  const std::size_t blocks = std::max<std::size_t>(1, faces.size() / faces_in_block);
-  for (std::size_t b = 1; b < blocks && !sample.empty(); ++b)
-    bounds_.push_back(sample[b * sample.size() / blocks]);
-  block_of_.resize(faces.size());
-  parallel_chunks(faces.size(), faces_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t)
-                      block_of_[t] = static_cast<std::uint32_t>(block_at(places[t]));
-                  });
-  first_.assign(blocks + 1, 0);
-}
-
-std::size_t mesh_blocks::block_at(std::uint64_t place) const {
-  return static_cast<std::size_t>(std::upper_bound(bounds_.begin(), bounds_.end(), place) -
-                                  bounds_.begin());
-}
-
-std::size_t mesh_blocks::block_near(const point& q) const {
-  return block_at(place_on_curve(q, box_));
-}
-
 void mesh_blocks::list_blocks() {
   const std::vector<face>& faces = given_.faces;
   // Lists faces that do not exist last, and leaves them out.
-  const std::size_t blocks = first_.size() - 1;
+  const std::size_t blocks = parts_.count();
   listed_.resize(faces.size());
   first_ = sort_by_counting(
       faces.size(), blocks + 1,
-      [&](std::size_t t) { return faces[t].exists() ? block_of_[t] : blocks; },
+      [&](std::size_t t) {
+        return faces[t].exists() ? parts_.of(static_cast<vertex_index>(t)) : blocks;
+      },
       [this](std::size_t at, std::size_t t) { listed_[at] = static_cast<vertex_index>(t); });
   first_.pop_back();
   listed_.resize(first_.back());
@@ -154,10 +114,10 @@ void mesh_blocks::mark_frame() {
       const auto t = static_cast<vertex_index>(i);
       for (std::uint32_t e = 0; e < 3 && faces[t].exists(); ++e) {
         const vertex_index s = faces[t].next[e];
-        if (s == none || s < t || block_of_[s] == block_of_[t]) continue;
+        if (s == none || s < t || parts_.of(s) == parts_.of(t)) continue;
         const std::size_t beyond = after(faces[s].corner_of(faces[t].v[after(e)]));
-        found.push_back({{t, e, block_of_[t]},
-                         {s, static_cast<std::uint32_t>(beyond), block_of_[s]},
+        found.push_back({{t, e, parts_.of(t)},
+                         {s, static_cast<std::uint32_t>(beyond), parts_.of(s)},
                          faces[t].segment[e]});
       }
     }

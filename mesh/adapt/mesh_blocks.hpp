@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "asterism/mesh/adapt/curve_parts.hpp"
 #include "asterism/mesh/adapt/editable_mesh.hpp"
 
 namespace asterism::internal::adapting {
@@ -39,10 +40,10 @@ class mesh_blocks {
   // cut. Memory of its own would be new at each cut, and one thread alone would wait for its pages.
   mesh_blocks(editable_mesh& whole, unsigned cut, editable_mesh::parts& spare);
 
-  std::size_t count() const { return first_.size() - 1; }
+  std::size_t count() const { return parts_.count(); }
   // Returns the block that contains the point's place on the curve. Near the frame the face at the
   // point may be in another block.
-  std::size_t block_near(const point& q) const;
+  std::size_t block_near(const point& q) const { return parts_.near(q); }
   // Removes one block, to be changed, and puts it back. Several threads may do that with different
   // blocks.
   block take_out(std::size_t b);
@@ -75,8 +76,6 @@ class mesh_blocks {
     vertex_index segment = none;
   };
 
-  void assign_blocks();
-  std::size_t block_at(std::uint64_t place) const;
   void list_blocks();
   void mark_frame();
   std::size_t shared_corners(const std::vector<vertex_index>& faces) const;
@@ -91,12 +90,10 @@ class mesh_blocks {
   editable_mesh& whole_;
   editable_mesh::parts& spare_;
   editable_mesh::parts given_;
-  bounding_box box_;                     // that the curve goes through
-  std::vector<std::uint64_t> bounds_;    // places on it between blocks
-  std::vector<std::uint32_t> block_of_;  // of each face
-  std::vector<std::size_t> first_;       // of each block in listed_
-  std::vector<vertex_index> listed_;     // the faces, block after block
-  std::vector<vertex_index> local_;      // number of each face in its block
+  curve_parts parts_;                 // the faces of each block
+  std::vector<std::size_t> first_;    // of each block in listed_
+  std::vector<vertex_index> listed_;  // the faces, block after block
+  std::vector<vertex_index> local_;   // number of each face in its block
   // Nodes that several blocks may have: ends of frame edges, and vertices of the domain.
   std::vector<char> is_shared_;
   std::vector<vertex_index> number_;  // of each other node, in its block; none before

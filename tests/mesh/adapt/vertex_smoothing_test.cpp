@@ -8,9 +8,11 @@
 #include <cmath>
 #include <vector>
 
+#include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/mesher.hpp"
 #include "fixtures/mesh_disorder.hpp"
 #include "fixtures/mesh_to_change.hpp"
+#include "fixtures/thread_arena.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -29,10 +31,29 @@ editable_mesh even_mesh(const domain& d) {
 }
 
 // Ratio of lengths along x to those along y. Areas stay the same.
-vertex_smoothing::wanted_at stretched_by(double times) {
-  return [times](const point&, vertex_index&) {
-    return metric_tensor{times / (unit * unit), 0, 1 / times / (unit * unit)};
+vertex_smoothing::wanted_at stretched_by(double times, double length = unit) {
+  return [times, length](const point&, vertex_index&) {
+    return metric_tensor{times / (length * length), 0, 1 / times / (length * length)};
   };
+}
+
+// A mesh of the square with edges of about this length, all of which agree in the identity.
+editable_mesh fine_mesh(const domain& d, double length) {
+  editable_mesh m = coarse_mesh(d);
+  unit_mesh_options making;
+  making.count = static_cast<std::size_t>(4 / (length * length));
+  unit_mesh_remesher(m, making).run(
+      [length](const point&, vertex_index&) {
+        return metric_tensor{1 / (length * length), 0, 1 / (length * length)};
+      },
+      {});
+  return m;
+}
+
+std::vector<point> places_of(const editable_mesh& m) {
+  std::vector<point> places;
+  for (const node& n : m.nodes()) places.push_back(n.position);
+  return places;
 }
 
 // Counts the nodes with an angle below the bound in the metric.
@@ -73,8 +94,7 @@ TEST_CASE("nodes that are moved have fewer low angles in the metric wanted, and 
 TEST_CASE("nodes stay where the metric wanted is the one they have") {
   const domain d = square();
   editable_mesh m = even_mesh(d);
-  std::vector<point> places;
-  for (const node& n : m.nodes()) places.push_back(n.position);
+  const std::vector<point> places = places_of(m);
   vertex_smoothing settled(m, bound, 1, stretched_by(1));
   CHECK_FALSE(settled.is_in_vain());
   settled.run({});
@@ -88,4 +108,25 @@ TEST_CASE("settling is in vain where the metric wanted finds nearly all angles f
   const domain d = square();
   editable_mesh m = even_mesh(d);
   CHECK(vertex_smoothing(m, bound, 1, stretched_by(30)).is_in_vain());
+}
+
+TEST_CASE("nodes of a mesh of several parts get the same places on any number of threads",
+          "[threads]") {
+  constexpr double length = 0.01;
+  const domain d = square();
+  const editable_mesh before = fine_mesh(d, length);
+  REQUIRE(before.count() > 35000);
+  const std::vector<point> places = places_of(before);
+  const auto wanted = stretched_by(3, length);
+  std::vector<std::vector<point>> made;
+  for (const int threads : {1, 2, 3, 7}) {
+    editable_mesh m = before;
+    with_threads(threads, [&] { vertex_smoothing(m, bound, 1, wanted).run({}); });
+    made.push_back(places_of(m));
+    INFO(threads << " threads");
+    CHECK(made.front() == made.back());
+    CHECK(made.back() != places);
+    CHECK(count_low(m, wanted) < count_low(before, wanted));
+    CHECK(count_disorder(m, bound) == count_disorder(before, bound));
+  }
 }

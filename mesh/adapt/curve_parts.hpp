@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// Divides the faces of a mesh into parts along a Hilbert curve. Internal to mesh/adapt.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "asterism/mesh/adapt/editable_mesh.hpp"
+
+namespace asterism::internal::adapting {
+
+// The faces of a part follow each other on the curve. All parts have about equally many, as the
+// curve is cut at quantiles of a sample. The number of threads changes nothing.
+class curve_parts {
+ public:
+  // Takes the box through which the curve runs, and the number of parts; there is one for 0, too.
+  // Faces that do not exist are in some part.
+  curve_parts(const std::vector<node>& nodes, const std::vector<face>& faces,
+              const bounding_box& box, std::size_t parts);
+
+  std::size_t count() const { return bounds_.size() + 1; }
+  // Returns the part of a face.
+  std::uint32_t of(vertex_index t) const { return part_[t]; }
+  // Returns the part that contains the point's place on the curve. Near the edges between parts the
+  // face at the point may be in another part.
+  std::uint32_t near(const point& q) const;
+
+ private:
+  std::uint32_t at(std::uint64_t place) const;
+
+  bounding_box box_;
+  std::vector<std::uint64_t> bounds_;  // places on the curve between parts
+  std::vector<std::uint32_t> part_;    // of each face
+};
+
+}  // namespace asterism::internal::adapting
