@@ -21,6 +21,7 @@
 #include "asterism/mesh/pipeline/kept_mesh.hpp"
 #include "asterism/mesh/pipeline/outline_chords.hpp"
 #include "asterism/mesh/pipeline/periodic_outline.hpp"
+#include "asterism/mesh/pipeline/periodic_sides.hpp"
 
 namespace asterism {
 using namespace internal;
@@ -85,10 +86,17 @@ std::string note_on_kept(const std::vector<int>& markers) {
          "between";
 }
 
-// True if the periodic sides of the mesh match.
-bool has_periodic_sides(const mesh& m, const std::vector<periodic_pair>& pairs) {
-  return std::all_of(pairs.begin(), pairs.end(),
-                     [&m](const periodic_pair& one) { return match_periodic(m, one).ok(); });
+// True if the periodic sides of the mesh match, and do so exactly wherever the corners of its domain
+// are exact images. A new mesh would have exact images there.
+bool has_periodic_sides(const mesh& m, const domain& shape,
+                        const std::vector<periodic_pair>& pairs) {
+  return std::all_of(pairs.begin(), pairs.end(), [&](const periodic_pair& one) {
+    const auto match = match_periodic(m, one);
+    if (!match) return false;
+    if (match.value().kind != periodic_kind::matched) return true;
+    const auto sides = periodic_sides::find(shape, one);
+    return sides && !sides.value().map().is_exact;
+  });
 }
 
 // Sets the number of vertices wanted and the limit on sites. If no number is named, the limit is at
@@ -185,7 +193,8 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
     done.keeps_boundary = found.keeps_all;
     done.boundary_kept = found.keeps_all ? found.boundary_vertices : found.kept;
     done.former = found.former;
-    if (has_periodic_sides(background, options.periodic)) own = as_mesh_of(background, found);
+    if (has_periodic_sides(background, done.shape, options.periodic))
+      own = as_mesh_of(background, found);
     // Adds no chords with periodic sides: the chords of both sides would have to match.
     if (!found.keeps_all && options.periodic.empty()) for_new = with_chords_for(background, found);
   }

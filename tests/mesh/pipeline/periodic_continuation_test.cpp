@@ -132,6 +132,29 @@ TEST_CASE("in the next mesh partners are nearer to each other than where sides a
   CHECK(graded < alone / 2);
 }
 
+TEST_CASE("a mesh stays only if its sides match exactly wherever its corners allow that") {
+  mesh m = grid();
+  for (site& s : m.sites) s.metric = {n * n, 0, n * n};
+  mesh_adaptation_options options;
+  options.periodic = torus;
+  const auto first = adapt_to_metric({std::move(m), {}}, options);
+  REQUIRE(first.ok());
+  options.keep = keep_rule::always;
+  for (const bool is_off : {false, true}) {
+    mesh given = first.value().made.outcome.result;
+    for (site& s : given.sites) {
+      double& y = s.position.y;
+      if (is_off && s.position.x == 1 && y > 0 && y < 1) y = std::nextafter(y, 1);
+    }
+    const auto next = adapt_to_metric({std::move(given), {}}, options);
+    REQUIRE(next.ok());
+    CHECK(next.value().made.certified());
+    CHECK(next.value().kept != is_off);
+    for (const periodic_match& one : next.value().made.claim.periodic)
+      CHECK(one.kind == periodic_kind::translated);
+  }
+}
+
 TEST_CASE(
     "sides that do not agree within the work of a run are no complete mesh, and why is said") {
   constexpr double least = 4000, most = 1e6, step = 1.25;
