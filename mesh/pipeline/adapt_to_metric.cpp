@@ -171,8 +171,8 @@ result<adapted_mesh> adapt_to_metric(const marked_mesh& from,
                  error_code::invalid_mesh};
   if (options.no_split_across && !done.cracks.empty())
     return error{
-        "the mesh has slits, and inner edges that join two vertices of the boundary are "
-        "not looked for beside them",
+        "the mesh has slits, beside which inner edges that join two vertices of the boundary are "
+        "not looked for: adapt it without splitting such edges",
         error_code::bad_option};
   const mesh_marks marks = joined_marks(from.marks, adopted.value().number);
   std::optional<mesh> own;  // the mesh, as one that may stay
