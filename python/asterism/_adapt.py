@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, TYPE_CHECKING, Tuple, Union, overload
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, TYPE_CHECKING, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -13,13 +13,15 @@ from ._asterism import InputError
 from ._calls import told, told_methods, warn
 from ._domain import AnyDomain, Domain, as_domain
 from ._forms import (
-    definite, Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, tensor_rows)
+    definite, Fields, fields_and_tensors, gradation_of, like, marker_pairs, metric_rows, named_fields, norm_of,
+    second_derivatives)
 from ._mesh import Mesh
 from ._meshing import NotReachedWarning, Progress
 from ._page import Before, Page
 from ._reported import ReportedArray, reported
 
 Gradation = Union[float, str, None]
+MetricAtPoints = Union[npt.ArrayLike, Callable[[Any], Any]]
 
 
 def _mesh_made(mesh: Any, name: str = "mesh") -> Any:
@@ -37,21 +39,21 @@ def _made_of(what: Any) -> str:
     return "; asterism.Mesh.from_meshio() makes one of meshio's" if hasattr(what, "cells_dict") else ""
 
 
-def _metrics(given: Any, count: int) -> List[Any]:
+def _metrics(given: Any, points: Any) -> List[Any]:
     """Returns the metrics of a list. An array is one metric, unless it is a stack of them."""
     if isinstance(given, np.ndarray):
-        is_stack = given.ndim == 4 or (given.ndim == 3 and given.shape[1:] == (count, 3))
+        is_stack = given.ndim == 4 or (given.ndim == 3 and given.shape[1:] == (len(points), 3))
         given = list(given) if is_stack else [given]
     if not isinstance(given, (list, tuple)):
         raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(given).__name__}")
-    return [definite("intersect", tensor_rows("intersect", one, count)) for one in given]
+    return [definite("intersect", metric_rows("intersect", one, points)) for one in given]
 
 
 @told
 def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, str] = 2, complexity: Optional[float] = None,
            vertices: Optional[int] = None, error: Optional[float] = None, gradation: Gradation = "default",
            hmin: Optional[float] = None, hmax: Optional[float] = None, aspect: Optional[float] = None,
-           intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
+           intersect: Sequence[MetricAtPoints] = (), step: Optional[float] = None, isotropic: bool = False,
            gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
            relative: bool = False, cutoff: Optional[float] = None) -> ReportedArray:
     """The metric (n, 3) at the mesh's points in which the next mesh interpolates `values` best.
@@ -83,7 +85,7 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
              "gradation": gradation_of(gradation, given is None), "hmin": hmin, "hmax": hmax, "aspect": aspect,
              "step": step, "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape,
              "hessian": method, "hessians": hessians, "relative": relative, "cutoff": cutoff,
-             "intersect": _metrics(intersect, len(mesh.points))}
+             "intersect": _metrics(intersect, mesh.points)}
     tensors, report = _asterism._metric(made, fields, given, words)
     if not report["reached"]:
         warn(report["reason"], NotReachedWarning)
@@ -180,10 +182,10 @@ class Adapted(_Pair):
 @told
 def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int] = None,
           complexity: Optional[float] = None, error: Optional[float] = None, carry: Optional[Fields] = None,
-          how: str = "interpolate", metric: Optional[npt.ArrayLike] = None, implied: bool = False,
+          how: str = "interpolate", metric: Optional[MetricAtPoints] = None, implied: bool = False,
           norm: Union[float, str] = 2, gradation: Gradation = "default", hmin: Optional[float] = None,
           hmax: Optional[float] = None, aspect: Optional[float] = None,
-          intersect: Sequence[npt.ArrayLike] = (), step: Optional[float] = None, isotropic: bool = False,
+          intersect: Sequence[MetricAtPoints] = (), step: Optional[float] = None, isotropic: bool = False,
           gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
           relative: bool = False, cutoff: Optional[float] = None, no_split_across: bool = False,
           domain: Optional[AnyDomain] = None, chord_tolerance: Optional[float] = None,
@@ -199,9 +201,9 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
     markers and lines inside stay. values: as asterism.metric() takes them; None: the mesh's own `values`.
     carry: fields (n,), (n, 2) or (n, 3), or a dict of them, that are only transferred and have no part
     in the metric. how: method of transfer for all fields, as in asterism.transfer().
-    metric: a metric in place of values, in any form that tensors have; or implied=True: that of the
-    mesh's edges. norm to cutoff: as in asterism.metric(); with a hessian (n, 3) the metric is made of
-    that, and values are only transferred.
+    metric: a metric in place of values: in any form that tensors have, or a callable as in asterism.mesh(),
+    called for the mesh's points; or implied=True: that of the mesh's edges. norm to cutoff: as in
+    asterism.metric(); with a hessian (n, 3) the metric is made of that, and values are only transferred.
     no_split_across: no inner edge joins two points of the boundary, so that no triangle has all three
     there.
     domain: what is meshed, in any form that asterism.mesh() takes, with chord_tolerance for its curves;
@@ -221,7 +223,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
     words = {
         "vertices": vertices, "complexity": complexity, "error": error, "how": how, "implied": implied,
         "norm": norm_of(norm), "gradation": gradation_of(gradation, given is None and not implied), "hmin": hmin,
-        "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, len(mesh.points)), "step": step,
+        "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, mesh.points), "step": step,
         "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": method,
         "hessians": hessians, "relative": relative, "cutoff": cutoff, "no_split_across": no_split_across,
         "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd, "keep": keep,
@@ -245,16 +247,13 @@ def _hessians(hessian: Union[str, Fields], count: int) -> Any:
     """Returns the name of a method of recovery, or given second derivatives by name."""
     if isinstance(hessian, str):
         return hessian, []
-    given = [(name, tensor_rows(name, of, count)) for name, of in named_fields(hessian, "hessian")]
-    for name, rows in given:
-        if rows.shape != (count, 3):
-            raise InputError(f"{name}: second derivatives (n, 3) = xx xy yy or (n, 2, 2) are wanted, a row a point")
+    given = [(name, second_derivatives(name, of, count)) for name, of in named_fields(hessian, "hessian")]
     if not given:
         raise InputError("hessian: there is none in it")
     return "green", given
 
 
-def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike], implied: bool,
+def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[MetricAtPoints], implied: bool,
             has_hessians: bool) -> Any:
     """Returns the fields of which the metric is made, those that are only carried, and a given metric."""
     if has_hessians:
@@ -268,7 +267,7 @@ def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[npt.ArrayLike
         raise InputError("values, metric, implied: one of the three says which metric is wanted, not "
                          + ("none" if values is None and metric is None and not implied else "several"))
     if metric is not None:
-        return [], definite("metric", tensor_rows("metric", metric, len(mesh.points)))
+        return [], definite("metric", metric_rows("metric", metric, mesh.points))
     return fields_and_tensors(values) if values is not None else ([], None)
 
 

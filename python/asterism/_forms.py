@@ -166,6 +166,29 @@ class CalledMetric:
         return _of_sizes(name, rows)
 
 
+def metric_rows(name: str, metric: Any, points: Doubles) -> Doubles:
+    """Returns tensors (n, 3) at points, or one (3,) for all, from any form accepted for them or from a callable."""
+    if not callable(metric):
+        return tensor_rows(name, metric, len(points))
+    called = CalledMetric(metric, np.array(points[:1]))
+    try:
+        rows = tensor_rows(name, called(np.array(points)), len(points))
+    except Exception:  # calls for one point raise it again if it is not about the number of points
+        rows = np.empty((0, 3))
+    if rows.shape != (len(points), 3):
+        rows = np.concatenate([tensor_rows(name, called(one), 1).reshape(1, 3) for one in np.array(points)[:, None]])
+    return rows
+
+
+def second_derivatives(name: str, values: Any, count: int) -> Doubles:
+    """Returns second derivatives (n, 3) = xx xy yy from that form or from symmetric matrices, of either sign."""
+    given = doubles(name, values)
+    if given.shape not in ((count, 3), (count, 2, 2)):
+        raise InputError(f"{name}: second derivatives (n, 3) = xx xy yy or (n, 2, 2) are wanted, a row for each of the "
+                         f"{count} points, not an array of the shape {given.shape}")
+    return tensor_rows(name, given, count)
+
+
 def constant_text(tensor: Doubles) -> str:
     """Returns the formula of a constant metric in the command's form."""
     return "expr:" + ";".join(repr(float(entry)) for entry in tensor.reshape(3))

@@ -155,6 +155,19 @@ def second_derivatives(points):
     return np.stack([4 * x * x * bend + 2 * slope, 4 * x * y * bend, 4 * y * y * bend + 2 * slope], axis=1)
 
 
+def test_a_metric_at_the_points_may_be_a_callable(background):
+    at = background.points
+    sizes = 0.2 + 0.1 * at[:, 0]
+    many, one = lambda p: 0.2 + 0.1 * p[:, 0], lambda p: 0.2 + 0.1 * float(p[0, 0]) if len(p) == 1 else 1 / 0
+    wanted = asterism.adapt(background, metric=sizes).mesh
+    for called in (many, one):
+        assert np.array_equal(asterism.adapt(background, metric=called).mesh.sites, wanted.sites)
+    besides = [asterism.adapt(background, ridge(at), vertices=400, intersect=[of]).metric for of in (sizes, many)]
+    assert np.array_equal(*besides)
+    with pytest.raises(ZeroDivisionError):
+        asterism.adapt(background, metric=lambda p: 1 / 0)
+
+
 def test_second_derivatives_take_the_place_of_values(background):
     given = second_derivatives(background.points)
     wanted = asterism.metric(background, hessian=given, vertices=500)
