@@ -111,8 +111,7 @@ def adapt(mesh: Any, values: Values = None, cell_tags: Any = None, facet_tags: A
     _check_way(wanted, how)
     _check_way(brought, how)
     carried = {**brought.at_nodes()} if brought.all else None
-    if wishes.get("metric") is not None:
-        wishes["metric"] = _metric_at_nodes(mesh, wishes["metric"])
+    _take_tensors_at_nodes(mesh, wishes)
     made = _adapt_arrays(old, wanted.alone_or_named() if wanted.all else None, carry=carried, how=how, **wishes)
     new = to_dolfinx(made.mesh, mesh.comm)
     if cell_tags is None:
@@ -192,16 +191,31 @@ class _Given:
             _is_function(of) for of in self.form) else next(iter(made.values()))
 
 
-def _metric_at_nodes(mesh: Any, metric: Any) -> Any:
-    """Returns a metric in a form that asterism.adapt() takes: of a Function, which dolfinx makes callable, too, rows at
+def _take_tensors_at_nodes(mesh: Any, wishes: Dict[str, Any]) -> None:
+    """Replaces each Function among the metrics and second derivatives by rows at the nodes of the geometry."""
+    if "metric" in wishes:
+        wishes["metric"] = _tensors_at_nodes(mesh, "metric", wishes["metric"], _TENSORS)
+    besides = wishes.get("intersect")
+    if _is_function(besides) or isinstance(besides, (list, tuple)):
+        every = [besides] if _is_function(besides) else besides
+        wishes["intersect"] = [_tensors_at_nodes(mesh, "intersect", of, _TENSORS) for of in every]
+    given = wishes.get("hessian")
+    if isinstance(given, Mapping):
+        wishes["hessian"] = {name: _tensors_at_nodes(mesh, str(name), of, _DERIVATIVES) for name, of in given.items()}
+    elif given is not None:
+        wishes["hessian"] = _tensors_at_nodes(mesh, "hessian", given, _DERIVATIVES)
+
+
+def _tensors_at_nodes(mesh: Any, name: str, given: Any, meanings: Mapping[int, str]) -> Any:
+    """Returns tensors in a form that asterism.adapt() takes: of a Function, which dolfinx makes callable, too, rows at
     the nodes of the geometry."""
-    _check_no_expression("metric", metric)
-    if not _is_function(metric):
-        return metric
-    metric = _collapsed(metric)
-    _check_function("metric", metric, mesh, {1: "sizes", 3: "m11 m12 m22", 4: "a matrix"})
-    rows = _at_nodes(metric)
-    return rows.reshape(len(rows), 2, 2) if _block(metric) == 4 else rows.reshape(len(rows), -1)
+    _check_no_expression(name, given)
+    if not _is_function(given):
+        return given
+    given = _collapsed(given)
+    _check_function(name, given, mesh, meanings)
+    rows = _at_nodes(given)
+    return rows.reshape(len(rows), 2, 2) if _block(given) == 4 else rows.reshape(len(rows), -1)
 
 
 def _check_no_expression(name: str, of: Any) -> None:
@@ -252,6 +266,8 @@ def _check_mesh(name: str, on: Any, mesh: Any) -> None:
 
 # Meanings of the components of a Function, by their number.
 _COMPONENTS = {1: "a scalar", 2: "a vector", 3: "a vector or tensor"}
+_TENSORS = {1: "sizes", 3: "m11 m12 m22", 4: "a matrix"}
+_DERIVATIVES = {3: "xx xy yy", 4: "a matrix"}
 
 
 def _check_function(name: str, of: Any, mesh: Any, meanings: Mapping[int, str] = _COMPONENTS) -> None:

@@ -127,6 +127,18 @@ def test_functions_are_metrics(square):
         assert np.array_equal(by_one.sites, by_same.sites)
 
 
+def test_functions_are_second_derivatives_and_metrics_to_intersect_with(square):
+    mesh, _, _ = square
+    at = mesh.geometry.x
+    rows = np.column_stack([400 + 100 * at[:, 0], 0 * at[:, 0], 100 - 50 * at[:, 1]])
+    tensors = fem.Function(fem.TensorFunctionSpace(mesh, ("CG", 1)))
+    tensors.interpolate(lambda x: np.vstack([400 + 100 * x[0], 0 * x[0], 0 * x[0], 100 - 50 * x[1]]))
+    for by in (lambda of: {"hessian": of}, lambda of: {"hessian": {"a": of}}, lambda of: {"metric": 0.1, "intersect": [of]},
+               lambda of: {"metric": 0.1, "intersect": of}):
+        one, same = (asterism.dolfinx.adapt(mesh, vertices=300, **by(of)).metric for of in (tensors, rows))
+        assert np.allclose(one, same, rtol=1e-12, atol=1e-9)
+
+
 def test_parts_of_functions(square):
     mesh, _, _ = square
     u = fill(fem.FunctionSpace(mesh, ("CG", 1)), front)
