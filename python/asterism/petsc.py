@@ -14,7 +14,7 @@ import contextlib
 import ctypes
 import sys
 import traceback
-from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +22,7 @@ import numpy.typing as npt
 from . import _asterism
 from ._adapt import adapt as _adapt_arrays
 from ._asterism import InputError
-from ._forms import definite, doubles, tensor_rows
+from ._forms import definite, doubles, second_derivatives, tensor_rows
 from ._mesh import Mesh
 
 # Names of labels that a DMPlex makes for itself.
@@ -66,29 +66,67 @@ class _Whole(NamedTuple):
     rows: Dict[str, npt.NDArray[np.float64]]
 
 
-def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None, overlap: int = 0,
+def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None, hessian: Any = "green",
+          intersect: Sequence[Any] = (), periodic: Sequence[Tuple[Pair, Pair]] = (), overlap: int = 0,
           **wishes: Any) -> AdaptedPlex:
     """The next mesh of a DMPlex, as asterism.adapt() makes it, distributed along a space-filling curve.
 
     metric: one in any form that tensors have, or a Vec as dm.metricCreate() makes it; or values: fields, or a
-    dict of them, from which the metric is made. carry: fields to transfer that do not affect the metric. All are
-    arrays with a row for each local vertex, in the order of the dm, ghosts among them, or local Vecs of such rows.
-    overlap: of the new distribution. wishes: the other arguments of asterism.adapt().
+    dict of them, from which the metric is made. carry: fields to transfer that do not affect the metric. hessian,
+    intersect: as in asterism.adapt(). All of these are arrays with a row for each local vertex, in the order of the
+    dm, ghosts among them, or local Vecs of such rows; a metric may be a callable, which the first process calls for
+    the vertices of the whole mesh. periodic: pairs of sides with the same points, each side the name and the value of
+    a label: [(("Face Sets", 4), ("Face Sets", 2))]. overlap: of the new distribution. wishes: the other arguments of
+    asterism.adapt().
     Labels stay: on cells and edges as they are, on vertices where they are those of labelled edges and cells, or
     else with the vertices, which are kept. Every process calls this; one that fails, or is interrupted, ends the
     call on all of them with its error.
     """
     comm = _comm_of(dm)
-    given = {"metric": metric, "u": values, "carried": carry}
-    part = _together(comm, lambda: _part_of(dm, given, {"overlap": _layers(overlap), **wishes}))
+    asked = _Asked(metric, values, carry, hessian, _listed(intersect), periodic, wishes)
+    part = _together(comm, lambda: _part_of(dm, asked.rows_given(), {"overlap": _layers(overlap), **asked.plain()}))
     parts = comm.gather(part)
-    plan = _on_first(comm, lambda: _adapted(parts, values, carry, metric is not None, wishes))
+    plan = _on_first(comm, lambda: _adapted(parts, asked))
     made, scattered = plan if comm.rank == 0 else (None, None)
     with abort_on_exception(comm):
         new, index = _scatter(dm.comm, scattered, overlap)
         wanted, carried, report = _rows_for(comm, index, made, scattered)
     return AdaptedPlex(new, _as_given(values, wanted), _as_given(carry, carried), report,
                        made.mesh if comm.rank == 0 else None)
+
+
+def _listed(intersect: Any) -> Any:
+    """Returns the metrics to intersect with in a list. An array or Vec is one, unless it is a stack of them."""
+    if isinstance(intersect, np.ndarray):
+        is_stack = intersect.ndim == 4 or (intersect.ndim == 3 and intersect.shape[1:] != (2, 2))
+        return list(intersect) if is_stack else [intersect]
+    return [intersect] if hasattr(intersect, "array_r") else intersect
+
+
+class _Asked(NamedTuple):
+    """The arguments of adapt() on one process."""
+
+    metric: Any
+    values: Any
+    carry: Any
+    hessian: Any
+    intersect: Any
+    periodic: Any
+    wishes: Dict[str, Any]
+
+    def rows_given(self) -> Dict[str, Any]:
+        """Returns by their use the arguments that have a row for each local vertex, or a dict of such arguments."""
+        if not isinstance(self.intersect, (list, tuple)):
+            raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(self.intersect).__name__}")
+        besides = {str(k): of for k, of in enumerate(self.intersect) if not callable(of)}
+        return {"metric": None if callable(self.metric) else self.metric, "u": self.values, "carried": self.carry,
+                "hessian": None if isinstance(self.hessian, str) else self.hessian, "intersect": besides}
+
+    def plain(self) -> Dict[str, Any]:
+        """Returns the arguments that each process gives alike, but for the plain ones among the wishes."""
+        kinds = ["a callable" if callable(of) else "rows" for of in (self.metric, *self.intersect)]
+        return {**self.wishes, "metric, intersect": ", ".join(kinds), "hessian": self.hessian,
+                "periodic": str(self.periodic)}
 
 
 def gathered(dm: Any) -> Optional[Mesh]:
@@ -233,7 +271,8 @@ def _part_of(dm: Any, given: Dict[str, Any], wishes: Optional[Dict[str, Any]] = 
         if name not in _OWN_LABELS:
             labels += _stratum(dm, name, own, edge_vertices - vertices[0])
     count = vertices[1] - vertices[0]
-    rows = _rows_of({**given, "metric": _tensors_of(dm, given.get("metric"), count)}, count)
+    besides = {name: _tensors_of(dm, of, count) for name, of in given.get("intersect", {}).items()}
+    rows = _rows_of({**given, "metric": _tensors_of(dm, given.get("metric"), count), "intersect": besides}, count)
     plain = {name: of for name, of in (wishes or {}).items() if isinstance(of, (int, float, str, np.number))}
     return _Part(_places(dm, vertices), is_own[vertices[0]:vertices[1]], corners[own], labels, rows, plain)
 
@@ -269,7 +308,7 @@ def _shared_points(dm: Any) -> Any:
 
 def _said(use: str, name: str) -> str:
     """Returns what a field is called in messages."""
-    return name or {"u": "values", "carried": "carry"}.get(use, use)
+    return name if name and use != "intersect" else {"u": "values", "carried": "carry"}.get(use, use)
 
 
 def _stratum(dm: Any, name: str, own: Any, edge_vertices: Any) -> List[Any]:
@@ -310,10 +349,8 @@ def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
             array = doubles(_said(use, name), of)
             if array.ndim == 1 and count and array.size % count == 0 and array.size // count > 1:
                 array = array.reshape(count, -1)
-            if use == "metric":
-                array = array.reshape(-1, 2, 2) if array.ndim == 2 and array.shape[1] == 4 else array
-                array = definite(use, tensor_rows(use, array, count)) if count else np.zeros((0, 3))
-                array = np.tile(array, (count, 1)) if array.ndim == 1 else array
+            if use in ("metric", "intersect", "hessian"):
+                array = _tensor_rows(use, _said(use, name), array, count)
             if array.ndim == 0 or len(array) != count:
                 raise InputError(f"{_said(use, name)}: rows for the {count} local vertices are wanted, not an array of "
                                  f"the shape {array.shape}{remedy}")
@@ -322,6 +359,17 @@ def _rows_of(given: Dict[str, Any], count: int) -> Dict[str, Any]:
                 raise InputError(f"{_said(use, name)}: row {int(np.argmin(finite))} is not finite")
             rows[f"{use}/{name}"] = array
     return rows
+
+
+def _tensor_rows(use: str, name: str, array: Any, count: int) -> Any:
+    """Returns tensors (n, 3) at the local vertices: of a metric, positive definite, or second derivatives."""
+    if count == 0:
+        return np.zeros((0, 3))
+    array = array.reshape(-1, 2, 2) if array.ndim == 2 and array.shape[1] == 4 else array
+    if use == "hessian":
+        return second_derivatives(name, array, count)
+    array = definite(name, tensor_rows(name, array, count))
+    return np.tile(array, (count, 1)) if array.ndim == 1 else array
 
 
 # Gathering the mesh.
@@ -406,8 +454,8 @@ def _distinct_edges(edges: Any, count: int) -> Any:
 def _check_alike(parts: List[_Part]) -> None:
     """Raises InputError where a process gives other fields than the first one, or of another kind."""
     for rank, part in enumerate(parts):
-        for name in sorted(part.wishes.keys() & parts[0].wishes.keys() - {"threads"}):
-            mine, first = (of.wishes[name] for of in (part, parts[0]))
+        for name in sorted((part.wishes.keys() | parts[0].wishes.keys()) - {"threads"}):
+            mine, first = (of.wishes.get(name) for of in (part, parts[0]))
             if mine != first:
                 raise InputError(f"{name}: process {rank} gives {mine!r} and process 0 {first!r}; every process gives "
                                  "the same")
@@ -558,17 +606,45 @@ class _Scattered(NamedTuple):
     rows: Dict[str, npt.NDArray[np.float64]]
 
 
-def _adapted(parts: List[_Part], values: Any, carry: Any, has_metric: bool, wishes: Dict[str, Any]) -> Any:
+def _adapted(parts: List[_Part], asked: _Asked) -> Any:
     whole = _whole_of(parts)
     old, labelling = _mesh_of(whole)
-    wanted = _fields(whole, "u", values)
-    carried = _fields(whole, "carried", carry)
-    made = _adapt_arrays(old, wanted, metric=whole.rows["metric/"] if has_metric else None, carry=carried, **wishes)
+    values, carry, metric = asked.values, asked.carry, asked.metric
+    besides = [of if callable(of) else whole.rows[f"intersect/{k}"] for k, of in enumerate(asked.intersect)]
+    made = _adapt_arrays(
+        old, _fields(whole, "u", values), carry=_fields(whole, "carried", carry),
+        metric=metric if metric is None or callable(metric) else whole.rows["metric/"],
+        hessian=asked.hessian if isinstance(asked.hessian, str) else _fields(whole, "hessian", asked.hessian),
+        intersect=besides, periodic=_marker_pairs(asked.periodic, labelling.markers), **asked.wishes)
     rows = {f"{use}/{name}": np.asarray(of) for use, form, moved in (
         ("u", values, made.values), ("carried", carry, made.carried)) if form is not None
         for name, of in (moved.items() if isinstance(form, Mapping) else [("", moved)])}
     names = sorted({*whole.cell_labels, *whole.edge_labels, *whole.vertex_labels})
     return made, _Scattered(made.mesh, labelling, names, rows)
+
+
+def _marker_pairs(periodic: Any, markers: List[Tuple[Pair, ...]]) -> List[Tuple[int, int]]:
+    """Returns for each pair of sides, named by labels, the pair of their markers."""
+    pairs = []
+    for sides in periodic if isinstance(periodic, (list, tuple)) else [periodic]:
+        try:
+            (first, first_value), (second, second_value) = sides
+        except (TypeError, ValueError):
+            raise InputError("periodic: pairs of sides are wanted, each the name and the value of a label, as "
+                             f"[(('Face Sets', 4), ('Face Sets', 2))], not {sides!r}") from None
+        pairs.append((_marker_of((first, first_value), markers), _marker_of((second, second_value), markers)))
+    return pairs
+
+
+def _marker_of(side: Pair, markers: List[Tuple[Pair, ...]]) -> int:
+    found = [number for number, pairs in enumerate(markers) if side in pairs]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise InputError(f"periodic: edges with the label {side} differ in their other labels; a side has the same "
+                         "labels on all its edges")
+    there = ", ".join(str(pair) for pair in sorted({pair for pairs in markers for pair in pairs}))
+    raise InputError(f"periodic: no edge has the label {side}; the labels of edges are: {there or 'none'}")
 
 
 def _fields(whole: _Whole, use: str, form: Any) -> Any:

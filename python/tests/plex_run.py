@@ -128,6 +128,25 @@ def run_metric():
         return {"digest": digest(one), "same": digest(two), "vertices": len(one.points), **more}
 
 
+def run_tensors():
+    """Second derivatives, metrics to intersect with, callables and periodic sides, each from local rows or by labels."""
+    dm = square()
+    at = coordinates(dm)
+    curved = np.column_stack([2 + at[:, 0], 0 * at[:, 0], -1 - 30 * at[:, 1]])
+    sizes = 0.05 + 0.1 * at[:, 0]
+    sides = ("Face Sets", 4), ("Face Sets", 2)
+    made = {name: asterism.petsc.adapt(dm, **of) for name, of in {
+        "hessian": dict(hessian=curved, vertices=300), "named": dict(hessian={"a": curved}, vertices=300),
+        "intersect": dict(metric=0.2, intersect=[sizes]), "array": dict(metric=0.2, intersect=sizes),
+        "callables": dict(metric=lambda p: 0.2 + 0 * p[:, 0], intersect=[lambda p: 0.05 + 0.1 * p[:, 0]]),
+        "periodic": dict(values=front(at), vertices=300, periodic=[sides])}.items()}
+    found = {name: whole(of.dm) for name, of in made.items()}
+    if MPI.rank == 0:
+        at = made["periodic"].asterism.points
+        return {**{name: digest(of) for name, of in found.items()}, "sizes": len(made["hessian"].asterism.points),
+                "left": sorted(at[at[:, 0] == 0, 1]), "right": sorted(at[at[:, 0] == 1, 1])}
+
+
 def alike(dm, metric):
     found = whole(asterism.petsc.adapt(dm, metric, keep="never").dm)
     return digest(found) if MPI.rank == 0 else None
@@ -164,7 +183,12 @@ def run_errors():
     at = coordinates(dm)
     last = MPI.size - 1
     several = ((dict(dm=dm, values=front(at), overlap=MPI.rank), "overlap: process 1 gives 1"),
-               (dict(dm=dm, values=front(at), vertices=300 + MPI.rank), "vertices: process 1 gives 301"))
+               (dict(dm=dm, values=front(at), vertices=300 + MPI.rank), "vertices: process 1 gives 301"),
+               (dict(dm=dm, values=front(at), **({} if MPI.rank else {"error": 1})), "error: process 1 gives None"),
+               (dict(dm=dm, metric=np.sin if MPI.rank else 0.1), "process 1 gives 'a callable'"),
+               (dict(dm=dm, hessian=np.ones(len(at))), "second derivatives (n, 3)"),
+               (dict(dm=dm, values=front(at), periodic=[(4, 2)]), "the name and the value of a label"),
+               (dict(dm=dm, values=front(at), periodic=[(("Face Sets", 4), ("Face Sets", 8))]), "('Face Sets', 9)"))
     for wrong, of in ((dict(dm=None), "DMPlex"), (dict(dm=dm, values=front(at), overlap=-1), "overlap"),
                       (dict(dm=cracked()), "at (0, 0) there are 2 vertices"), *several):
         try:
@@ -226,7 +250,7 @@ def run_page():
 
 if __name__ == "__main__":
     jobs = {"adapt": run_adapt, "undistributed": run_undistributed, "metric": run_metric, "errors": run_errors,
-            "page": run_page, "fails": run_fails, "built": run_built, "blocks": run_blocks}
+            "tensors": run_tensors, "page": run_page, "fails": run_fails, "built": run_built, "blocks": run_blocks}
     told = jobs[sys.argv[1]]()
     if MPI.rank == 0:
         print(json.dumps(told))

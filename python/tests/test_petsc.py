@@ -69,6 +69,13 @@ def test_a_metric_as_rows_and_as_a_vector():
     assert alone["isotropic"] == alone["by tensors"] == several["isotropic"] == several["by tensors"]
 
 
+def test_tensors_at_the_vertices_are_gathered_too():
+    alone, several = run(1, "tensors"), run(3, "tensors")
+    assert alone == several
+    assert alone["hessian"] == alone["named"] and alone["intersect"] == alone["array"] == alone["callables"]
+    assert abs(alone["sizes"] / 300 - 1) < 0.03 and alone["left"] == alone["right"] and len(alone["left"]) > 5
+
+
 def test_edges_are_numbered_as_petsc_numbers_them():
     for processes in (1, 2):
         assert run(processes, "built") == {"points": 76, "same": True}
