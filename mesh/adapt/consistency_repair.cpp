@@ -83,7 +83,7 @@ bool consistency_repair::round() {
   find_due_faces();
   if (!std::exchange(edges_agree_, false)) mend_edges();
   find_fine_faces();
-  visit_due(0, m_.faces().size(), [this](vertex_index t) {
+  visit(in_question_, 0, m_.faces().size(), [this](vertex_index t) {
     if (is_active(t)) check_angles(t);
   });
   active_ = next_;
@@ -92,13 +92,18 @@ bool consistency_repair::round() {
 
 void consistency_repair::mend_edges() {
   find_clear_edges();
-  visit_due(0, m_.faces().size(), [this](vertex_index t) {
-    for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i) {
-      const vertex_index s = m_.faces()[t].next[i];
-      if (s == none || s < t || m_.faces()[t].segment[i] != none) continue;
-      if (is_active(t) || is_active(s)) check_edge(t, i);
-    }
+  visit(in_question_, 0, m_.faces().size(), [this](vertex_index t) {
+    for (std::size_t i = 0; i < 3 && m_.faces()[t].exists(); ++i)
+      if (is_to_test(t, i)) check_edge(t, i);
   });
+}
+
+// True if an edge of a face is tested with this face, and has an active node at one of its two
+// faces.
+bool consistency_repair::is_to_test(vertex_index t, std::size_t i) const {
+  const face& f = m_.faces()[t];
+  const vertex_index s = f.next[i];
+  return s != none && s >= t && f.segment[i] == none && (is_active(t) || is_active(s));
 }
 
 void consistency_repair::add_due_face(vertex_index t) {
@@ -107,10 +112,27 @@ void consistency_repair::add_due_face(vertex_index t) {
     if (s != none) is_due_[s] = 1;
 }
 
+// Puts the edges and angles of a face in question, and the edges of its neighbours, if they are
+// due.
+void consistency_repair::question(vertex_index t) {
+  in_question_[t] = is_due_[t];
+  for (const vertex_index s : m_.faces()[t].next)
+    if (s != none) in_question_[s] = is_due_[s];
+}
+
+// Marks a node that was changed in this round, or a neighbour of which was.
+void consistency_repair::touch(vertex_index v) {
+  if (std::exchange(next_[v], char{1}) != 0) return;
+  face_list at;
+  m_.around(v, at);
+  for (const vertex_index t : at) question(t);
+}
+
 // Visits the faces around active nodes if these are few, else all faces.
 void consistency_repair::find_due_faces() {
   constexpr std::ptrdiff_t few = 8;  // one node in this number
   is_due_.assign(m_.faces().size(), 0);
+  in_question_ = is_due_;
   const auto active = std::count(active_.begin(), active_.end(), 1);
   if (few * active > static_cast<std::ptrdiff_t>(active_.size())) {
     for (vertex_index t = 0; t < m_.faces().size(); ++t)
@@ -125,16 +147,18 @@ void consistency_repair::find_due_faces() {
   }
 }
 
-// Calls visit(t) for each due face with an index from `begin` to before `end`, in order, those
-// included that become due meanwhile.
-template <class Visit>
-void consistency_repair::visit_due(std::size_t begin, std::size_t end, const Visit& visit) {
-  for (std::size_t t = begin; (t = next_set(is_due_, t, end)) < end; ++t)
-    if (m_.faces()[t].exists()) visit(static_cast<vertex_index>(t));
+// Calls act(t) for each face with a flag and an index from `begin` to before `end`, in order, those
+// included that get one meanwhile.
+template <class Act>
+void consistency_repair::visit(const std::vector<char>& flags, std::size_t begin, std::size_t end,
+                               const Act& act) {
+  for (std::size_t t = begin; (t = next_set(flags, t, end)) < end; ++t)
+    if (m_.faces()[t].exists()) act(static_cast<vertex_index>(t));
 }
 
-// Marks the edges that agree, which are nearly all edges and take most of a round's time. Works in
-// several threads, as no node or face changes meanwhile.
+// Marks the edges that agree, which are nearly all edges and take most of a round's time, and puts
+// the faces with other ones in question. Works in several threads, as no node or face changes
+// meanwhile.
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
   centres_.resize(m_.faces().size());
@@ -143,37 +167,45 @@ void consistency_repair::find_clear_edges() {
     centres_[t] = tests_.centre_of(t);
     has_centre_[t] = 1;
   };
-  parallel_chunks(
-      m_.faces().size(), faces_checked_at_once,
-      [&](std::size_t, std::size_t begin, std::size_t end) { visit_due(begin, end, find_centre); });
-  const auto is_clear = [this](vertex_index t, std::size_t i) {
-    const face& f = m_.faces()[t];
-    const vertex_index s = f.next[i];
-    if (s == none || s < t || f.segment[i] != none) return false;
-    if (!is_active(t) && !is_active(s)) return false;
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    visit(is_due_, begin, end, find_centre);
+                  });
+  const auto agrees = [this](vertex_index t, std::size_t i) {
     const edge_quad q = tests_.quad_at(t, i);
     return clearance(centres_[t], m_.at(q.d)) > least_clearance &&
-           clearance(centres_[s], m_.at(q.c)) > least_clearance;
+           clearance(centres_[m_.faces()[t].next[i]], m_.at(q.c)) > least_clearance;
   };
-  const auto find_clear = [&](vertex_index t) {
-    for (unsigned i = 0; i < 3; ++i)
-      if (is_clear(t, i)) clear_edges_[t] |= static_cast<unsigned char>(1U << i);
-  };
-  parallel_chunks(
-      m_.faces().size(), faces_checked_at_once,
-      [&](std::size_t, std::size_t begin, std::size_t end) { visit_due(begin, end, find_clear); });
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    std::size_t tested = 0;
+                    visit(is_due_, begin, end, [&](vertex_index t) {
+                      for (unsigned i = 0; i < 3; ++i) {
+                        if (!is_to_test(t, i)) continue;
+                        ++tested;
+                        if (agrees(t, i))
+                          clear_edges_[t] |= static_cast<unsigned char>(1U << i);
+                        else
+                          in_question_[t] = 1;
+                      }
+                    });
+                    m_.note_looked_at(work_weights::faces_for_edge_test * tested);
+                  });
 }
 
-// Marks the faces whose angles meet the bound, with several threads.
+// Marks the faces whose angles meet the bound, and puts the others in question, with several
+// threads.
 void consistency_repair::find_fine_faces() {
   is_fine_.assign(m_.faces().size(), 0);
   if (options_.angle_bound <= 0) return;
   const auto find_fine = [this](vertex_index t) {
-    if (is_active(t) && !tests_.is_low(t)) is_fine_[t] = 1;
+    if (!is_active(t)) return;
+    (tests_.is_low(t) ? in_question_ : is_fine_)[t] = 1;
   };
-  parallel_chunks(
-      m_.faces().size(), faces_checked_at_once,
-      [&](std::size_t, std::size_t begin, std::size_t end) { visit_due(begin, end, find_fine); });
+  parallel_chunks(m_.faces().size(), faces_checked_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    visit(is_due_, begin, end, find_fine);
+                  });
 }
 
 void consistency_repair::disagreed_at(const std::vector<vertex_index>& nodes) {
@@ -231,15 +263,15 @@ std::optional<vertex_index> consistency_repair::add_at_shortest_edge(vertex_inde
 }
 
 void consistency_repair::check_edge(vertex_index t, std::size_t i) {
-  m_.note_looked_at(work_weights::faces_for_edge_test);
   const edge_quad q = tests_.quad_at(t, i);
   const bool is_as_found =
       !is_touched(q.a) && !is_touched(q.b) && !is_touched(q.c) && !is_touched(q.d);
   if (is_as_found && (clear_edges_[t] >> i & 1U) != 0) return;
+  m_.note_looked_at(work_weights::faces_for_edge_test);
   const double now = tests_.worst_clearance(q);
   if (now > least_clearance) return;
   ++report_.disagreeing;
-  for (const vertex_index v : {q.a, q.b, q.c, q.d}) next_[v] = 1;
+  for (const vertex_index v : {q.a, q.b, q.c, q.d}) touch(v);
   if (m_.can_flip(t, i)) {
     const double then = tests_.worst_clearance({q.d, q.c, q.a, q.b});
     const bool is_tie = std::abs(now) <= least_clearance && std::abs(then) <= least_clearance;
@@ -248,8 +280,10 @@ void consistency_repair::check_edge(vertex_index t, std::size_t i) {
     if (then > now) {
       const vertex_index s = m_.faces()[t].next[i];
       m_.flip(t, i);
-      add_due_face(t);
-      add_due_face(s);
+      for (const vertex_index made : {t, s}) {
+        add_due_face(made);
+        question(made);
+      }
       ++report_.flips;
       if (then > least_clearance) return;
     }
@@ -284,7 +318,7 @@ bool consistency_repair::move_off_circle(vertex_index d, vertex_index a, vertex_
   }
   ++report_.moves;
   m_.neighbours(d, at);
-  for (const vertex_index u : at) next_[u] = 1;
+  for (const vertex_index u : at) touch(u);
   return true;
 }
 
@@ -293,7 +327,7 @@ void consistency_repair::check_angles(vertex_index t) {
   if (is_fine_[t] != 0 && !is_touched(at[0]) && !is_touched(at[1]) && !is_touched(at[2])) return;
   if (options_.angle_bound <= 0 || !tests_.is_low(t) || tests_.is_exempt(t)) return;
   ++report_.low;
-  for (const vertex_index v : at) next_[v] = 1;
+  for (const vertex_index v : at) touch(v);
   constexpr double part = 0.7;
   if (report_.rounds % 2 == 1)
     clip_distortion_at({at[0], at[1], at[2]}, part);
@@ -353,8 +387,9 @@ bool consistency_repair::merge_away(vertex_index t) {
   m_.neighbours(from, ring);
   m_.merge(from, into);
   is_due_.assign(m_.faces().size(), 1);
+  in_question_ = is_due_;
   ++report_.merges;
-  for (const vertex_index u : ring) next_[u] = 1;
+  for (const vertex_index u : ring) touch(u);
   return true;
 }
 
@@ -383,7 +418,7 @@ void consistency_repair::follow_shape(vertex_index t) {
     // `goal` is dropped.
     if (!clip_distortion(own, goal, std::max(0.0, 2 * enough - apart))) continue;
     m_.set_metric(v, own);
-    next_[v] = 1;
+    touch(v);
     ++report_.alike;
   }
 }
@@ -443,7 +478,7 @@ void consistency_repair::move_away(vertex_index v) {
   ++report_.moves;
   face_list ring;
   m_.neighbours(v, ring);
-  for (const vertex_index u : ring) next_[u] = 1;
+  for (const vertex_index u : ring) touch(u);
 }
 
 // Clips the tensors of all pairs of these nodes to `part` of the greatest log distortion of a pair.

@@ -66,8 +66,11 @@ class consistency_repair {
   bool is_touched(vertex_index v) const { return next_[v] != 0; }
   void find_due_faces();
   void add_due_face(vertex_index t);
-  template <class Visit>
-  void visit_due(std::size_t begin, std::size_t end, const Visit& visit);
+  void question(vertex_index t);
+  void touch(vertex_index v);
+  template <class Act>
+  void visit(const std::vector<char>& flags, std::size_t begin, std::size_t end, const Act& act);
+  bool is_to_test(vertex_index t, std::size_t i) const;
   void find_clear_edges();
   void find_fine_faces();
   void check_edge(vertex_index t, std::size_t i);
@@ -91,13 +94,17 @@ class consistency_repair {
   // Flags of the faces to be tested: faces with an active node, and the neighbours of these, those
   // that the round has made included.
   std::vector<char> is_due_;
-  // Voronoi vertices of these, as they are when the round begins. One that was computed in an
-  // earlier round of a run is kept while no node of its face is active.
+  // Flags of those of them that have an edge or an angle in question: one that failed its test when
+  // the round began, or whose nodes have been touched since.
+  std::vector<char> in_question_;
+  // Voronoi vertices of the due faces, as they are when the round begins. One that was computed in
+  // an earlier round of a run is kept while no node of its face is active.
   std::vector<face_centre> centres_;
   std::vector<char> has_centre_;
   // Test results of each face before the round changes it: one bit for each edge that agrees, and a
   // flag for angles that all meet the bound.
-  std::vector<unsigned char> clear_edges_, is_fine_;
+  std::vector<unsigned char> clear_edges_;
+  std::vector<char> is_fine_;
   repair_report report_;
 };
 
