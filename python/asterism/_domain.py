@@ -126,9 +126,9 @@ class Domain:
             return read_dxf(name, repair=repair, convex_hull=convex_hull)
         if not is_mesh_file(name):
             return cls._of(_Domain.load(name, repair, convex_hull))
-        from ._mesh import read
+        from ._mesh import read_file
 
-        of = read(name)
+        of = read_file(name, False)
         if len(of.triangles) == 0:
             return cls._of(_Domain.load(name, repair, convex_hull))
         _refuse_for_mesh(name, repair, convex_hull)

@@ -74,8 +74,19 @@ def _of_matrices(name: str, matrices: Doubles) -> Doubles:
 def named_fields(values: Fields, name: str = "u") -> NamedFields:
     """Returns fields by name. A field without a name is called `name`."""
     if isinstance(values, Mapping):
-        return [(str(key), of) for key, of in values.items()]
+        return [(system_text("a field's name", str(key)), of) for key, of in values.items()]
     return [(name, values)]
+
+
+def system_text(name: str, text: str) -> str:
+    """Returns a text that may hold names of files. Raises InputError where a surrogate stands for no byte of one."""
+    try:
+        os.fsencode(text)
+    except UnicodeEncodeError as odd:
+        shown = repr(text) if len(text) <= 60 else repr(text[:60]) + "..."
+        raise InputError(f"{name}: {shown} has at {odd.start} the lone surrogate {text[odd.start]!r}, which is no "
+                         "character") from None
+    return text
 
 
 def like(given: Fields, moved: NamedFields) -> Any:
@@ -96,7 +107,7 @@ def fields_and_tensors(values: Fields) -> Tuple[NamedFields, Optional[Doubles]]:
             raise InputError("values: one number a point, vectors (n, 2), tensors (n, 3), or a dict of fields by "
                              "name")
         return [("u", array)], None
-    fields = [(str(name), doubles(str(name), of)) for name, of in values.items()]
+    fields = [(name, doubles(name, of)) for name, of in named_fields(values)]
     for name, of in fields:
         if of.ndim == 2 and of.shape[1] == 3:
             raise InputError(f"{name}: a tensor has no metric of its own among other fields")
@@ -202,7 +213,7 @@ def is_mesh_file(name: str) -> bool:
 def path_of(path: "str | bytes | os.PathLike[str]") -> str:
     """Returns the name of a file as text."""
     try:
-        name = os.fsdecode(path)
+        name = system_text("a file's name", os.fsdecode(path))
     except TypeError:
         raise InputError(f"a file's name is wanted, not {type(path).__name__}") from None
     if not name or "\0" in name or len(os.fsencode(name)) > _LONGEST_NAME:

@@ -11,7 +11,8 @@ from . import _asterism
 from ._asterism import InputError
 from ._calls import told
 from ._certificate import judged
-from ._mesh import Mesh, read
+from ._forms import path_of
+from ._mesh import Mesh, read_file
 
 
 @told
@@ -19,7 +20,7 @@ def verify(subject: "Mesh | str | os.PathLike[str]", certificate: Optional[str] 
            angle_bound: Optional[float] = None) -> Dict[str, Any]:
     """Audits a mesh again, and compares it with the text of a certificate or with its own. Returns `verified`,
     `contradictions`, `findings` (each with `kind` and `witness`) and the measured numbers."""
-    of = subject if isinstance(subject, Mesh) else read(subject)
+    of = subject if isinstance(subject, Mesh) else read_file(path_of(subject), False)
     return judged(_asterism._verify(of._made, {"certificate": certificate, "angle_bound": angle_bound}))
 
 

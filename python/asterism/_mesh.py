@@ -344,11 +344,16 @@ def _weights(corners: Doubles, at: Doubles) -> Doubles:
 @told
 def read(path: "str | os.PathLike[str]") -> Mesh:
     """Reads a mesh: .mesh, .meshb, .msh, .vtu, .vtk, .su2, .14, .grd, .2dm, .stl, or .xdmf through meshio;
-    with the metric of its .sol or in it (without one: the plane's) and the certificate beside it.
-    Changes by the reader are a UserWarning."""
-    name = path_of(path)
+    with the metric of its .sol or in it (without one: the plane's) and the certificate beside it. The fields
+    in a .msh or .vtu, or of a .mesh in NAME.sol or NAME.fields.sol beside it, are its `values`; of one that is
+    there for several steps in time, the last. Changes by the reader are a UserWarning."""
+    return read_file(path_of(path), True)
+
+
+def read_file(name: str, with_values: bool) -> Mesh:
+    """Returns the mesh in a file, with the fields in it where they are wanted."""
     if not name.lower().endswith(MESHIO_FILES):
-        return Mesh._of(_Mesh.read(name))
+        return _with_fields(*_Mesh.read(name, with_values))
     import meshio
 
     try:
@@ -358,4 +363,8 @@ def read(path: "str | os.PathLike[str]") -> Mesh:
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, os.path.basename(name) + ".vtu")
         meshio.write(file, given)
-        return Mesh._of(_Mesh.read(file))
+        return _with_fields(*_Mesh.read(file, with_values))
+
+
+def _with_fields(made: _Mesh, names: List[str], arrays: List[Doubles]) -> Mesh:
+    return Mesh._of(made, {name: of[:, 0] if of.shape[1] == 1 else of for name, of in zip(names, arrays)})

@@ -13,7 +13,8 @@ from . import _asterism
 from ._asterism import InputError
 from ._calls import told, warn
 from ._domain import AnyDomain, Domain, as_domain
-from ._forms import CalledMetric, constant_text, definite, doubles, gradation_of, is_table, marker_pairs, tensor_rows
+from ._forms import (CalledMetric, constant_text, definite, doubles, gradation_of, is_table, marker_pairs, system_text,
+                     tensor_rows)
 from ._mesh import Mesh
 from ._reported import ReportedArray
 from ._sizes import Places, Sizes, words_of
@@ -123,7 +124,7 @@ def _metric_and_size(metric: Any, on: Optional[Mesh], domain: Domain, size: Opti
         is_sized = isinstance(given, ReportedArray) or np.ndim(given) < 2
         return (background._made, tensors), default if is_sized else size
     if isinstance(metric, (str, os.PathLike)):
-        return os.fspath(metric), size
+        return system_text("metric", os.fsdecode(metric)), size
     if callable(metric):
         called = CalledMetric(metric, np.array(domain.points[:1]))
         return called, default if called.kind == "size" else size

@@ -49,10 +49,16 @@ py::array array_of(const py::object& from, const char* name, const char* of_what
 
 }  // namespace
 
+std::vector<system_text> system_texts(const std::vector<std::string>& all) {
+  std::vector<system_text> texts;
+  for (const std::string& text : all) texts.push_back({text});
+  return texts;
+}
+
 void warn(const std::vector<std::string>& notes) {
   if (notes.empty()) return;
   const py::object say = py::module_::import("asterism._calls").attr("warn");
-  for (const std::string& note : notes) say(note);
+  for (const system_text& note : system_texts(notes)) say(note);
 }
 
 std::string shape_text(const py::array& array) {

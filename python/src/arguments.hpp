@@ -34,6 +34,13 @@ class input_error : public std::runtime_error {
   std::string message_;
 };
 
+// Text that holds names of files, whose bytes need not be UTF-8. In Python it is a str in which a
+// surrogate stands for each byte that is none, as open() and os.fsencode() take it.
+struct system_text {
+  std::string bytes;
+};
+std::vector<system_text> system_texts(const std::vector<std::string>& all);
+
 template <class T>
 T value_or_raise(result<T> from) {
   if (!from) throw input_error(from.failure().message);
@@ -97,3 +104,29 @@ class keywords {
 };
 
 }  // namespace asterism::python
+
+namespace pybind11::detail {
+
+// Converts str to system_text, and back.
+template <>
+struct type_caster<asterism::python::system_text> {
+  PYBIND11_TYPE_CASTER(asterism::python::system_text, const_name("str"));
+
+  bool load(handle from, bool) {
+    if (!PyUnicode_Check(from.ptr())) return false;
+    const auto encoded = reinterpret_steal<bytes>(PyUnicode_EncodeFSDefault(from.ptr()));
+    if (!encoded) {
+      PyErr_Clear();
+      return false;
+    }
+    value.bytes = encoded;
+    return true;
+  }
+
+  static handle cast(const asterism::python::system_text& from, return_value_policy, handle) {
+    return PyUnicode_DecodeFSDefaultAndSize(from.bytes.data(),
+                                            static_cast<Py_ssize_t>(from.bytes.size()));
+  }
+};
+
+}  // namespace pybind11::detail

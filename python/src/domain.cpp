@@ -184,8 +184,8 @@ void define_domain(py::module_& m) {
            py::arg("convex_hull") = false)
       .def_static(
           "load",
-          [](const std::string& what, const py::object& repair, bool by_hull) {
-            return checked(value_or_raise(load_domain(what)), repair, by_hull);
+          [](const system_text& what, const py::object& repair, bool by_hull) {
+            return checked(value_or_raise(load_domain(what.bytes)), repair, by_hull);
           },
           py::arg("what"), py::arg("repair") = false, py::arg("convex_hull") = false)
       .def_static(
@@ -207,7 +207,7 @@ void define_domain(py::module_& m) {
       .def_property_readonly("segments", &segment_pairs)
       .def_property_readonly("markers", &segment_markers)
       .def_property_readonly("repairs", &repairs_of)
-      .def_property_readonly("name", [](const py_domain& d) { return d.shape.name; })
+      .def_property_readonly("name", [](const py_domain& d) { return system_text{d.shape.name}; })
       .def_property_readonly("has_curves",
                              [](const py_domain& d) { return !d.shape.curves.empty(); })
       .def_property_readonly("box", [](const py_domain& d) {

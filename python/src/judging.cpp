@@ -50,7 +50,7 @@ py::dict verify_mesh(const py_mesh& m, const py::dict& more) {
   }
   py::dict d = findings_of(report.audit);
   d["verified"] = report.verified;
-  d["contradictions"] = report.contradictions;
+  d["contradictions"] = system_texts(report.contradictions);
   return d;
 }
 

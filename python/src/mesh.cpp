@@ -14,6 +14,7 @@
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/picture.hpp"
 #include "asterism/mesh/io/clockwise_triangles.hpp"
+#include "asterism/mesh/io/fields_of_mesh.hpp"
 #include "asterism/mesh/io/file_kinds.hpp"
 #include "asterism/mesh/io/medit.hpp"
 #include "asterism/mesh/io/medit_edges.hpp"
@@ -81,9 +82,8 @@ bool holds_fields(mesh_format format) {
   return internal::kept_in(format).fields || format == mesh_format::html;
 }
 
-std::vector<std::string> save_unlocked(const py_mesh& m, const std::string& name,
+std::vector<system_text> save_unlocked(const py_mesh& m, const std::filesystem::path& path,
                                        const solution& fields) {
-  const std::filesystem::path path = name;
   const py::gil_scoped_release unlocked;
   write_options options;
   options.picture.angle_bound = m.angle_bound;
@@ -93,21 +93,22 @@ std::vector<std::string> save_unlocked(const py_mesh& m, const std::string& name
   options.names = m.names;
   if (m.claim && m.claim->original) options.smooth = internal::smooth_vertices(*m.claim->original);
   if (m.claim && !m.certified) options.note = "Incomplete, not certified: " + m.reason;
-  std::vector<std::string> names;
+  std::vector<system_text> names;
   for (const auto& file : value_or_raise(write_mesh(path, m.content, options)))
-    names.push_back(file.string());
+    names.push_back({file.string()});
   if (m.claim) {
     auto beside = path;
     beside.replace_extension(".certificate.json");
-    names.push_back(value_or_raise(write_certificate(beside, *m.claim)).string());
+    names.push_back({value_or_raise(write_certificate(beside, *m.claim)).string()});
   }
   return names;
 }
 
-std::vector<std::string> save(const py_mesh& m, const std::string& name,
+std::vector<system_text> save(const py_mesh& m, const system_text& path,
                               const named_fields& values) {
+  const std::string& name = path.bytes;
   const solution fields = solution_of(values, m.content.sites.size());
-  std::vector<std::string> names = save_unlocked(m, name, fields);
+  std::vector<system_text> names = save_unlocked(m, name, fields);
   const auto format = mesh_format_of(name);
   if (!fields.fields.empty() && format && !holds_fields(format.value()))
     warn({name + ": values have no place in it and are left out"});
@@ -276,31 +277,37 @@ py_domain domain_of(const py_mesh& m, const py::object& corner) {
   return {std::move(made.shape), {}, std::move(made.cracks)};
 }
 
-py_mesh read_unlocked(const std::string& name) {
-  const std::filesystem::path path = name;
+// Reads a mesh, and with_fields the fields in its file, or beside it.
+std::pair<py_mesh, solution> read_unlocked(const std::filesystem::path& path, bool with_fields) {
   const py::gil_scoped_release unlocked;
   medit_read_options options;
   options.identity_without_solution = true;
-  py_mesh made;
+  std::pair<py_mesh, solution> read;
+  auto& [made, fields] = read;
   mesh_file file = value_or_raise(read_mesh_file(path, options));
+  if (with_fields) fields = value_or_raise(internal::fields_of_mesh(path, file));
   made.content = std::move(file.content);
   made.marks = std::move(file.marks);
   made.names = std::move(file.names);
   made.reason = "it was read from " + path.string();
   auto beside = path;
   beside.replace_extension(".certificate.json");
-  if (!std::filesystem::exists(beside)) return made;
+  if (!std::filesystem::exists(beside)) return read;
   made.claim = value_or_raise(read_certificate(beside));
   made.angle_bound = made.claim->angle_bound.value_or(0);
   made.complete = made.claim->complete;
   made.reason = made.claim->reason;
-  return made;
+  return read;
 }
 
-py_mesh read(const std::string& name) {
-  py_mesh made = read_unlocked(name);
+// Returns a mesh, and the names and values of its fields.
+py::tuple read(const system_text& path, bool with_fields) {
+  auto [made, fields] = read_unlocked(path.bytes, with_fields);
   warn(std::exchange(made.content.notes, {}));
-  return made;
+  warn(fields.notes);
+  std::vector<system_text> names;
+  for (const solution_field& field : fields.fields) names.push_back({field.name});
+  return py::make_tuple(std::move(made), names, arrays_of(fields));
 }
 
 py::dict statistics(const py_mesh& m) {
@@ -318,11 +325,12 @@ py::dict statistics(const py_mesh& m) {
 
 void define_mesh(py::module_& m) {
   m.def(
-      "_is_mesh_file", [](const std::string& name) { return is_mesh_file(name); }, py::arg("name"));
+      "_is_mesh_file", [](const system_text& name) { return is_mesh_file(name.bytes); },
+      py::arg("name"));
   py::class_<py_mesh>(m, "_Mesh")
       .def_static("from_arrays", &from_arrays, py::arg("points"), py::arg("triangles"),
                   py::arg("metric"), py::arg("more"))
-      .def_static("read", &read, py::arg("path"))
+      .def_static("read", &read, py::arg("path"), py::arg("with_fields"))
       .def(py::pickle([](const py_mesh& held) { return state_of(held); }, &mesh_of_state))
       .def_property_readonly(
           "points",
@@ -357,7 +365,7 @@ void define_mesh(py::module_& m) {
       .def_property_readonly("given", [](const py_mesh& self) { return self.content.given; })
       .def_readonly("complete", &py_mesh::complete)
       .def_readonly("certified", &py_mesh::certified)
-      .def_readonly("reason", &py_mesh::reason)
+      .def_property_readonly("reason", [](const py_mesh& self) { return system_text{self.reason}; })
       .def_property_readonly("certificate_text",
                              [](const py_mesh& self) -> std::optional<std::string> {
                                if (!self.claim) return std::nullopt;

@@ -153,7 +153,7 @@ py_mesh packaged(certified_mesh made, const python_metric& metric, const mesh_ar
 // Refuses sizes at places if no size is given for the rest of the domain.
 void check_sizes(const mesh_arguments& a, const py::object& metric) {
   if (a.sizes.is_empty() || a.size || a.complexity || a.options.vertices) return;
-  if (!py::isinstance<py::str>(metric) || metric.cast<std::string>() != "identity")
+  if (!py::isinstance<py::str>(metric) || metric.cast<system_text>().bytes != "identity")
     throw input_error("sizes at places: size says how long edges are in this metric");
 }
 

@@ -108,7 +108,7 @@ std::unique_ptr<metric_field> called(called_field& callable, const bounding_box&
 python_metric::python_metric(const py::object& metric, const std::string& file,
                              const bounding_box& box, double size, raised_error& errors) {
   if (py::isinstance<py::str>(metric)) {
-    name_ = metric.cast<std::string>();
+    name_ = metric.cast<system_text>().bytes;
     if (!internal::is_metric_on_mesh(name_)) {
       field_ = value_or_raise(make_metric_field(name_, box, size));
       return;

@@ -52,7 +52,8 @@ std::vector<std::vector<metric_tensor>> all_tensors_of(const py::object& from, s
 
 std::vector<nodal_hessian> hessians_of(const py::object& from, std::size_t count) {
   std::vector<nodal_hessian> all;
-  for (const auto& [name, rows] : from.cast<named_fields>()) {
+  for (const auto& [text, rows] : from.cast<named_fields>()) {
+    const std::string& name = text.bytes;
     all.push_back({name, tensors_of(rows, count, name.c_str())});
     for (std::size_t v = 0; v < count; ++v) {
       const metric_tensor& h = all.back().at[v];
@@ -66,7 +67,8 @@ std::vector<nodal_hessian> hessians_of(const py::object& from, std::size_t count
 solution solution_of(const named_fields& given, std::size_t count) {
   solution s;
   s.vertices = count;
-  for (const auto& [name, values] : given) {
+  for (const auto& [text, values] : given) {
+    const std::string& name = text.bytes;
     const auto packed = py::array_t<double, py::array::c_style | py::array::forcecast>(
         doubles_of(values, name.c_str()));
     const py::ssize_t width = packed.ndim() == 2 ? packed.shape(1) : 1;
@@ -137,7 +139,7 @@ transfer_method way_of(const std::string& name) {
 py::dict dict_of(const solution_metric_report& r) {
   py::dict d;
   d["steps"] = r.steps;
-  d["fields"] = r.fields;
+  d["fields"] = system_texts(r.fields);
   d["complexity_asked"] = r.complexity_asked;
   d["complexity_before_gradation"] = r.complexity_before_gradation;
   d["complexity_delivered"] = r.complexity_delivered;

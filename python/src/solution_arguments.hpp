@@ -19,7 +19,7 @@
 namespace asterism::python {
 
 // Names, and arrays of one, two or three numbers at each point.
-using named_fields = std::vector<std::pair<std::string, py::object>>;
+using named_fields = std::vector<std::pair<system_text, py::object>>;
 
 py::array_t<double> array_of(const std::vector<metric_tensor>& tensors);
 std::vector<metric_tensor> tensors_of(const py::object& from, std::size_t count, const char* name);

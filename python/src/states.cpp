@@ -113,16 +113,17 @@ py::tuple state_of(const py_domain& held) {
   py::list places;
   for (const repair_place& p : held.mended.places)
     places.append(py::make_tuple(p.what, p.at.x, p.at.y));
-  return py::make_tuple(state_version, d.name, rows_of<double>(d.vertices), segments_state(d),
-                        rows_of<double>(d.holes), regions_state(d), d.number_all_regions,
-                        d.origin.first_number, d.origin.file, curves_state(d), polygons_state(d),
-                        held.mended.distance, places, cracks_state(held.cracks));
+  return py::make_tuple(state_version, system_text{d.name}, rows_of<double>(d.vertices),
+                        segments_state(d), rows_of<double>(d.holes), regions_state(d),
+                        d.number_all_regions, d.origin.first_number, system_text{d.origin.file},
+                        curves_state(d), polygons_state(d), held.mended.distance, places,
+                        cracks_state(held.cracks));
 }
 
 py_domain domain_of_state(const py::tuple& state) {
   check_version(state, 14);
   domain d;
-  d.name = state[1].cast<std::string>();
+  d.name = state[1].cast<system_text>().bytes;
   d.vertices = rows_from<double, point>(state[2]);
   for (const py::handle of : state[3]) {
     const auto t = of.cast<py::tuple>();
@@ -137,7 +138,7 @@ py_domain domain_of_state(const py::tuple& state) {
   }
   d.number_all_regions = state[6].cast<bool>();
   d.origin.first_number = state[7].cast<int>();
-  d.origin.file = d.origin.vertex_file = state[8].cast<std::string>();
+  d.origin.file = d.origin.vertex_file = state[8].cast<system_text>().bytes;
   for (const py::handle of : state[9]) d.curves.push_back(curve_from(of.cast<py::tuple>()));
   for (const py::handle of : state[10]) {
     const auto t = of.cast<py::tuple>();
@@ -166,9 +167,9 @@ py::tuple state_of(const py_mesh& held) {
   return py::make_tuple(state_version, rows_of<double>(m.sites), m.given,
                         rows_of<std::uint32_t>(m.triangles), m.regions, boundary_state(m),
                         rows_of<std::uint32_t>(m.disagreeing), m.references, held.complete,
-                        held.certified, held.reason, held.angle_bound, claim, held.marks.corners,
-                        held.marks.required_vertices, held.marks.required_edges, held.names.markers,
-                        held.names.regions);
+                        held.certified, system_text{held.reason}, held.angle_bound, claim,
+                        held.marks.corners, held.marks.required_vertices, held.marks.required_edges,
+                        held.names.markers, held.names.regions);
 }
 
 py_mesh mesh_of_state(const py::tuple& state) {
@@ -189,7 +190,7 @@ py_mesh mesh_of_state(const py::tuple& state) {
   check_indices(m);
   held.complete = state[8].cast<bool>();
   held.certified = state[9].cast<bool>();
-  held.reason = state[10].cast<std::string>();
+  held.reason = state[10].cast<system_text>().bytes;
   held.angle_bound = state[11].cast<double>();
   if (const auto claim = state[12].cast<std::optional<std::string>>())
     held.claim = value_or_raise(parse_certificate(*claim, "the pickle's certificate"));

@@ -41,8 +41,8 @@ std::string text_of_named(const std::string& name) {
   throw input_error("surface " + name + ": one of " + names + " is wanted");
 }
 
-std::string text_of_file(const std::string& path) {
-  const surface s = value_or_raise(read_surface(path));
+std::string text_of_file(const system_text& path) {
+  const surface s = value_or_raise(read_surface(path.bytes));
   value_or_raise(bezier_pieces(s));
   return surface_text(s);
 }

@@ -3,6 +3,7 @@
 import gc
 import json
 import os
+import pickle
 import signal
 import threading
 import warnings
@@ -331,3 +332,57 @@ def test_sizes_at_places_are_those_of_the_command():
 def test_points_in_no_triangle_are_named():
     with pytest.warns(UserWarning, match=r"1 point is in no triangle, the first: row 3 at \(2, 2\)"):
         asterism.Mesh([[0, 0], [1, 0], [0, 1], [2, 2]], [[0, 1, 2]])
+
+
+def test_fields_in_files_are_the_values_of_what_is_read(made, tmp_path):
+    fields = {"u": made.points[:, 0], "v": made.points ** 2}
+    whole = asterism.Mesh(made.points, made.triangles, made.metric, values=fields)
+    for ending in ("msh", "vtu", "mesh"):
+        whole.save(tmp_path / f"w.{ending}")
+        again = asterism.read(tmp_path / f"w.{ending}").values
+        assert list(again) == (["1", "2"] if ending == "mesh" else ["u", "v"])
+        for of, wanted in zip(again.values(), fields.values()):
+            assert np.array_equal(of, wanted)
+    text = (tmp_path / "w.msh").read_text()
+    first = text.index('$NodeData\n1\n"u"')
+    data = text[first:text.index("$EndNodeData", first)]
+    (tmp_path / "w.msh").write_text(text + data.replace("\n3\n0\n", "\n3\n7\n") + "$EndNodeData\n")
+    with pytest.warns(UserWarning, match="the field 'u' is there 2 times, and the last one is taken: step 7"):
+        assert np.array_equal(asterism.read(tmp_path / "w.msh").values["u"], fields["u"])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert asterism.verify(tmp_path / "w.msh", angle_bound=0)["sites"] == len(made.points)
+
+
+def test_names_of_files_need_not_be_utf_8(made, tmp_path):
+    odd = os.fsencode(tmp_path) + b"/n\xff\xe9"
+    name = os.fsdecode(odd)
+    files = made.save(odd + b".mesh")
+    assert files == [name + ending for ending in (".mesh", ".sol", ".certificate.json")]
+    assert all(os.path.exists(file) for file in files)
+    again = asterism.read(name + ".mesh")
+    assert np.array_equal(again.sites, made.sites) and asterism.verify(odd + b".mesh")["verified"]
+    os.remove(files[2])
+    again = asterism.read(odd + b".mesh")
+    assert again.reason == "it was read from " + files[0]
+    assert pickle.loads(pickle.dumps(again)).reason == again.reason
+    wanted = asterism.mesh(name + ".mesh", name + ".mesh", size=1)
+    assert wanted.certified and wanted.verify(wanted.certificate.text)["verified"]
+    with open(odd + b".poly", "w", encoding="ascii") as out:
+        out.write("3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n")
+    domain = asterism.Domain.read(odd + b".poly")
+    assert len(pickle.loads(pickle.dumps(domain)).points) == 3
+    run = asterism.mesh(domain, size=0.5)
+    assert run.certified and pickle.loads(pickle.dumps(run)).certified
+    with pytest.raises(asterism.InputError, match=r"n\?\?\.none: "):
+        asterism.read(odd + b".none")
+
+
+def test_a_lone_surrogate_is_named(made, tmp_path):
+    for call, what in ((lambda: asterism.mesh("square", "swirl:\ud800"), "metric: 'swirl:"),
+                       (lambda: asterism.read("a\ud800.mesh"), "a file's name: 'a"),
+                       (lambda: made.save(tmp_path / "a\ud800.mesh"), "a file's name: "),
+                       (lambda: asterism.metric(made, {"\ud800": made.points[:, 0]}, vertices=50), "a field's name: ")):
+        with pytest.raises(asterism.InputError, match=r"has at \d+ the lone surrogate '.ud800'") as told:
+            call()
+        assert what in str(told.value)
