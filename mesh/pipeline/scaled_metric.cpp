@@ -9,10 +9,12 @@
 #include <string>
 #include <utility>
 
+#include "asterism/core/elementary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/delivery/metric_complexity.hpp"
 #include "asterism/mesh/metric/local_sizes.hpp"
+#include "asterism/mesh/numerics/target_search.hpp"
 
 namespace asterism {
 namespace {
@@ -61,44 +63,6 @@ std::string not_met_text(const scale_demand& wanted, double found) {
       wanted.gradation ? fmt::format(", with the gradation {:g}", *wanted.gradation) : "");
 }
 
-// Looks for the size at which a complexity is found, by densities: inverse squares of sizes. The
-// first turns are as if all of the complexity went with the density. Local sizes and gradation make
-// a part that does not: later turns are by the line through the last two places, within those
-// found to be too little and too much.
-class size_search {
- public:
-  explicit size_search(double wanted) : wanted_(wanted) {}
-
-  // Takes the complexity found at this size. Returns the next size.
-  double next(double size, double found) {
-    constexpr int plain_turns = 4;
-    const place now{1 / (size * size), found};
-    (found < wanted_ ? little_ : much_) = now;
-    const place before = std::exchange(last_, now);
-    if (++turns_ <= plain_turns) return size * std::sqrt(found / wanted_);
-    return 1 / std::sqrt(density_after(before));
-  }
-
- private:
-  struct place {
-    double density = 0, found = 0;
-  };
-
-  double density_after(const place& before) const {
-    constexpr double step = 4;
-    if (little_.density == 0) return much_.density / step;
-    if (much_.density == 0) return little_.density * step;
-    const double slope = (last_.found - before.found) / (last_.density - before.density);
-    const double on_line = last_.density + (wanted_ - last_.found) / slope;
-    if (on_line > little_.density && on_line < much_.density) return on_line;
-    return (little_.density + much_.density) / 2;
-  }
-
-  double wanted_;
-  place little_, much_, last_;  // density 0: none yet
-  int turns_ = 0;
-};
-
 }  // namespace
 
 double complexity_of_vertices(std::size_t vertices) {
@@ -112,9 +76,12 @@ result<scaled_metric> make_scaled_metric(const domain& d, const field_of_size& m
     return error{"complexity: a positive finite number is wanted"};
   constexpr int most_turns = 20;
   constexpr double near = 0.005;
-  double size = 1, found = 0;
-  size_search search(*wanted.complexity);
-  for (int turn = 0; turn < most_turns; ++turn) {
+  // Searches densities, inverse squares of sizes, since an ungraded metric's complexity is in
+  // proportion to them. Their unit is the density that would then be right.
+  double size_of_unit = 1, found = 0;
+  internal::target_search search;
+  for (int turn = 0; turn < most_turns && !search.is_saturated(); ++turn) {
+    const double size = size_of_unit / std::sqrt(elementary::exp(search.at()));
     auto made = of_size(d, make, wanted, size);
     if (!made) return made.failure();
     const auto complexity = internal::complexity_over(d, *made.value().field, wanted.stop);
@@ -128,7 +95,12 @@ result<scaled_metric> make_scaled_metric(const domain& d, const field_of_size& m
       made.value().complexity = found;
       return made;
     }
-    size = search.next(size, found);
+    const double off = elementary::log(ratio);
+    if (turn == 0) {
+      size_of_unit = std::sqrt(ratio);
+      search = internal::target_search(0, off);
+    }
+    search.take(off);
   }
   return error{not_met_text(wanted, found)};
 }

@@ -15,6 +15,7 @@
 #include "asterism/mesh/numerics/metric_bounds.hpp"
 #include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/simultaneous_reduction.hpp"
+#include "asterism/mesh/numerics/target_search.hpp"
 #include "asterism/mesh/solution/implied_metric.hpp"
 #include "asterism/mesh/solution/metric_steps.hpp"
 #include "asterism/mesh/solution/optimal_metric.hpp"
@@ -122,44 +123,24 @@ double metric_maker::measure(double factor) {
   return error > 0 ? 1 / error : infinity;
 }
 
-// Finds the factor: multiplies or divides it by up to 16 until the target lies between two factors,
-// then uses the secant in logarithms, or half the interval where the secant leaves it or hardly
-// narrows it.
+// Finds the factor. Begins with about the one that is right without bounds, and ends where the
+// bounds allow no other result, or the result jumps.
 void metric_maker::meet(double target) {
   const double close = options_.gradation ? 0.008 : 0.002;
   constexpr int most_steps = 60;
+  constexpr double narrowest = 1e-12;  // of the factor, relative: the result jumps within
+  // Limits of the factor within the range of doubles, for products with tensors.
+  constexpr double least = 1e-280, most = 1e280;
+  const double first = (options_.error ? static_cast<double>(mesh_.sites.size()) : target) /
+                       complexity_of(raw_, areas_);
   const auto off = [&](double got) { return elementary::log(got / target); };
-  double low = 0, high = 0, low_off = 0, high_off = 0;
-  // Begins with about the factor that is right without bounds.
-  double factor = (options_.error ? static_cast<double>(mesh_.sites.size()) : target) /
-                  complexity_of(raw_, areas_);
-  int saturated = 0;
-  double got = measure(factor), before = 0;
+  target_search search;
+  double got = measure(first);
   for (int step = 0; step < most_steps && std::abs(off(got)) > close; ++step) {
-    (got < target ? low : high) = factor;
-    (got < target ? low_off : high_off) = off(got);
-    if (low > 0 && high > 0) {
-      const double x = elementary::log(low), y = elementary::log(high);
-      double part = -low_off / (high_off - low_off);
-      if (!(part > 0.02 && part < 0.98) || step % 4 == 3) part = 0.5;
-      constexpr double narrowest = 1e-12;  // of the factor: the measure jumps between the two
-      if (y - x < narrowest) break;
-      factor = elementary::exp(x + part * (y - x));
-    } else {
-      // Relative change of the measured complexity, or of the inverse error, below which it counts
-      // as saturated. The search ends after six such steps in a row, each by a factor of up to 16.
-      constexpr double alike = 1e-9;  // far below the 2e-3 to which the target is met
-      saturated = step > 0 && std::abs(got - before) <= alike * got ? saturated + 1 : 0;
-      if (saturated == 6) break;
-      // Multiplies by a tenth more than would suffice if the quantity grew in proportion to the
-      // factor. After three such steps without success it multiplies or divides by 16.
-      const double ratio = std::clamp(target / got, 1.0 / 16, 16.0);
-      factor *= step < 3 ? ratio * (ratio > 1 ? 1.1 : 0.9) : got < target ? 16 : 1.0 / 16;
-      // Ends near the range of doubles, before products with tensors exceed it.
-      constexpr double least = 1e-280, most = 1e280;
-      if (!(factor > least && factor < most)) break;
-    }
-    before = got;
+    search.take(off(got));
+    const double factor = first * elementary::exp(search.at());
+    const bool is_over = search.is_saturated() || search.width() < narrowest;
+    if (is_over || !(factor > least && factor < most)) break;
     got = measure(factor);
   }
   say(target, got);

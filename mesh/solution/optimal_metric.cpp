@@ -9,6 +9,7 @@
 #include "asterism/core/elementary.hpp"
 #include "asterism/mesh/numerics/nodal_sums.hpp"
 #include "asterism/mesh/numerics/symmetric_eigen.hpp"
+#include "asterism/mesh/numerics/target_search.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -148,11 +149,13 @@ class optimum_search {
     if (!std::isfinite(factor_)) return false;
     constexpr int most_steps = 60;
     constexpr double close = 1e-13;
+    target_search search(0, factor_);
     for (int step = 0; step < most_steps; ++step) {
       double slope = 0;
       const double off = log_complexity(slope);
       if (!(off > close)) break;
-      factor_ -= off / slope;
+      search.take(off, slope);
+      factor_ = search.at();
     }
     return true;
   }
