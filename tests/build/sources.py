@@ -11,7 +11,8 @@ LAYERS = ["core", "predicates", "kernels", "challenge", "mesh/support", "mesh/da
           "mesh/audit", "mesh/surface_audit", "mesh/proof", "mesh/draw", "mesh/io", "mesh/surface_io", "mesh/delivery",
           "mesh/pipeline", "mesh/claims",
           "mesh/surface", "mesh/pieces", "mesh/c_interface", "mesh",
-          "apps/base", "apps/help", "apps/options", "apps/run", "apps/text", "apps/job", "apps/pieces", "apps/verify", "apps/commands",
+          "apps/base", "apps/help", "apps/options", "apps/run", "apps/text", "apps/job", "apps/pieces", "apps/verify",
+          "apps/adapt", "apps/commands",
           "apps"]
 FOLDERS = ["core", "predicates", "kernels", "challenge", "mesh", "apps"]  # with all subfolders
 CODE = {".hpp", ".cpp", ".h", ".c"}
