@@ -129,18 +129,20 @@ void metric_maker::meet(double target) {
   const double close = options_.gradation ? 0.008 : 0.002;
   constexpr int most_steps = 60;
   constexpr double narrowest = 1e-12;  // of the factor, relative: the result jumps within
-  // Limits of the factor within the range of doubles, for products with tensors.
-  constexpr double least = 1e-280, most = 1e280;
+  // Limits of the factor: within the range of doubles, for products with tensors, and relative to
+  // the first, for targets that no mesh meets.
+  constexpr double least = 1e-280, most = 1e280, farthest = 1e72;
   const double first = (options_.error ? static_cast<double>(mesh_.sites.size()) : target) /
                        complexity_of(raw_, areas_);
   const auto off = [&](double got) { return elementary::log(got / target); };
   target_search search;
-  double got = measure(first);
+  double factor = first, got = measure(first);
   for (int step = 0; step < most_steps && std::abs(off(got)) > close; ++step) {
     search.take(off(got));
-    const double factor = first * elementary::exp(search.at());
-    const bool is_over = search.is_saturated() || search.width() < narrowest;
-    if (is_over || !(factor > least && factor < most)) break;
+    const double within = std::clamp(elementary::exp(search.at()), 1 / farthest, farthest) * first;
+    const double next = std::clamp(within, least, most);
+    if (search.is_saturated() || search.width() < narrowest || next == factor) break;
+    factor = next;
     got = measure(factor);
   }
   say(target, got);
