@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -6,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -88,6 +91,7 @@ class gmsh_reader : private gmsh_source {
 
   bool elements_seen_ = false, values_on_triangles_ = false;
   std::map<std::pair<int, long long>, int> physical_;  // groups of each entity, by its dimension
+  std::vector<std::string> unlisted_;  // entities of elements that $Entities leaves out, and lines
   gmsh_groups groups_;
 };
 
@@ -99,6 +103,11 @@ failure gmsh_reader::read() {
     if (auto failed = read_section(head)) return failed;
   }
   if (!elements_seen_) return source_.failure(source_.line(), "there is no section $Elements");
+  if (!unlisted_.empty())
+    file_.content.notes.push_back(
+        fmt::format("elements of entities that $Entities does not list are in no physical group: "
+                    "{}, the first {}",
+                    unlisted_.size(), unlisted_.front()));
   return {};
 }
 
@@ -314,8 +323,12 @@ failure gmsh_reader::read_element_block() {
   if (!kind.ok()) return kind.failure();
   const auto elements = count("number of elements");
   if (!elements.ok()) return elements.failure();
-  const auto group = physical_.find({dimension_of(kind.value()), entity});
+  const int dimension = dimension_of(kind.value());
+  const auto group = physical_.find({dimension, entity});
   const int groups = group == physical_.end() ? 0 : group->second;
+  if (group == physical_.end() && !physical_.empty() && dimension > 0)
+    unlisted_.push_back(fmt::format("{} {} on line {}", dimension == 1 ? "curve" : "surface",
+                                    entity, source_.line()));
   for (std::size_t i = 0; i < elements.value(); ++i) {
     if (auto failed = read_numbers(1, "tag of an element")) return failed;
     if (auto failed = read_element(kind.value(), source_.line(), groups)) return failed;

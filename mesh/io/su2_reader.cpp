@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -48,6 +50,10 @@ class su2_reader {
   result<std::size_t> count_of(const std::string& key, const words& values, std::size_t line);
   result<vertex_index> vertex(const word& w);
   failure read_corners(const words& line, std::size_t count, std::array<vertex_index, 4>& corners);
+  // Refuses a line that has another number of words beyond its `count` than the first of its list:
+  // the number of a point or element ends either all lines or none, so a word is missing or too
+  // many, and the others would be taken for what they are not.
+  failure check_rest(const words& line, std::size_t count, std::optional<std::size_t>& rest) const;
   void number_markers();
   failure finish();
 
@@ -151,10 +157,21 @@ failure su2_reader::read_corners(const words& line, std::size_t count,
   return {};
 }
 
+failure su2_reader::check_rest(const words& line, std::size_t count,
+                               std::optional<std::size_t>& rest) const {
+  const std::size_t there = line.size() - count;
+  if (!rest) rest = there;
+  if (there == *rest) return {};
+  return source_.failure(line.front().line,
+                         fmt::format("{} words, where {} follow from the first line of the list",
+                                     line.size(), count + *rest));
+}
+
 failure su2_reader::read_elements(std::size_t count) {
   if (std::exchange(elements_seen_, true))
     return source_.failure(source_.line(), "a second NELEM=: a file of one zone is wanted");
   words line;
+  std::optional<std::size_t> rest;
   for (std::size_t i = 0; i < count; ++i) {
     source_.next_line(line);
     if (line.empty()) return source_.failure(source_.line(), "the file ends within NELEM=");
@@ -167,6 +184,7 @@ failure su2_reader::read_elements(std::size_t count) {
     std::array<vertex_index, 4> c{};
     const bool is_triangle = type.value() == triangle_type;
     if (auto failed = read_corners(line, is_triangle ? 3 : 4, c)) return failed;
+    if (auto failed = check_rest(line, is_triangle ? 4 : 5, rest)) return failed;
     if (is_triangle)
       made_.content.triangles.push_back({c[0], c[1], c[2]});
     else
@@ -179,6 +197,7 @@ failure su2_reader::read_points(std::size_t count) {
   if (std::exchange(points_seen_, true))
     return source_.failure(source_.line(), "a second NPOIN=: a file of one zone is wanted");
   words line;
+  std::optional<std::size_t> rest;
   for (std::size_t i = 0; i < count; ++i) {
     source_.next_line(line);
     if (line.size() < 2)
@@ -186,6 +205,7 @@ failure su2_reader::read_points(std::size_t count) {
                                                           : "x and y of a point wanted");
     const auto at = to_point(source_, line[0], line[1], "a point");
     if (!at) return at.failure();
+    if (auto failed = check_rest(line, 2, rest)) return failed;
     made_.content.sites.push_back({at.value(), {1, 0, 1}});
   }
   return {};
@@ -210,6 +230,7 @@ failure su2_reader::read_marker(const words& values, std::size_t line) {
 
 failure su2_reader::read_marker_elements(std::size_t count, marker_edges& to) {
   words line;
+  std::optional<std::size_t> rest;
   for (std::size_t i = 0; i < count; ++i) {
     source_.next_line(line);
     // Skips the line SEND_TO= between the count and the elements of parallel markers.
@@ -224,6 +245,7 @@ failure su2_reader::read_marker_elements(std::size_t count, marker_edges& to) {
           "element of type " + quoted_token(line.front().text) + ": markers are of lines (3)");
     std::array<vertex_index, 4> ends{};
     if (auto failed = read_corners(line, 2, ends)) return failed;
+    if (auto failed = check_rest(line, 3, rest)) return failed;
     to.edges.push_back({ends[0], ends[1]});
   }
   return {};

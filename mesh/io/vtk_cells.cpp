@@ -58,7 +58,7 @@ error refuse_cell(const listed_mesh& m, std::size_t line, const std::string& wha
 }  // namespace
 
 std::optional<error> vtk_cells::add(const vtk_cell& cell) {
-  if (cell.type == point_cell || cell.type == points_cell) return {};
+  if ((cell.type == point_cell && cell.count == 1) || cell.type == points_cell) return {};
   found_.clear();
   const auto points = static_cast<double>(made_.content.sites.size());
   for (std::size_t i = 0; i < cell.count; ++i) {

@@ -419,9 +419,11 @@ failure vtk_reader::add_list(const cell_lists& lists, const numbers* of_types, i
   for (std::size_t i = 0; i < lists.ends.size(); ++i) {
     const auto end = static_cast<std::size_t>(lists.ends[i]);
     const double kind = of_types != nullptr ? (*of_types)[i] : type;
-    const bool is_kind = kind >= 0 && kind < 256;
-    const vtk_cell next{is_kind ? static_cast<int>(kind) : -1, cell++, types_line_,
-                        lists.points.data() + begin, end - begin};
+    if (!(kind >= 0 && kind < 256 && kind == std::floor(kind)))
+      return source_.failure(types_line_,
+                             fmt::format("cell {}: {} is no type of a cell", cell + 1, kind));
+    const vtk_cell next{static_cast<int>(kind), cell++, types_line_, lists.points.data() + begin,
+                        end - begin};
     if (auto failed = cells_.add(next)) return failed;
     begin = end;
   }

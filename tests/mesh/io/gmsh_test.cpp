@@ -84,6 +84,25 @@ TEST_CASE("what a .msh file may not hold is refused with its line") {
   CHECK_THAT(message("$Elements", "$Ignored\n$EndIgnored\n$Strange"), Contains("$EndStrange"));
 }
 
+TEST_CASE("elements of an entity that is not listed were in no group without a word") {
+  const temporary_directory here("gmsh-unlisted");
+  const auto notes_of = [&](const std::string& surface, const std::string& groups) {
+    const auto read = read_gmsh(here.write(
+        "m.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + groups +
+                     "$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n$EndNodes\n"
+                     "$Elements\n1 1 1 1\n2 " +
+                     surface + " 2 1\n1 1 2 3\n$EndElements\n"));
+    REQUIRE(read.ok());
+    return read.value().content.notes;
+  };
+  const std::string groups = "$Entities\n0 0 1 0\n1 0 0 0 1 1 0 1 7 0\n$EndEntities\n";
+  CHECK(notes_of("1", groups).empty());
+  CHECK(notes_of("2", "").empty());
+  const auto notes = notes_of("2", groups);
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::Contains("1, the first surface 2 on line 20"));
+}
+
 TEST_CASE("spoiled .msh files are read or refused, and nothing else") {
   const temporary_directory here("gmsh-spoiled");
   splitmix64 random(20);

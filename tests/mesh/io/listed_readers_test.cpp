@@ -110,6 +110,28 @@ TEST_CASE("spoiled files of every format are read or refused by name") {
   CHECK(refused > 1000);
 }
 
+TEST_CASE("one word too few or too many in a line of numbers was read as other numbers") {
+  const temporary_directory here("listed-words");
+  const auto failure_of = [&](const std::string& name, const std::string& from,
+                              const std::string& to) {
+    const auto square = std::find_if(squares.begin(), squares.end(),
+                                     [&](const auto& one) { return one.first == name; });
+    std::string text = square->second;
+    text.replace(text.find(from), from.size(), to);
+    const auto read = read_mesh_file(here.write(name, text), {.without_solution = true});
+    REQUIRE_FALSE(read.ok());
+    return read.failure().message;
+  };
+  using Catch::Contains;
+  // The number of a point that has lost its y was the y.
+  CHECK_THAT(failure_of("e.su2", "\n0 1 3\n", "\n0 3\n"), Contains("e.su2:9: 2 words, where 3"));
+  CHECK_THAT(failure_of("e.su2", "5 0 2 3 1", "5 0 2 3"), Contains("e.su2:4: 4 words, where 5"));
+  CHECK_THAT(failure_of("e.su2", "5 0 2 3 1", "5 0 2 2 3 1"), Contains("e.su2:4: 6 words"));
+  // Triangles with the type of a point were left out, as points are, and so were those of none.
+  CHECK_THAT(failure_of("h.vtk", "5 5", "1 5"), Contains("cell 1 is of type 1 with 3 points"));
+  CHECK_THAT(failure_of("h.vtk", "5 5", "1.5 5"), Contains("cell 1: 1.5 is no type of a cell"));
+}
+
 TEST_CASE("counts that a file cannot hold take no memory") {
   const temporary_directory here("listed-counts");
   const std::vector<std::pair<std::string, std::string>> files = {
