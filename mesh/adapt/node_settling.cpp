@@ -165,19 +165,23 @@ bool node_settling::take_place(vertex_index v) {
 }
 
 // Marks the nodes that a move of v concerns. Its neighbours, and the nodes across from it, may have
-// a defect now; the nodes of its faces are to be tried again.
+// a defect now; the nodes of its faces are to be tried again. Writes no flag that is as it should
+// be: a node across may be known to several threads, and has its flag from the start then.
 void node_settling::note_move(vertex_index v) {
-  std::vector<char>& is_defect_free = whole_.is_defect_free;
-  is_defect_free[v] = 0;
+  const auto unmark = [this](vertex_index u) {
+    if (whole_.is_defect_free[u] != 0) whole_.is_defect_free[u] = 0;
+  };
+  unmark(v);
   for (const vertex_index t : edges_.faces()) {
     const face& f = m_.faces()[t];
     const std::size_t i = f.corner_of(v);
     const vertex_index a = f.v[after(i)];
-    is_defect_free[a] = is_defect_free[f.v[before(i)]] = 0;
+    unmark(a);
+    unmark(f.v[before(i)]);
     for (const vertex_index u : f.v) whole_.is_awake[u] = 1;
     if (f.next[i] == none) continue;
     const face& g = m_.faces()[f.next[i]];
-    is_defect_free[g.v[after(g.corner_of(a))]] = 0;
+    unmark(g.v[after(g.corner_of(a))]);
   }
 }
 

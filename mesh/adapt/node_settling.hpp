@@ -38,8 +38,9 @@ struct mesh_to_smooth {
   std::vector<char> is_defect_free;   // by node, in the present mesh
 };
 
-// One thread's means of moving nodes. Reads only faces that touch a neighbour of the node, and
-// their nodes; changes the node, its faces' Voronoi vertices, and marks of nodes of those faces.
+// One thread's means of moving nodes. Reads only the faces that touch a neighbour of the node, and
+// their nodes. Changes the node, the Voronoi vertices of these faces, the marks of the node and its
+// neighbours, and clears is_defect_free of the nodes across, where it is set.
 class node_settling {
  public:
   // The mesh must outlive the object. Takes the cotangent of the least angle without defect.

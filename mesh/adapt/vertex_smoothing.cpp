@@ -117,9 +117,11 @@ void vertex_smoothing::divide() {
   first_.pop_back();
 }
 
-// Marks the nodes with faces in several parts, and then the nodes of faces with such a node. All
-// that the move of any other node reads or changes is in one part.
-std::vector<char> vertex_smoothing::nodes_near_other_parts(const curve_parts& parts) const {
+// Marks the nodes with faces in several parts, and then the nodes of faces with such a node. The
+// move of any other node reads and changes faces of one part alone, and their nodes. Of these
+// several parts may have those across from the node, which stay: they count as nodes with a defect
+// from the start, so that no thread changes their flags.
+std::vector<char> vertex_smoothing::nodes_near_other_parts(const curve_parts& parts) {
   const editable_mesh& m = whole_.m;
   std::vector<char> is_near(m.nodes().size(), 0);
   if (parts.count() == 1) return is_near;
@@ -135,6 +137,8 @@ std::vector<char> vertex_smoothing::nodes_near_other_parts(const curve_parts& pa
       is_near[v] = 1;
   };
   mark([&](vertex_index t, vertex_index v) { return parts.of(t) != parts.of(m.at(v).face); });
+  for (std::size_t v = 0; v < is_near.size(); ++v)
+    if (is_near[v] != 0) whole_.is_defect_free[v] = 0;
   mark([&](vertex_index t, vertex_index) {
     const auto& corners = m.faces()[t].v;
     return std::any_of(corners.begin(), corners.end(),

@@ -41,7 +41,7 @@ class vertex_smoothing {
  private:
   void find_defect_free();
   void divide();
-  std::vector<char> nodes_near_other_parts(const curve_parts& parts) const;
+  std::vector<char> nodes_near_other_parts(const curve_parts& parts);
   bool settle_part(std::size_t part);
   // Products of coordinates of two sides u and w of a face: all that the angles in a tensor depend
   // on.
