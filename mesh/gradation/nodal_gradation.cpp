@@ -44,7 +44,7 @@ double factor_below(double most) {
   // Sums the first five terms of the exponential series: all terms are positive, so less than the
   // whole.
   const double x = 2 * most;
-  return 1 + x * (1 + x / 2 * (1 + x / 3 * (1 + x / 4)));
+  return 1 + x * (1 + x * (1.0 / 2 + x * (1.0 / 6 + x * (1.0 / 24))));
 }
 
 // True only if no squared length in either tensor exceeds the other's by more than this factor:
@@ -251,7 +251,7 @@ class graph_grading {
     if (are_plainly_alike(a, b, least_factor_)) return true;
     const point d{places_[e.b].x - places_[e.a].x, places_[e.b].y - places_[e.a].y};
     // Uses the geometric mean of both lengths, which is less than the logarithmic one.
-    const double mean = std::sqrt(plain_length(a, d) * plain_length(b, d));
+    const double mean = std::sqrt(std::sqrt(plain_square(a, d) * plain_square(b, d)));
     return are_plainly_alike(a, b, factor_below(most_at(mean)));
   }
 

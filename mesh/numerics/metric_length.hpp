@@ -12,10 +12,16 @@
 
 namespace asterism::internal {
 
-// Returns the length of d as the metric measures it, in plain doubles: of a thin metric, where
-// products cancel, it may be 0. metric_distance() is accurate there as well, and takes longer.
+// Returns the squared length of d as the metric measures it, in plain doubles: of a thin metric,
+// where products cancel, it may be 0.
+inline double plain_square(const metric_tensor& m, const point& d) {
+  return std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y);
+}
+
+// Returns the root of that. metric_distance() is accurate for thin metrics as well, and takes
+// longer.
 inline double plain_length(const metric_tensor& m, const point& d) {
-  return std::sqrt(std::max(0.0, d.x * (m.m11 * d.x + 2 * m.m12 * d.y) + m.m22 * d.y * d.y));
+  return std::sqrt(plain_square(m, d));
 }
 
 // Returns the root of the determinant in plain doubles, 0 where rounding makes it negative.
