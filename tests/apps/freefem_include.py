@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs small FreeFEM scripts with asterism.idp in place of adaptmesh.
 freefem_include.py FREEFEM ASTERISM FOLDER   (FREEFEM empty: skipped; FOLDER has asterism.idp)"""
+import math
 import os
 import re
 import subprocess
@@ -195,6 +196,26 @@ cornerdensity(1);
 cornerdensity(4);
 """
 
+# Sizes that are the mesh's own, all times one number, and times and by a number at every other vertex of 36.
+NEARER = """
+mesh Th = square(5, 5);
+asterismbegin(Th);
+real nothing = int2d(Th, qft = qf1pTlump)(asterismtake((asterismvalue = [1.])[0]));
+real[int] lengths(Th.nv), sizes(Th.nv);
+asterismlengths(Th, lengths);
+func int nearer(real common, real alternate) {
+  for (int i = 0; i < lengths.n; ++i) sizes[i] = lengths[i] * common * alternate ^ (1 - 2 * (i % 2));
+  asterismvalues = sizes;
+  asterismnearer(Th, 100);
+  cout << "GOT " << asterismvalues[0] / sizes[0] << " " << asterismvalues[1] / sizes[1] << endl;
+  return 0;
+}
+cout << "GOT " << lengths[0] << " " << lengths[5] << " " << lengths[7] << endl;
+nearer(3, 1);
+nearer(3, exp(0.1));
+nearer(0.5, exp(1.));
+"""
+
 def run(body):
     with tempfile.TemporaryDirectory(prefix="asterism-idp-") as folder:
         with open(os.path.join(folder, "script.edp"), "w", encoding="ascii") as file:
@@ -230,6 +251,30 @@ class IncludeTest(unittest.TestCase):
         self.assertEqual(status, 0, text)
         self.assertLess(abs(numbers[0][0] / (1.155 * 400 + 40) - 1), 0.15)
         self.assertLess(abs(numbers[1][0] / (1.155 * 200 + 30) - 1), 0.15)
+
+    def test_greater_sizes_are_moved_toward_those_of_the_mesh(self):
+        """By a quarter of the logarithm of the quotient, without the mean quotient, and by 0.075 at most. Diagonals of
+        the squares go from bottom left to top right, and count twice, as sides of two triangles."""
+        status, numbers, text, _ = run(NEARER)
+        self.assertEqual(status, 0, text)
+        for found, wanted in zip(numbers[0], (0.1 * (1 + 2**0.5), 0.2, 0.2 * (4 + 2 * 2**0.5) / 6)):
+            self.assertAlmostEqual(found, wanted, 5)
+        for found, logarithm in zip(numbers[1:], (0, 0.025, 0.075)):
+            self.assertAlmostEqual(found[0], math.exp(-logarithm), 5)
+            self.assertEqual(found[1], 1)
+
+    def test_keepbackvertices_is_of_sizes(self):
+        status, numbers, text, _ = call("0.03 + 0.2 * x", "IsMetric = 1")
+        self.assertEqual((status, len(numbers)), (0, 1), text)
+        status, given, text, _ = call("0.03 + 0.2 * x", "IsMetric = 1; keepbackvertices = 0")
+        self.assertEqual((status, len(given)), (0, 1), text)
+        self.assertNotEqual(given, numbers)
+        status, kept, text, _ = call("0.03 + 0.2 * x", "IsMetric = 1; keepbackvertices = 1")
+        self.assertEqual((status, kept), (0, numbers), text)
+        self.assertNotIn("passed over", text)
+        status, numbers, text, _ = call("x * x", "keepbackvertices = 1")
+        self.assertEqual((status, len(numbers)), (0, 1), text)
+        self.assertIn("keepbackvertices has no counterpart and is passed over", text)
 
     def test_err_means_what_it_does_to_adaptmesh(self):
         status, numbers, text, _ = run(LOOP)
