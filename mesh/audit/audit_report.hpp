@@ -68,7 +68,7 @@ inline constexpr std::size_t finding_kind_count = 38;
 ASTERISM_EXPORT extern const std::array<std::string_view, finding_kind_count> finding_kind_names;
 
 // One finding. `witness` is one sentence that names vertices, triangles and boundary subsegments,
-// all counted from 1 as in a .mesh file, with their coordinates.
+// all counted from audit_options::first_number, with their coordinates.
 struct audit_finding {
   finding_kind kind{};
   std::string witness;
@@ -103,6 +103,9 @@ struct audit_options {
   cancellation stop = {};
   // Number of findings kept of each kind; further ones are counted only.
   std::size_t findings_kept = 10;
+  // Number of the first vertex, triangle and boundary subsegment in witnesses: 1 as in a .mesh
+  // file, or 0 as in arrays. Certificates have witnesses from 1 alone.
+  int first_number = 1;
 };
 
 // The verdict on point 5, the dual of the Voronoi diagram.

@@ -104,7 +104,7 @@ bool same_ray(const point& v, const point& a, const point& b) {
 }
 
 std::string vertex_text(const audit_context& context, vertex_index v) {
-  std::string text = "vertex " + std::to_string(std::size_t{v} + 1);
+  std::string text = "vertex " + number_of(context, v);
   if (v < context.subject.sites.size())
     text += " (" + number_text(context.at(v).x) + ", " + number_text(context.at(v).y) + ")";
   return text;
@@ -112,16 +112,14 @@ std::string vertex_text(const audit_context& context, vertex_index v) {
 
 std::string triangle_text(const audit_context& context, vertex_index t) {
   const triangle& corners = context.subject.triangles[t];
-  return "triangle " + std::to_string(std::size_t{t} + 1) + " of " +
-         vertex_text(context, corners[0]) + ", " + vertex_text(context, corners[1]) + ", " +
-         vertex_text(context, corners[2]);
+  return "triangle " + number_of(context, t) + " of " + vertex_text(context, corners[0]) + ", " +
+         vertex_text(context, corners[1]) + ", " + vertex_text(context, corners[2]);
 }
 
 std::string subsegment_text(const audit_context& context, vertex_index subsegment) {
   const boundary_edge& e = context.subject.boundary[subsegment];
-  return (e.internal ? "internal edge " : "boundary edge ") +
-         std::to_string(std::size_t{subsegment} + 1) + " from " + vertex_text(context, e.a) +
-         " to " + vertex_text(context, e.b);
+  return (e.internal ? "internal edge " : "boundary edge ") + number_of(context, subsegment) +
+         " from " + vertex_text(context, e.a) + " to " + vertex_text(context, e.b);
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -150,7 +150,11 @@ std::size_t find_subsegment(const audit_context& context, vertex_index a, vertex
 // True if two points known to be collinear with v are on the same side of it.
 bool same_ray(const point& v, const point& a, const point& b);
 
-// Return the texts of witnesses: numbers count from 1, coordinates read back to the same double.
+// Returns the number of an index in witnesses.
+inline std::string number_of(const audit_context& context, std::size_t index) {
+  return std::to_string(index + static_cast<std::size_t>(context.options.first_number));
+}
+// Return the texts of witnesses, whose coordinates read back to the same double.
 std::string vertex_text(const audit_context& context, vertex_index v);
 std::string triangle_text(const audit_context& context, vertex_index t);
 std::string subsegment_text(const audit_context& context, vertex_index subsegment);

@@ -168,7 +168,7 @@ curve_audit::curve_audit(audit_context& context) : context_(&context) {
 }
 
 std::string curve_audit::text(std::size_t curve) const {
-  return "curve " + std::to_string(curve + 1) + " of the domain";
+  return "curve " + number_of(*context_, curve) + " of the domain";
 }
 
 // Enters a curve if it is valid: its parameters finite and increasing, its vertices in range, and

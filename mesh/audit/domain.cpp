@@ -153,8 +153,8 @@ void check_subsegment(audit_context& context, vertex_index subsegment, const seg
 
 std::string segment_text(const audit_context& context, vertex_index s) {
   const segment& seg = context.options.original->segments[s];
-  return "segment " + std::to_string(std::size_t{s} + 1) + " from " + vertex_text(context, seg.a) +
-         " to " + vertex_text(context, seg.b);
+  return "segment " + number_of(context, s) + " from " + vertex_text(context, seg.a) + " to " +
+         vertex_text(context, seg.b);
 }
 
 // Matches each chain with the segment that has the same ends; two segments cannot share both.

@@ -16,8 +16,8 @@ namespace asterism::internal::audit_detail {
 namespace {
 
 std::string edge_text(const audit_context& context, const directed_edge& edge) {
-  return "edge " + std::to_string(std::size_t{edge.a} + 1) + "-" +
-         std::to_string(std::size_t{edge.b} + 1) + " of " + triangle_text(context, edge.triangle);
+  return "edge " + number_of(context, edge.a) + "-" + number_of(context, edge.b) + " of " +
+         triangle_text(context, edge.triangle);
 }
 
 // Packs an edge's ends into one key, ordered by a, then b: one comparison in place of two.
@@ -71,7 +71,7 @@ void check_repeated(const audit_context& context, audit_tally& tally, std::size_
   if (before.b == e.b)
     tally.found(finding_kind::repeated_edge, edge_text(context, e) +
                                                  " runs the same way in triangle " +
-                                                 std::to_string(std::size_t{before.triangle} + 1));
+                                                 number_of(context, before.triangle));
 }
 
 // Checks that the reverse of one edge exists, or that it is a boundary edge. `arrivals` are the
@@ -126,9 +126,9 @@ void check_subsegments(audit_context& context) {
     const boundary_edge& subsegment = context.subject.boundary[side.subsegment];
     const auto text = [&] { return subsegment_text(context, side.subsegment); };
     if (i > 0 && sides[i - 1].a == side.a && sides[i - 1].b == side.b)
-      context.found(finding_kind::repeated_boundary,
-                    text() + " repeats boundary edge " +
-                        std::to_string(std::size_t{sides[i - 1].subsegment} + 1));
+      context.found(
+          finding_kind::repeated_boundary,
+          text() + " repeats boundary edge " + number_of(context, sides[i - 1].subsegment));
     if (find_edge(context, side.a, side.b) == context.edges.size())
       context.found(
           finding_kind::boundary_without_triangle,

@@ -50,13 +50,13 @@ bool usable(audit_context& context, const Corners& corners, const char* kind, st
   const auto what = [&] {
     std::string text = kind;
     text += ' ';
-    text += std::to_string(number + 1);
+    text += number_of(context, number);
     return text;
   };
   for (const vertex_index v : corners) {
     if (v < context.subject.sites.size()) continue;
     context.found(finding_kind::index_out_of_range,
-                  what() + " names vertex " + std::to_string(std::size_t{v} + 1) + " of " +
+                  what() + " names vertex " + number_of(context, v) + " of " +
                       std::to_string(context.subject.sites.size()));
     return false;
   }
@@ -144,9 +144,9 @@ void check_repeated_triangles(audit_context& context) {
     const auto number = [&](std::size_t k) {
       return static_cast<vertex_index>(in_order[k].second);
     };
-    context.found(finding_kind::repeated_triangle,
-                  triangle_text(context, number(i)) + " has the vertices of triangle " +
-                      std::to_string(std::size_t{number(i - 1)} + 1));
+    context.found(finding_kind::repeated_triangle, triangle_text(context, number(i)) +
+                                                       " has the vertices of triangle " +
+                                                       number_of(context, number(i - 1)));
   }
 }
 

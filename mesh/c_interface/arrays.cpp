@@ -98,6 +98,7 @@ made_field sampled_field(const asterism_metric& metric, double size) {
   audit_options options;
   options.check_stars = false;
   options.angle_bound = 0;
+  options.first_number = background.value().first_number;
   const audit_report found = audit(background.value().subject, options);
   if (!found.certified)
     return error{"the metric's mesh is no triangulation: " + found.findings.at(0).witness};
@@ -191,7 +192,8 @@ result<adopted_mesh> mesh_of(const number_rows& places, const number_rows& tenso
     const unsigned* const corners = triangles.first + 3 * k;
     m.triangles.push_back({corners[0], corners[1], corners[2]});
   }
-  return adopt_mesh(std::move(m), region_edges::segments, slit_rule::joined);
+  constexpr int first_number = 0;
+  return adopt_mesh(std::move(m), region_edges::segments, slit_rule::joined, first_number);
 }
 
 }  // namespace asterism::internal

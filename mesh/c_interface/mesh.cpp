@@ -20,6 +20,7 @@
 #include "asterism/mesh/pipeline/certified_mesh.hpp"
 #include "asterism/mesh/pipeline/counted_mesh.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
+#include "asterism/mesh/pipeline/outcome_text.hpp"
 
 using namespace asterism;
 using namespace asterism::internal;
@@ -29,7 +30,7 @@ static_assert(std::is_same_v<vertex_index, unsigned> && sizeof(site) == 5 * size
 
 struct asterism_mesh {
   certified_mesh made;
-  std::string certificate;
+  std::string certificate, reason;
   std::vector<int> regions, markers;
   std::vector<unsigned> edges;
 
@@ -37,6 +38,9 @@ struct asterism_mesh {
 };
 
 namespace {
+
+// Number of the first vertex, triangle and edge in messages, as in the arrays.
+constexpr int first_number = 0;
 
 result<mesh_options> options_of(const asterism_mesh_options& given) {
   mesh_options options;
@@ -67,6 +71,7 @@ std::unique_ptr<asterism_mesh> package(certified_mesh made) {
   auto mesh = std::make_unique<asterism_mesh>();
   mesh->made = std::move(made);
   mesh->certificate = certificate_text(mesh->made.claim);
+  mesh->reason = ending_text(mesh->made.outcome, first_number);
   mesh->regions = mesh->content().regions;
   if (mesh->regions.empty()) mesh->regions.assign(mesh->content().triangles.size(), 1);
   for (const boundary_edge& e : mesh->content().boundary) {
@@ -175,9 +180,7 @@ asterism_status asterism_mesh_create(const asterism_domain* domain, const asteri
 void asterism_mesh_free(asterism_mesh* mesh) { delete mesh; }
 
 int asterism_mesh_is_complete(const asterism_mesh* mesh) { return mesh->made.outcome.complete; }
-const char* asterism_mesh_reason(const asterism_mesh* mesh) {
-  return mesh->made.claim.reason.c_str();
-}
+const char* asterism_mesh_reason(const asterism_mesh* mesh) { return mesh->reason.c_str(); }
 int asterism_mesh_is_certified(const asterism_mesh* mesh) { return mesh->made.certified(); }
 double asterism_mesh_worst_angle(const asterism_mesh* mesh) {
   return mesh->made.report.worst().degrees;
@@ -214,7 +217,9 @@ asterism_status asterism_mesh_verify(const asterism_mesh* mesh, const char* cert
     const auto claim =
         parse_certificate(certificate != nullptr ? certificate : mesh->certificate, "certificate");
     if (!claim) return told.refuse(claim.failure());
-    const verify_report report = verify(mesh->content(), claim.value(), {});
+    audit_options asked;
+    asked.first_number = first_number;
+    const verify_report report = verify(mesh->content(), claim.value(), asked);
     *verified = report.verified ? 1 : 0;
     told.write(first_reason(report));
     return ASTERISM_OK;

@@ -7,12 +7,13 @@
  * Statuses: ASTERISM_OK says that there is a mesh, not that it is complete or certified: ask
  * asterism_mesh_is_certified. ASTERISM_REFUSED: the input is at fault, `message` says where.
  * Messages: `message` may be null; else it points to `capacity` characters, and gets a sentence
- * that is cut where it does not fit, empty on success. What it says of the arrays given counts from
- * 0, as they do; findings of the auditor, the reason and the certificate count vertices, triangles
- * and edges from 1, with their coordinates. Ownership: arrays and texts given are read
- * during the call alone. A mesh is the caller's until given to asterism_mesh_free, which also takes
- * null; what is read of it is the mesh's and lives as long. Threads: as kernels/c_api.h; one mesh
- * may be read from many. A run uses several threads itself.
+ * that is cut where it does not fit, empty on success. Messages and the reason count from 0, as the
+ * arrays do. The certificate is the text of a file, and counts vertices, triangles and edges from
+ * 1, as its entry "numbering" says; so do parts of it that a message quotes, and its sentences on
+ * periodic sides. Ownership: arrays and texts given are read during the call alone. A mesh is the
+ * caller's until given to asterism_mesh_free, which also takes null; what is read of it is the
+ * mesh's and lives as long. Threads: as kernels/c_api.h; one mesh may be read from many. A run uses
+ * several threads itself.
  */
 #ifndef ASTERISM_MESH_C_INTERFACE_MESH_H
 #define ASTERISM_MESH_C_INTERFACE_MESH_H

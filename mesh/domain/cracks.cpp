@@ -136,28 +136,32 @@ std::vector<crack_edge> find_edges(const mesh& m, const std::vector<vertex_index
   return found;
 }
 
-error at_same_point(const mesh& m, vertex_index v, vertex_index w, const std::string& why) {
+error at_same_point(const mesh& m, vertex_index v, vertex_index w, const std::string& why,
+                    std::size_t first_number) {
   return {fmt::format("vertex {} and vertex {} are at the same point {}, and {}: it "
                       "is no slit. Join them, or take one of them out",
-                      std::min(v, w) + 1, std::max(v, w) + 1, point_text(m.sites[v].position), why),
+                      std::min(v, w) + first_number, std::max(v, w) + first_number,
+                      point_text(m.sites[v].position), why),
           error_code::invalid_mesh};
 }
 
 // Refuses vertices at one place that are of one triangle, or that no edge of a crack leads to.
 std::optional<error> refuse_others(const mesh& m, const std::vector<vertex_index>& first,
-                                   const std::vector<crack_edge>& edges) {
+                                   const std::vector<crack_edge>& edges, std::size_t first_number) {
   for (std::size_t t = 0; t < m.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const vertex_index v = m.triangles[t][i], w = m.triangles[t][(i + 1) % 3];
       if (v != w && first[v] == first[w])
-        return at_same_point(m, v, w, fmt::format("both are corners of triangle {}", t + 1));
+        return at_same_point(m, v, w,
+                             fmt::format("both are corners of triangle {}", t + first_number),
+                             first_number);
     }
   std::vector<char> at_crack(m.sites.size(), 0);
   for (const crack_edge& e : edges)
     for (const vertex_index v : e.joined) at_crack[v] = 1;
   for (vertex_index v = 0; v < first.size(); ++v)
     if (first[v] != v && at_crack[first[v]] == 0)
-      return at_same_point(m, first[v], v, "no edge that is there twice leads to it");
+      return at_same_point(m, first[v], v, "no edge that is there twice leads to it", first_number);
   return std::nullopt;
 }
 
@@ -263,7 +267,7 @@ bool are_all_apart(const mesh& m) {
 
 }  // namespace
 
-result<joined_cracks> join_cracks(mesh& m) {
+result<joined_cracks> join_cracks(mesh& m, int first_number) {
   joined_cracks made;
   if (!are_in_range(m)) return made;
   const std::vector<vertex_index> first = first_at_place(m);
@@ -273,7 +277,9 @@ result<joined_cracks> join_cracks(mesh& m) {
         "no two triangles have a vertex in common, and corners of several are at one place: "
         "each triangle has vertices of its own; join those at one place",
         error_code::invalid_mesh};
-  if (auto refused = refuse_others(m, first, find_edges(m, first))) return *refused;
+  if (auto refused =
+          refuse_others(m, first, find_edges(m, first), static_cast<std::size_t>(first_number)))
+    return *refused;
   list_all_sides(m);
   const std::vector<crack_edge> edges = find_edges(m, first);
   list_once(m, edges, made.markers);

@@ -40,8 +40,8 @@ struct joined_cracks {
 // own marker is the common one of both sides, if no other edge has that, else a free one. Fails,
 // naming the vertices, where vertices are at one place and no such edge is at it. Joins nothing if
 // triangles or edges name missing vertices, which other checks report. A mesh that is refused stays
-// as it is.
-ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m);
+// as it is. Numbers in messages count from `first_number`.
+ASTERISM_EXPORT result<joined_cracks> join_cracks(mesh& m, int first_number = 1);
 
 // A mesh with the vertices of both sides.
 struct parted_mesh {

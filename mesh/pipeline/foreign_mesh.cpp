@@ -146,20 +146,26 @@ void measure_edges(const mesh& m, certify_report& report) {
 
 }  // namespace
 
-result<adopted_mesh> adopt_mesh(mesh from_elsewhere, region_edges between, slit_rule slits) {
+result<adopted_mesh> adopt_mesh(mesh from_elsewhere, region_edges between, slit_rule slits,
+                                int first_number) {
   joined_cracks cracks;
   if (slits == slit_rule::joined) {
-    auto joined = join_cracks(from_elsewhere);
+    auto joined = join_cracks(from_elsewhere, first_number);
     if (!joined) return joined.failure();
     cracks = std::move(joined).value();
   }
-  auditor judge(from_elsewhere, {});
+  audit_options asked;
+  asked.first_number = first_number;
+  auditor judge(from_elsewhere, asked);
   const audit_report& numbers = judge.check_numbers();
   for (const finding_kind kind : unusable)
     for (const audit_finding& f : numbers.findings)
       if (f.kind == kind) return error{f.witness, error_code::invalid_mesh};
-  adopted_mesh adopted{
-      std::move(from_elsewhere), {}, std::move(cracks.markers), std::move(cracks.number)};
+  adopted_mesh adopted{std::move(from_elsewhere),
+                       {},
+                       std::move(cracks.markers),
+                       std::move(cracks.number),
+                       first_number};
   mesh& m = adopted.subject;
   if (!m.regions.empty() && m.regions.size() != m.triangles.size())
     return error{
@@ -178,6 +184,7 @@ audit_options questions_for(const adopted_mesh& adopted) {
   options.original = &adopted.shape;
   options.find_exempt_corners = true;
   options.domain_is_the_mesh = true;
+  options.first_number = adopted.first_number;
   return options;
 }
 

@@ -34,6 +34,7 @@ struct adopted_mesh {
   domain shape;  // of the subject; as check_domain would have it if the audit finds a triangulation
   crack_markers cracks = {};
   std::vector<vertex_index> number = {};  // of each vertex as it came; empty where none went
+  int first_number = 1;  // of vertices and triangles in messages (audit_options::first_number)
 };
 
 // Treatment of two vertices at one place: they are joined to one, or refused.
@@ -53,10 +54,11 @@ enum class region_edges {
 // as they are. Fails, naming the number of the offender, if there is no triangle, for vertices
 // that do not exist, for two at one place if `slits` refuses them, for numbers that are not
 // finite, for tensors that are not positive definite, and if regions and triangles differ in
-// number.
+// number. Numbers in messages count from `first_number`.
 ASTERISM_EXPORT result<adopted_mesh> adopt_mesh(mesh from_elsewhere,
                                                 region_edges between = region_edges::segments,
-                                                slit_rule slits = slit_rule::refused);
+                                                slit_rule slits = slit_rule::refused,
+                                                int first_number = 1);
 
 // Judgement of a mesh from elsewhere.
 struct certify_report {

@@ -252,6 +252,31 @@ TEST_CASE("without a certificate exempt corners are looked for") {
   CHECK(verify(narrow, std::nullopt, options).audit.exempt_corners.size() == 2);
 }
 
+TEST_CASE("witnesses count from the number asked for, and those of certificates from 1") {
+  mesh m = make_mesh_of({{0, 0}, {8, 0}, {4, 1}, {4, 9}}, {{0, 1, 2}, {1, 3, 2}, {3, 0, 2}});
+  audit_options options;
+  options.angle_bound = 1;
+  options.check_voronoi = true;
+  certificate c = make_certificate(m, options, audit(m, options));
+  REQUIRE(c.certified);
+  REQUIRE_FALSE(c.witnesses.empty());
+  CHECK_THAT(c.witnesses[0], Contains("vertex 1 (0, 0)"));
+  c.complete = true;
+  c.voronoi = voronoi_verdict::refused;
+  options.first_number = 0;
+  const verify_report report = verify(m, c, options);
+  CHECK(report.contradictions.empty());
+  CHECK_THAT(report.audit.findings.at(0).witness,
+             Contains("vertex 0 (0, 0)") && !Contains("vertex 4 "));
+  std::swap(m.triangles[0][1], m.triangles[0][2]);
+  m.boundary.push_back({0, 9, 0, 0, false});
+  const audit_report damaged = audit(m, options);
+  CHECK_THAT(witnesses(damaged, finding_kind::orientation),
+             Contains("triangle 0 of vertex 0 (0, 0)"));
+  CHECK_THAT(witnesses(damaged, finding_kind::index_out_of_range),
+             Contains("boundary edge 3 names vertex 9 of 4"));
+}
+
 TEST_CASE("a refusing audit is written down") {
   patch p = make_patch(3);
   p.m.triangles.pop_back();

@@ -229,6 +229,31 @@ static void test_arrays(const asterism_mesh* mesh) {
   free(tensors);
 }
 
+/* Messages count from 0, as the arrays do. */
+static void test_numbers_in_messages(void) {
+  double sites[4][5] = {{0, 0, 1, 0, 1}, {1, 0, 1, 0, 1}, {1, 1, 1, 0, 1}, {0, 1, 1, 0, 1}};
+  unsigned triangles[] = {0, 1, 2, 0, 3, 2};
+  char message[200];
+  int certified = 9;
+  expect(asterism_certify(4, sites[0], 2, triangles, 20, &certified, message, sizeof message) ==
+                 ASTERISM_OK &&
+             certified == 0 && strstr(message, "triangle 1 of vertex 0 (0, 0), vertex 3 ") != NULL,
+         message);
+  triangles[4] = 4;
+  expect(asterism_certify(4, sites[0], 2, triangles, 20, &certified, message, sizeof message) ==
+                 ASTERISM_REFUSED &&
+             strstr(message, "triangle 1 names vertex 4 of 4") != NULL,
+         message);
+  triangles[4] = 3;
+  sites[2][0] = sites[1][0];
+  sites[2][1] = sites[1][1];
+  expect(asterism_certify(4, sites[0], 2, triangles, 20, &certified, message, sizeof message) ==
+                 ASTERISM_REFUSED &&
+             strstr(message, "vertex 1 and vertex 2 are at the same point") != NULL &&
+             strstr(message, "triangle 0") != NULL,
+         message);
+}
+
 /* The same mesh, whether points are asked for alone or together; together in few calls. */
 static void test_batch_function(const asterism_mesh* mesh, const asterism_metric* metric,
                                 const asterism_mesh_options* options, int calls_alone) {
@@ -444,6 +469,7 @@ int main(void) {
   test_metric_tolerance();
   test_vertex_counts();
   test_refused_meshes();
+  test_numbers_in_messages();
   if (failures == 0) puts("stars and meshes come and are refused as documented");
   return failures == 0 ? 0 : 1;
 }

@@ -62,6 +62,7 @@ TEST_CASE("outcome text: places are named where they are known") {
         "site can be inserted; at 2 of them, one at (1, 1e-07), the metric varies faster than "
         "sites 0.001 apart can resolve (a gradation of it might do); the sharpest corner beside "
         "them is vertex 5 at (0, 0), 14 degrees");
+  CHECK(ending_text(e, 0).find("them is vertex 4 at (0, 0), 14 degrees") != std::string::npos);
 }
 
 TEST_CASE("outcome text: what came before and what is missing stand around the ending") {
@@ -91,6 +92,7 @@ TEST_CASE("outcome text: vertices a rounding apart are named where a run did not
   CHECK(ending_text(made) == text_of(ending::stuck) +
                                  "; vertices 2 and 3 at (4, 0) are 9.09495e-13 apart, which leaves "
                                  "no room for triangles");
+  CHECK(ending_text(made, 0).find("; vertices 1 and 2 at (4, 0) are") != std::string::npos);
   made.result.sites[2].position.y = 0x1p-37;
   CHECK(ending_text(made) == text_of(ending::stuck));
 }
