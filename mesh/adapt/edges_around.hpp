@@ -122,7 +122,8 @@ class edges_around {
     known_centre& c = own_[k];
     if (!c.is_known) {
       m_.note_looked_at(work_weights::faces_for_centre);
-      c = {tests_.centre_of(at_[k]), true};
+      c.centre = tests_.centre_of(at_[k]);
+      c.is_known = true;
     }
     return c.centre;
   }

@@ -21,6 +21,10 @@ bool node_ring::gather(const editable_mesh& m, vertex_index v, const face_list& 
     m11_[k] = n.metric.m11;
     m12_[k] = n.metric.m12;
     m22_[k] = n.metric.m22;
+    const double scale = scale_of_shape / n.root;
+    n11_[k] = n.metric.m11 * scale;
+    n12_[k] = 2 * n.metric.m12 * scale;
+    n22_[k] = n.metric.m22 * scale;
   };
   for (std::size_t k = 0; k < faces_; ++k) {
     const face& f = m.faces()[at[k]];
@@ -29,12 +33,6 @@ bool node_ring::gather(const editable_mesh& m, vertex_index v, const face_list& 
   const face& last = m.faces()[at.back()];
   const vertex_index end = last.v[before(last.corner_of(v))];
   for (std::size_t k = faces_; k <= padded_; ++k) put(k, end);
-  for (std::size_t k = 0; k <= padded_; ++k) {
-    const double scale = scale_of_shape / root_[k];
-    n11_[k] = m11_[k] * scale;
-    n12_[k] = 2 * m12_[k] * scale;
-    n22_[k] = m22_[k] * scale;
-  }
   return true;
 }
 
