@@ -12,7 +12,7 @@
 
 namespace asterism::internal {
 
-// True if the process certainly has one thread; the command has another, which awaits signals.
+// True if the process certainly has one thread.
 inline bool is_single_threaded() {
 #if __has_include(<sys/single_threaded.h>)
   return __libc_single_threaded != 0;
