@@ -13,7 +13,7 @@ from ._asterism import InputError
 from ._calls import told, told_methods, warn
 from ._domain import AnyDomain, Domain, as_domain
 from ._forms import (
-    definite, Fields, fields_and_tensors, gradation_of, like, marker_pairs, metric_rows, named_fields, norm_of,
+    check_rows, definite, Fields, fields_and_tensors, gradation_of, like, marker_pairs, metric_rows, named_fields, norm_of,
     second_derivatives)
 from ._mesh import Mesh
 from ._meshing import NotReachedWarning, Progress
@@ -81,6 +81,7 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
         raise InputError("values: a metric is made of values or of a hessian (n, 3), and "
                          + ("both are" if hessians else "neither is") + " given")
     fields, given = ([], None) if values is None else fields_and_tensors(values)
+    check_rows(fields, len(mesh.points), len(mesh.triangles))
     words = {"norm": norm_of(norm), "complexity": complexity, "vertices": vertices, "error": error,
              "gradation": gradation_of(gradation, given is None), "hmin": hmin, "hmax": hmax, "aspect": aspect,
              "step": step, "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape,
@@ -117,6 +118,8 @@ def transfer(mesh: Mesh, values: Fields, to: Mesh, how: str = "project") -> Any:
     the mean square; integrals stay to rounding, may overshoot) or 'bounded' (both kept).
     """
     fields = named_fields(values)
+    if isinstance(mesh, Mesh):
+        check_rows(fields, len(mesh.points), len(mesh.triangles))
     moved, report = _asterism._transfer(_mesh_made(mesh), fields, _mesh_made(to, "to"), how)
     _warn_if_outside(report)
     return like(values, _as_given(fields, moved, report))
@@ -220,6 +223,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
     wanted, given = _wanted(mesh, values, metric, implied, bool(hessians))
     carried = [] if carry is None else named_fields(carry, "carried")
     _check_names(wanted, carried)
+    check_rows(wanted + carried, len(mesh.points), len(mesh.triangles))
     words = {
         "vertices": vertices, "complexity": complexity, "error": error, "how": how, "implied": implied,
         "norm": norm_of(norm), "gradation": gradation_of(gradation, given is None and not implied), "hmin": hmin,

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from ._asterism import InputError
+from ._calls import warn
 from ._mesh import Mesh
 
 
@@ -39,8 +40,12 @@ def to_meshio(mesh: Mesh) -> Any:
                    "gmsh:physical": [np.zeros(len(of), dtype=np.int32) for of in references]})
 
 
+# Names under which meshio has regions and markers.
+_REFERENCES = ("reference", "gmsh:physical", "medit:ref")
+
+
 def _references(other: Any, kind: str) -> Any:
-    for name in ("reference", "gmsh:physical", "medit:ref"):
+    for name in _REFERENCES:
         if name in other.cell_data:
             parts = [of for cells, of in zip(other.cells, other.cell_data[name]) if cells.type == kind]
             if parts:
@@ -51,6 +56,20 @@ def _references(other: Any, kind: str) -> Any:
 def _cells(other: Any, kind: str) -> Any:
     parts = [cells.data for cells in other.cells if cells.type == kind]
     return np.concatenate(parts) if parts else None
+
+
+def _warn_of_left_out(other: Any, lines: Any, new: Any) -> None:
+    """Names what a Mesh has no place for: data and sets of cells, and lines with points in no triangle."""
+    data = [name for name in other.cell_data if name not in (*_REFERENCES, "gmsh:geometrical")]
+    sets = [name for name in other.cell_sets if not name.startswith("gmsh:")] if hasattr(other, "cell_sets") else []
+    if data:
+        warn(f"data of cells have no place in a Mesh, and are left out: {', '.join(data)}; regions and markers are in "
+             f"{', '.join(_REFERENCES[:-1])} or {_REFERENCES[-1]}")
+    if sets:
+        warn(f"sets of cells have no place in a Mesh, and are left out: {', '.join(sets)}")
+    lost = 0 if lines is None else int((new[lines] < 0).any(axis=1).sum())
+    if lost:
+        warn(f"{lost} of {len(lines)} lines have points in no triangle, and are left out")
 
 
 def from_meshio(other: Any) -> Mesh:
@@ -72,9 +91,13 @@ def from_meshio(other: Any) -> Mesh:
     more: Any = {}
     if "metric" in other.point_data:
         more["metric"] = np.asarray(other.point_data["metric"])[used]
+    _warn_of_left_out(other, lines, new)
+    if lines is not None:
+        markers = _references(other, "line")
+        stays = (new[lines] >= 0).all(axis=1)
+        more.update(edges=new[lines][stays], markers=None if markers is None else np.asarray(markers)[stays])
     return Mesh(points[used, :2], numbers.reshape(triangles.shape), regions=_references(other, "triangle"),
-                edges=None if lines is None else new[lines],
-                markers=None if lines is None else _references(other, "line"), values=values, **more)
+                values=values, **more)
 
 
 def to_pyvista(mesh: Mesh) -> Any:

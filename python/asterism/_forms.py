@@ -74,7 +74,11 @@ def _of_matrices(name: str, matrices: Doubles) -> Doubles:
 def named_fields(values: Fields, name: str = "u") -> NamedFields:
     """Returns fields by name. A field without a name is called `name`."""
     if isinstance(values, Mapping):
-        return [(system_text("a field's name", str(key)), of) for key, of in values.items()]
+        names = [system_text("a field's name", str(key)) for key in values]
+        for of in names:
+            if names.count(of) > 1:
+                raise InputError(f"{of}: {names.count(of)} fields have this name")
+        return list(zip(names, values.values()))
     return [(name, values)]
 
 
@@ -87,6 +91,16 @@ def system_text(name: str, text: str) -> str:
         raise InputError(f"{name}: {shown} has at {odd.start} the lone surrogate {text[odd.start]!r}, which is no "
                          "character") from None
     return text
+
+
+def check_rows(fields: NamedFields, points: int, triangles: int) -> None:
+    """Raises InputError for a field with a row for each triangle, in place of one for each point."""
+    for name, of in fields:
+        rows = np.shape(of)[0] if np.ndim(of) else 0
+        if rows == triangles != points:
+            raise InputError(f"{name}: it has {rows} rows, one a triangle, and {points} are wanted, one a point; "
+                             "materials are `regions` of the Mesh, and values[mesh.locate(p)] brings values of "
+                             "triangles to points p")
 
 
 def like(given: Fields, moved: NamedFields) -> Any:

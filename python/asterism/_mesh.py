@@ -24,6 +24,8 @@ Markers = Union[npt.ArrayLike, Mapping[Tuple[int, int], int]]
 
 def _made_of(points: npt.ArrayLike, triangles: npt.ArrayLike, metric: npt.ArrayLike, more: Dict[str, Any]) -> _Mesh:
     at = _in_plane(doubles("points", points))
+    if at.ndim == 2 and not np.isfinite(at).all():
+        raise InputError(f"points: row {int(np.argmin(np.isfinite(at).all(axis=1)))} is not finite")
     return _Mesh.from_arrays(at, triangles, definite("metric", tensor_rows("metric", metric, len(at))), more)
 
 
@@ -111,7 +113,7 @@ class Mesh:
 
     @property
     def points(self) -> Doubles:
-        """(n, 2), a view; the first `given` are the domain's."""
+        """(n, 2), a view; the first `given` are the domain's vertices."""
         return self._made.points
 
     @property
@@ -151,7 +153,7 @@ class Mesh:
 
     @property
     def given(self) -> int:
-        """How many points, the first ones, are vertices of the domain."""
+        """Number of points, the first ones, that are vertices of the domain; 0 for a mesh from elsewhere."""
         return self._made.given
 
     @property

@@ -277,7 +277,8 @@ def _check_function(name: str, of: Any, mesh: Any, meanings: Mapping[int, str] =
     family = str(element.family() if callable(getattr(element, "family", None)) else getattr(element, "family_name", ""))
     width = len(_dofs(of)[0]) if len(_dofs(of)) else 3
     if family not in ("Lagrange", "CG", "P", "Q") or (_degree(of), width) not in ((1, 3), (2, 6)):
-        raise InputError(f"{name}: a continuous Lagrange function of degree 1 or 2 is wanted, not {element}")
+        hint = "; its projection onto degree 1 is one, and materials are cell_tags" if width == 1 else ""
+        raise InputError(f"{name}: a continuous Lagrange function of degree 1 or 2 is wanted, not {element}{hint}")
     if np.iscomplexobj(of.x.array):
         raise InputError(f"{name}: complex numbers have no place here; give real and imaginary part as two fields")
     if not np.isfinite(of.x.array).all():

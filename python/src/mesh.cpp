@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "arguments.hpp"
@@ -82,6 +84,19 @@ bool holds_fields(mesh_format format) {
   return internal::kept_in(format).fields || format == mesh_format::html;
 }
 
+// Returns a mesh from elsewhere as it is written: the vertices that must stay are required, and all
+// others, which `smooth` gets, may go where the file is adapted.
+mesh with_required(const py_mesh& m, std::vector<vertex_index>& smooth) {
+  mesh written = m.content;
+  std::vector<char> stays(written.sites.size(), 0);
+  for (const auto* list : {&m.marks.corners, &m.marks.required_vertices})
+    for (const vertex_index v : *list) stays.at(v) = 1;
+  written.given = static_cast<vertex_index>(written.sites.size());
+  for (vertex_index v = 0; v < written.given; ++v)
+    if (stays[v] == 0) smooth.push_back(v);
+  return written;
+}
+
 std::vector<system_text> save_unlocked(const py_mesh& m, const std::filesystem::path& path,
                                        const solution& fields) {
   const py::gil_scoped_release unlocked;
@@ -93,8 +108,12 @@ std::vector<system_text> save_unlocked(const py_mesh& m, const std::filesystem::
   options.names = m.names;
   if (m.claim && m.claim->original) options.smooth = internal::smooth_vertices(*m.claim->original);
   if (m.claim && !m.certified) options.note = "Incomplete, not certified: " + m.reason;
+  std::optional<mesh> changed;
+  if (!m.claim && m.content.given == 0 &&
+      !(m.marks.corners.empty() && m.marks.required_vertices.empty()))
+    changed = with_required(m, options.smooth);
   std::vector<system_text> names;
-  for (const auto& file : value_or_raise(write_mesh(path, m.content, options)))
+  for (const auto& file : value_or_raise(write_mesh(path, changed ? *changed : m.content, options)))
     names.push_back({file.string()});
   if (m.claim) {
     auto beside = path;
@@ -159,6 +178,37 @@ std::vector<int> numbers_of(const py::object& given, const char* name, std::size
     found.push_back(static_cast<int>(n));
   }
   return found;
+}
+
+std::string row_text(const char* name, std::size_t row, vertex_index a, vertex_index b) {
+  return std::string(name) + ": row " + std::to_string(row) + ", (" + std::to_string(a) + ", " +
+         std::to_string(b) + "),";
+}
+
+// Refuses edges that no triangle has, and an edge with two markers. Leaves out edges that are
+// listed again, with a note.
+void put_edges_in_order(mesh& m, const internal::triangle_sides& sides) {
+  std::map<std::pair<vertex_index, vertex_index>, std::size_t> first;
+  std::vector<boundary_edge> kept;
+  for (std::size_t k = 0; k < m.boundary.size(); ++k) {
+    boundary_edge e = m.boundary[k];
+    if (!sides.find(e.a, e.b) && !sides.find(e.b, e.a))
+      throw input_error(row_text("edges", k, e.a, e.b) + " is a side of no triangle");
+    const auto [at, is_new] = first.try_emplace(std::minmax(e.a, e.b), k);
+    if (is_new) {
+      e.segment = static_cast<vertex_index>(kept.size());
+      kept.push_back(e);
+    } else if (m.boundary[at->second].marker != e.marker) {
+      throw input_error(row_text("edges", k, e.a, e.b) + " is row " + std::to_string(at->second) +
+                        " again, with the marker " + std::to_string(e.marker) + " in place of " +
+                        std::to_string(m.boundary[at->second].marker));
+    }
+  }
+  const std::size_t again = m.boundary.size() - kept.size();
+  m.boundary = std::move(kept);
+  if (again > 0)
+    m.notes.push_back(std::to_string(again) + (again == 1 ? " edge is" : " edges are") +
+                      " listed again and left out");
 }
 
 void add_edges(mesh& m, const py::object& edges, const py::object& markers) {
@@ -242,13 +292,21 @@ py_mesh from_arrays(const py::object& points, const py::object& triangles, const
   if (given.has("regions"))
     m.regions = numbers_of(given.object("regions"), "regions", m.triangles.size(), "triangle");
   add_edges(m, given.object("edges"), given.object("edge_markers"));
-  internal::list_sides(m, internal::triangle_sides(m));
+  const internal::triangle_sides sides(m);
+  if (!given.has("is_judged")) put_edges_in_order(m, sides);
+  internal::list_sides(m, sides);
   py_mesh made;
   made.marks = marks_of(given, m.sites.size());
+  for (std::size_t k = 0; k < made.marks.required_edges.size(); ++k) {
+    const auto [a, b] = made.marks.required_edges[k];
+    if (!sides.find(a, b) && !sides.find(b, a))
+      throw input_error(row_text("required_edges", k, a, b) + " is a side of no triangle");
+  }
   auto adopted = value_or_raise(adopt_mesh(m, region_edges::as_listed, slit_rule::joined));
   // Keeps given points at slits: the mesh has one for each side, and the domain has one.
   if (!adopted.cracks.empty()) internal::keep_segments(m, internal::triangle_sides(m), {{}, true});
   made.content = adopted.cracks.empty() ? std::move(adopted.subject) : std::move(m);
+  made.content.given = 0;
   warn(std::exchange(made.content.notes, {}));
   made.reason = "it came from elsewhere";
   return made;

@@ -93,6 +93,7 @@ def test_targets_that_cannot_be_met_are_warnings(background):
     (np.zeros((2, 2)), {}, "u: 358 rows of one"),
     ({"u": np.zeros((358, 3)), "v": np.zeros(358)}, {}, "u: a tensor"),
     ({"u": np.zeros(2)}, {}, "u: 358 rows of"),
+    ({"u": np.zeros(638)}, {}, "u: it has 638 rows, one a triangle, and 358 are wanted, one a point"),
     (None, {"norm": 0.5}, "norm"),
     (None, {"gradation": "mild"}, "a number above 1 or None"),
     (None, {"hessian": "guess"}, "'lsq' is wanted"),

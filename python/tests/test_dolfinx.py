@@ -232,6 +232,7 @@ def test_what_is_refused(square):
             (lambda: asterism.dolfinx.adapt(mesh, q, vertices=9, how="conservative"), "of degree 2"),
             (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(mesh, ("CG", 3)))), "degree 1 or 2"),
             (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(mesh, ("DG", 1)))), "degree 1 or 2"),
+            (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(mesh, ("DG", 0)))), "projection onto"),
             (lambda: asterism.dolfinx.adapt(mesh, fem.Function(fem.FunctionSpace(other, ("CG", 1)))), "another mesh"),
             (lambda: asterism.dolfinx.adapt(mesh, u, facet_tags, cell_tags), "cell_tags: MeshTags"),
             (lambda: asterism.dolfinx.adapt(mesh, u, cell_tags, dmesh.meshtags(other, 1, *ones)), "facet_tags: it is"),

@@ -264,6 +264,19 @@ def test_files_come_back_and_verify(made, tmp_path):
         made.save(tmp_path / "swirl.unknown")
 
 
+def test_points_from_elsewhere_may_go_when_the_file_is_adapted(tmp_path):
+    at = np.linspace(0, 1, 11)
+    points = np.stack(np.meshgrid(at, at), -1).reshape(-1, 2)
+    corner = (11 * np.arange(10)[:, None] + np.arange(10)).ravel()
+    triangles = np.concatenate([np.stack([corner, corner + 1, corner + 12], 1), np.stack([corner, corner + 12, corner + 11], 1)])
+    for ending in ("mesh", "meshb", "msh", "vtu"):
+        asterism.Mesh(points, triangles).save(tmp_path / f"a.{ending}")
+        assert len(asterism.adapt(asterism.read(tmp_path / f"a.{ending}"), points[:, 0] ** 2, vertices=40).mesh.points) < 50
+    asterism.Mesh(points, triangles, required_points=[38], corners=[60]).save(tmp_path / "b.mesh")
+    made = asterism.adapt(asterism.read(tmp_path / "b.mesh"), points[:, 0] ** 2, vertices=40).mesh
+    assert len(made.points) < 50 and all((made.points == points[k]).all(1).any() for k in (38, 60))
+
+
 def test_a_mesh_from_elsewhere():
     crossed = asterism.certify([(0, 0), (4, 0), (2, 0.5), (2, -0.5)], [(0, 1, 2), (1, 0, 3)])
     assert not crossed["certified"]  # the long diagonal
@@ -271,6 +284,45 @@ def test_a_mesh_from_elsewhere():
     assert right["certified"] and abs(right["worst_angle"] - 45) < 1e-9
     with pytest.raises(asterism.InputError, match="row 0 names point 7"):
         asterism.Mesh([(0, 0), (1, 0), (0, 1)], [(0, 1, 7)])
+
+
+PAIR = ([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 1, 2), (0, 2, 3)])
+
+
+@pytest.mark.parametrize("options, message", [
+    ({"markers": {(1, 3): 2}}, r"edges: row 0, \(1, 3\), is a side of no triangle"),
+    ({"edges": [(0, 1), (1, 0)], "markers": [3, 4]}, r"edges: row 1, \(1, 0\), is row 0 again, with the marker 4 in place"),
+    ({"required_edges": [(0, 1), (1, 3)]}, r"required_edges: row 1, \(1, 3\), is a side of no triangle"),
+    ({"values": {1: np.zeros(4), "1": np.zeros(4)}}, "1: 2 fields have this name"),
+])
+def test_meshes_from_elsewhere_that_cannot_be_meant(options, message):
+    with pytest.raises(asterism.InputError, match=message):
+        asterism.Mesh(*PAIR, **options)
+    with pytest.raises(asterism.InputError, match="points: row 2 is not finite"):
+        asterism.Mesh([(0, 0), (1, 0), (1, np.inf), (0, 1)], PAIR[1])
+
+
+def test_edges_that_are_listed_again_are_left_out():
+    sides = [(0, 1), (1, 2), (2, 3), (1, 0), (3, 0), (0, 1)]
+    with pytest.warns(UserWarning, match="2 edges are listed again and left out"):
+        mesh = asterism.Mesh(*PAIR, edges=sides, markers=[5, 6, 7, 5, 8, 5])
+    assert sorted(mesh.edge_markers) == [5, 6, 7, 8]
+    assert asterism.adapt(mesh, implied=True).mesh.certified
+
+
+def test_what_meshio_has_and_a_mesh_has_not_is_named():
+    meshio = pytest.importorskip("meshio")
+    points, triangles = [*PAIR[0], (5, 5), (6, 6)], np.array(PAIR[1])
+    other = meshio.Mesh(np.array(points, dtype=float), [("triangle", triangles), ("line", np.array([(0, 1), (4, 5)]))],
+                        cell_data={"medit:ref": [np.array([3, 4]), np.array([7, 8])],
+                                   "kappa": [np.array([1.5, 2]), np.zeros(2)]}, cell_sets={"wall": [[], [0]]})
+    with pytest.warns(UserWarning) as told:
+        mesh = asterism.Mesh.from_meshio(other)
+    said = [str(one.message) for one in told]
+    for words in ("data of cells have no place in a Mesh, and are left out: kappa", "sets of cells have no place",
+                  "1 of 2 lines have points in no triangle"):
+        assert any(words in one for one in said), words
+    assert list(mesh.regions) == [3, 4] and 7 in mesh.edge_markers and 8 not in mesh.edge_markers
 
 
 def test_points_with_a_height_are_points_of_the_plane(made):
