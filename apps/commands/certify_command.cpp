@@ -324,6 +324,33 @@ result<measured_mesh> read_measured(certify_options& options) {
   return measured_mesh{std::move(adopted).value(), std::move(second_order), std::move(formula)};
 }
 
+certify_report judge(const certify_options& options, const adopted_mesh& adopted,
+                     const run_limits& limits) {
+  progress_line line(true);
+  line.show({.phase = mesh_phase::auditing, .sites = adopted.subject.sites.size()});
+  return certify(adopted, options.angle_bound, options.prove_voronoi,
+                 findings_kept(options.all_findings), [&limits] { return limits.reason(); });
+}
+
+bool has_folds(const measured_mesh& measured) {
+  return measured.second_order && !measured.second_order->proved();
+}
+
+// Writes the results, as lines or as an object.
+void say_report(const certify_options& options, const measured_mesh& measured,
+                const certify_report& report) {
+  const auto& second_order = measured.second_order;
+  if (options.json) {
+    const bool good =
+        report.certified() && !has_folds(measured) && is_dual_as_asked(options, report.audit);
+    std::cout << summary_json(report, good ? done : not_reached, options.angle_bound, second_order);
+    return;
+  }
+  write_report(std::cout, report, measured.adopted.subject, options.angle_bound,
+               options.all_findings);
+  if (second_order) std::cout << text_of(*second_order) << '\n';
+}
+
 int run_certify(certify_options options) {
   const thread_limit threads(options.threads);
   const bool is_medit = has_ending(options.mesh.string(), ".mesh");
@@ -343,22 +370,10 @@ int run_certify(certify_options options) {
                      std::to_string(sites) + " vertices already"},
                     refused);
   limits.expect(sites);
-  const certify_report report = [&] {
-    progress_line line(true);
-    line.show({.phase = mesh_phase::auditing, .sites = sites});
-    return certify(adopted, options.angle_bound, options.prove_voronoi,
-                   findings_kept(options.all_findings), [&limits] { return limits.reason(); });
-  }();
-  const auto& second_order = measured.value().second_order;
-  const bool folds = second_order && !second_order->proved();
-  if (options.json) {
-    const bool good = report.certified() && !folds && is_dual_as_asked(options, report.audit);
-    std::cout << summary_json(report, good ? done : not_reached, options.angle_bound, second_order);
-  } else {
-    write_report(std::cout, report, adopted.subject, options.angle_bound, options.all_findings);
-    if (second_order) std::cout << text_of(*second_order) << '\n';
-  }
-  if (folds) return complain({"NOT certified: " + text_of(*second_order)}, not_reached);
+  const certify_report report = judge(options, adopted, limits);
+  say_report(options, measured.value(), report);
+  if (has_folds(measured.value()))
+    return complain({"NOT certified: " + text_of(*measured.value().second_order)}, not_reached);
   if (report.certified() || !options.repair) limits.conclude();
   if (report.certified()) return write_as_it_is(options, adopted, report);
   if (!options.repair) {
@@ -370,23 +385,27 @@ int run_certify(certify_options options) {
   return repair(options, adopted, *measured.value().field, report, limits);
 }
 
+// Adds the options for the mesh and its metric.
+void add_input_options(CLI::App& app, certify_options& options) {
+  app.add_option("MESH", options.mesh, "What to certify")->required();
+  auto* const solution =
+      app.add_option("SOL", options.solution, "Its metric (default: NAME.sol beside NAME.mesh)");
+  auto* const metric = app.add_option("--metric", options.metric, "Its metric, as `mesh` takes it");
+  metric->type_name("SPEC")->excludes(solution);
+  add_real(
+      app, "--size", sizes, [&options](double x) { options.size = x; },
+      "Length of an edge of metric length 1, in the metric as given by --metric")
+      ->type_name("H")
+      ->needs(metric);
+}
+
 }  // namespace
 
 void add_certify_command(CLI::App& program, command& chosen) {
   auto* const app =
       program.add_subcommand("certify", "Certify, or repair, a mesh that came from elsewhere");
   const auto options = std::make_shared<certify_options>();
-  app->add_option("MESH", options->mesh, "What to certify")->required();
-  auto* const solution =
-      app->add_option("SOL", options->solution, "Its metric (default: NAME.sol beside NAME.mesh)");
-  auto* const metric =
-      app->add_option("--metric", options->metric, "Its metric, as `mesh` takes it");
-  metric->type_name("SPEC")->excludes(solution);
-  add_real(
-      *app, "--size", sizes, [options](double x) { options->size = x; },
-      "Length of an edge of metric length 1, in the metric as given by --metric")
-      ->type_name("H")
-      ->needs(metric);
+  add_input_options(*app, *options);
   app->add_option("-o,--output", options->outputs,
                   "Where to write what is certified or repaired; may be given several times")
       ->type_name("OUT")

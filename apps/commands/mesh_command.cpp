@@ -44,8 +44,8 @@ void take_gradation(const std::string& text, mesh_job& job) {
   if (text != "none") job.gradation = real_of("--gradation", text, gradations);
 }
 
-void add_domain_options(CLI::App& app, mesh_job& job) {
-  app.add_option("DOMAIN", job.domain, "What to mesh")->required();
+// Adds the options for the metric and its scale.
+void add_metric_options(CLI::App& app, mesh_job& job) {
   app.add_option("--metric", job.metric, "The metric wanted (default identity)")->type_name("SPEC");
   auto* const size = add_real(
       app, "--size", sizes, [&job](double x) { job.size = x; },
@@ -68,6 +68,10 @@ void add_domain_options(CLI::App& app, mesh_job& job) {
          "none "
          "(default)")
       ->type_name("BETA");
+}
+
+// Adds the options for the domain and its boundary, and for vertices inside.
+void add_domain_options(CLI::App& app, mesh_job& job) {
   auto* const repair = app.add_flag("--repair-domain", job.repair,
                                     "Make crossings of segments vertices, join points that nearly "
                                     "coincide, close gaps; notes and pictures show each repair");
@@ -231,6 +235,8 @@ void add_mesh_command(CLI::App& program, command& chosen, piece_team* team) {
   auto* const app = program.add_subcommand("mesh", "Mesh a domain, and certify the mesh");
   const auto job = std::make_shared<mesh_job>();
   const auto sizes_asked = std::make_shared<std::vector<worded_size>>();
+  app->add_option("DOMAIN", job->domain, "What to mesh")->required();
+  add_metric_options(*app, *job);
   add_domain_options(*app, *job);
   add_size_options(*app, *job, *sizes_asked);
   add_refinement_options(*app, *job);

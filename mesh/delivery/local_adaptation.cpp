@@ -70,28 +70,7 @@ class local_adaptation {
     const cancellation whole = options_.stop;
     constexpr double for_ladder = 0.8;  // of the work; what is left is for one metric
     options_.stop = whole.part(for_ladder);
-    // Tries stricter steps as long as the meshes made so far have, together, no more nodes than the
-    // limit for one mesh: a step's cost is proportional to its nodes.
-    std::size_t made = 0;
-    goal_.make_room_where_needed(options_.stop);
-    for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
-      bool is_made = attempt(start_, ladder[step]);
-      if (give_up_room_at_chords(is_made)) is_made = attempt(start_, ladder[step]);
-      if (std::exchange(wants_room_, false)) {
-        goal_.make_room_for_segments(0, options_.stop);
-        is_made = attempt(start_, ladder[step]);
-      }
-      if (is_made && !is_certified() && take_all_room()) is_made = attempt(start_, ladder[step]);
-      if (!is_made) {
-        if (is_overworked()) break;
-        return std::nullopt;
-      }
-      made += std::max(goal_.count(), made_.subject().sites.size());
-      if (is_certified() || stop_reason() || is_overworked()) break;
-      // Skips to the strictest step where mending made no progress: a slightly stricter one does
-      // not help.
-      if (std::exchange(repair_gave_up_, false)) step = std::max(step, ladder.size() - 2);
-    }
+    if (!climb_ladder()) return std::nullopt;
     constexpr double for_nodes = 0.5;  // of the work that is left
     options_.stop = whole.part(for_nodes);
     if (!is_certified() && !stop_reason()) add_nodes_to_nearest();
@@ -105,6 +84,30 @@ class local_adaptation {
   }
 
  private:
+  // Makes meshes by stricter and stricter steps until one is certified. Tries a step as long as the
+  // meshes made so far have, together, no more nodes than the limit for one mesh: a step's cost is
+  // proportional to its nodes. Returns false where a step makes no mesh, with work left.
+  bool climb_ladder() {
+    std::size_t made = 0;
+    goal_.make_room_where_needed(options_.stop);
+    for (std::size_t step = 0; step < ladder.size() && made <= options_.max_sites; ++step) {
+      bool is_made = attempt(start_, ladder[step]);
+      if (give_up_room_at_chords(is_made)) is_made = attempt(start_, ladder[step]);
+      if (std::exchange(wants_room_, false)) {
+        goal_.make_room_for_segments(0, options_.stop);
+        is_made = attempt(start_, ladder[step]);
+      }
+      if (is_made && !is_certified() && take_all_room()) is_made = attempt(start_, ladder[step]);
+      if (!is_made) return is_overworked();
+      made += std::max(goal_.count(), made_.subject().sites.size());
+      if (is_certified() || stop_reason() || is_overworked()) break;
+      // Skips to the strictest step where mending made no progress: a slightly stricter one does
+      // not help.
+      if (std::exchange(repair_gave_up_, false)) step = std::max(step, ladder.size() - 2);
+    }
+    return true;
+  }
+
   std::optional<std::string> stop_reason() const { return options_.stop.told(); }
 
   bool is_certified() const { return made_.is_certified(); }
