@@ -148,8 +148,8 @@ int challenge_and_report(const challenge_options& options, const challenge_plan&
   return outcome.value().all_right(options.undecided_passes) ? done : not_reached;
 }
 
-// Notes the first word behind the program's name that is an option of challenge: the program gets
-// it.
+// Notes the first word behind the program's name that is an option of challenge: it is passed
+// to the program.
 void warn_of_own_options(const challenge_options& options) {
   for (const std::string& word : options.command) {
     const std::string name = word.substr(0, word.find('='));

@@ -257,7 +257,7 @@ std::optional<metric_tensor> one_metric_for(const background_metric& wanted, con
 }
 
 // Makes meshes in multiples of the metric, in which stars and angles are the same, until the number
-// of sites fits. The sites get the metric itself.
+// of sites fits. The sites then have the metric itself.
 std::optional<mesh_of_one_metric> mesh_in_one_metric(const domain& shape,
                                                      const metric_tensor& metric,
                                                      const mesh_options& options,

@@ -4,8 +4,8 @@
 //
 // Stars disagree at any distance of sites where a metric jumps, or turns by much over one edge
 // (docs/math/refinement.md). A site's metric is its own, however: if no change of single sites'
-// metrics led to a mesh (delivery/metric_delivery.hpp), all sites get one metric, in which stars
-// agree whatever the sites (docs/math/delivered-metric.md):
+// metrics led to a mesh (delivery/metric_delivery.hpp), one metric is given to all sites, in which
+// stars agree whatever the sites (docs/math/delivered-metric.md):
 //  1. the log-Euclidean mean of the tensors at the present sites, with the demands;
 //  2. the same without demands on angles and sizes, which is never called complete.
 //

@@ -158,7 +158,7 @@ class giver {
 
   // Repairs the mesh where no change is left to undo: makes the tensors of sites that violate each
   // other's stars more alike, as rounds of agreement do for neighbours. Stops when findings do not
-  // get fewer, since one repair may cause the next finding.
+  // become fewer, since one repair may cause the next finding.
   bool mend(const std::vector<node_list>& found) {
     if (found.size() > least_found_ || times_mended_++ >= most_mended) return false;
     least_found_ = found.size();

@@ -23,7 +23,7 @@ struct curved_sides {
 };
 
 // Puts a node on the curve of each subsegment of a chord. A triangle that would fold, or for which
-// folding is undecided, gets straight sides; `report.kept_straight` counts them. `shape` is the
+// folding is undecided, has straight sides; `report.kept_straight` counts them. `shape` is the
 // domain that the boundary's segments are numbered in, accepted by check_domain.
 ASTERISM_EXPORT result<curved_sides> curve_sides(const mesh& m, const domain& shape);
 

@@ -4,9 +4,9 @@
 // bound?
 //
 // The domain is the area that the boundary edges enclose, every vertex is a site, and the metric of
-// a vertex is that site's. The stars of all sites are built, each from all sites it sees. A
-// triangle counts when it is in the stars of its three vertices (thesis, definition 9). The audit
-// judges the same mesh without building any star: two routes to one answer.
+// a vertex is that site's. The stars of all sites are built, each from all sites visible from its
+// own. A triangle counts when it is in the stars of its three vertices (thesis, definition 9). The
+// audit judges the same mesh without building any star: two routes to one answer.
 #pragma once
 
 #include <array>

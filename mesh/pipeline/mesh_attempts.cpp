@@ -73,8 +73,8 @@ bool may_go_both_ways(const mesh_options& options) {
 }
 
 // Returns the work limit of all attempts together, as a multiple of the limit of one attempt. The
-// second attempt gets what it would get with a tolerance of 0, so raising the tolerance never loses
-// a mesh.
+// second attempt has the work that it has with a tolerance of 0, so raising the tolerance never
+// loses a mesh.
 double work_for_ways(const mesh_options& options) {
   return may_go_both_ways(options) ? 1 + for_metric_wanted : 1;
 }

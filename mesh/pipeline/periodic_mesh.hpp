@@ -7,8 +7,8 @@
 //   for (const periodic_match& match : made.value().claim.periodic) say(text_of(match));
 //
 // Sides are divided once by metric length, in the finer of the metrics on both. Where a mesh needs
-// more points on one side, both sides get them, and it is made again, until both sides of all pairs
-// agree (docs/math/periodic.md).
+// more points on one side, they are put on both sides, and it is made again, until both sides of
+// all pairs agree (docs/math/periodic.md).
 #pragma once
 
 #include <optional>
