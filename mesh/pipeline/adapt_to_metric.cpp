@@ -86,8 +86,8 @@ std::string note_on_kept(const std::vector<int>& markers) {
          "between";
 }
 
-// True if the periodic sides of the mesh match, and do so exactly wherever the corners of its domain
-// are exact images. A new mesh would have exact images there.
+// True if the periodic sides of the mesh match, and do so exactly wherever the corners of its
+// domain are exact images. A new mesh would have exact images there.
 bool has_periodic_sides(const mesh& m, const domain& shape,
                         const std::vector<periodic_pair>& pairs) {
   return std::all_of(pairs.begin(), pairs.end(), [&](const periodic_pair& one) {
