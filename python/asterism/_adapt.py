@@ -192,7 +192,8 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
           gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
           relative: bool = False, cutoff: Optional[float] = None, no_split_across: bool = False,
           domain: Optional[AnyDomain] = None, chord_tolerance: Optional[float] = None,
-          corner_angle: Optional[float] = None, hausd: Optional[float] = None, keep: str = "auto",
+          corner_angle: Optional[float] = None, hausd: Optional[float] = None,
+          boundary_part: Optional[float] = None, keep: str = "auto",
           periodic: Sequence[Tuple[int, int]] = (),
           angle_bound: float = 20, metric_tolerance: Optional[float] = None,
           max_sites: Optional[int] = None, max_seconds: Optional[float] = None,
@@ -212,7 +213,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
     domain: what is meshed, in any form that asterism.mesh() takes, with chord_tolerance for its curves;
     None: what the mesh covers. Of that, vertices where the boundary turns by more than corner_angle (30)
     stay, and the new boundary is within hausd of the old one, both ways (None: where vertices are
-    removed, a hundredth of the size wanted across the boundary).
+    removed, a hundredth of the size wanted across the boundary, or boundary_part of it).
     periodic: pairs of markers of sides that get the same points, as in asterism.mesh().
     keep: whether the mesh may stay: 'auto' where it is as good as a new one, 'never', or 'always' where
     it is certified in the metric. The rest is as in asterism.mesh().
@@ -230,7 +231,8 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
         "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, mesh.points), "step": step,
         "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": method,
         "hessians": hessians, "relative": relative, "cutoff": cutoff, "no_split_across": no_split_across,
-        "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd, "keep": keep,
+        "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd,
+        "boundary_part": boundary_part, "keep": keep,
         "periodic": marker_pairs(periodic),
         "angle_bound": angle_bound, "metric_tolerance": metric_tolerance, "max_sites": max_sites,
         "max_seconds": max_seconds, "threads": threads, "progress": progress}

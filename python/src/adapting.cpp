@@ -54,6 +54,9 @@ mesh_adaptation_options options_of(const keywords& given, const py::object& exac
   if (options.corner_angle > 180)
     throw input_error("corner_angle: degrees above 0 and at most 180 are wanted");
   options.largest_boundary_distance = given.positive("hausd");
+  options.boundary_part = given.positive("boundary_part");
+  if (options.boundary_part && *options.boundary_part > 0.125)
+    throw input_error("boundary_part: above 0 and at most 0.125 is wanted");
   options.chord_tolerance = given.positive("chord_tolerance");
   options.keep = rule_of(given.word("keep"));
   options.periodic = periodic_of(given);
@@ -71,9 +74,10 @@ mesh_adaptation_options options_of(const keywords& given, const py::object& exac
       throw input_error("chord_tolerance: it is of the curves of a domain, and none is given");
     return options;
   }
-  if (given.has("corner_angle") || given.has("hausd"))
-    throw input_error(std::string(given.has("hausd") ? "hausd" : "corner_angle") +
-                      ": it is of the boundary of the mesh, and a domain is given in its place");
+  for (const char* const name : {"hausd", "corner_angle", "boundary_part"})
+    if (given.has(name))
+      throw input_error(std::string(name) +
+                        ": it is of the boundary of the mesh, and a domain is given in its place");
   options.exact = exact.cast<const py_domain&>().shape;
   if (options.chord_tolerance && options.exact->curves.empty())
     throw input_error("chord_tolerance: the domain has no curves");

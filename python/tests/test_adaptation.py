@@ -140,6 +140,14 @@ def test_threads_change_nothing(old, quiet_adapt):
     assert np.array_equal(one.mesh.sites, two.mesh.sites) and np.array_equal(one.values, two.values)
 
 
+def test_a_part_of_the_size_says_how_closely_the_boundary_follows():
+    turn = np.linspace(0, 2 * np.pi, 256, endpoint=False)
+    disk = asterism.mesh(np.column_stack([np.cos(turn), np.sin(turn)]), size=0.3)
+    coarse, usual, fine = (len(asterism.adapt(disk, metric=2.0, boundary_part=part).mesh.edges)
+                           for part in (0.125, None, 0.01))
+    assert coarse < usual < fine and fine >= 79  # a piece of the circle turns by 0.08 at most
+
+
 def test_what_is_not_reached_is_told(old):
     with pytest.warns(asterism.NotReachedWarning):
         made = asterism.adapt(old, front(old), vertices=5000, hmin=0.1)
@@ -152,6 +160,8 @@ def test_what_is_not_reached_is_told(old):
     ("u", {"carry": {"u": 0}}, "carry: 'u' is among the values"), ("u", {"carry": [1, 2]}, "carried: 169 rows"),
     ("u", {"how": "guess"}, "how: "), ("u", {"keep": "maybe"}, "keep: "), ("u", {"hausd": -1}, "hausd: a positive"),
     ("u", {"corner_angle": 200}, "corner_angle"), ("u", {"domain": "square", "hausd": 1}, "hausd: it is of the boundary"),
+    ("u", {"boundary_part": 0.2}, "boundary_part: above 0 and at most 0.125"),
+    ("u", {"domain": "square", "boundary_part": 0.1}, "boundary_part: it is of the boundary"),
     ("u", {"chord_tolerance": 1}, "chord_tolerance"), ("u", {"domain": "square", "chord_tolerance": 1}, "no curves"),
     ("u", {"vertices": 1e9}, "max_sites names a greater limit"), ("u", {"vertices": 9, "error": 1}, "one of"),
     ("u", {"hmin": 2, "hmax": 1}, "hmin"), ("u", {"angle_bound": 60}, "angle_bound"), ("u", {"norm": 0.5}, "norm"),
