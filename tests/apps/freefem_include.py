@@ -251,6 +251,7 @@ class IncludeTest(unittest.TestCase):
         self.assertEqual(status, 0, text)
         self.assertLess(abs(numbers[0][0] / (1.155 * 400 + 40) - 1), 0.15)
         self.assertLess(abs(numbers[1][0] / (1.155 * 200 + 30) - 1), 0.15)
+        self.assertNotIn("note: ", text)
 
     def test_greater_sizes_are_moved_toward_those_of_the_mesh(self):
         """By a quarter of the logarithm of the quotient, without the mean quotient, and by 0.075 at most. Diagonals of
@@ -262,12 +263,17 @@ class IncludeTest(unittest.TestCase):
         for found, logarithm in zip(numbers[1:], (0, 0.025, 0.075)):
             self.assertAlmostEqual(found[0], math.exp(-logarithm), 5)
             self.assertEqual(found[1], 1)
+        self.assertEqual(re.findall(r"note: (\d+) of 36 sizes are reduced, by up to (\S+) %", text),
+                         [("18", "2.46901"), ("18", "7.22565")], text)
 
     def test_keepbackvertices_is_of_sizes(self):
         status, numbers, text, _ = call("0.03 + 0.2 * x", "IsMetric = 1")
         self.assertEqual((status, len(numbers)), (0, 1), text)
+        self.assertEqual(text.count("note: "), 1, text)
+        self.assertIn("keepbackvertices = 0 takes sizes as given", text)
         status, given, text, _ = call("0.03 + 0.2 * x", "IsMetric = 1; keepbackvertices = 0")
         self.assertEqual((status, len(given)), (0, 1), text)
+        self.assertNotIn("note: ", text)
         self.assertNotEqual(given, numbers)
         status, kept, text, _ = call("0.03 + 0.2 * x", "IsMetric = 1; keepbackvertices = 1")
         self.assertEqual((status, kept), (0, numbers), text)
