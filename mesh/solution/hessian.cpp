@@ -146,12 +146,22 @@ result<recovered_hessian> recover_hessian(const mesh& m, const std::vector<doubl
     return error{std::to_string(values.size()) + " values for " + std::to_string(m.sites.size()) +
                  " vertices"};
   auto made = recovery(m, values).run(method);
+  // The metric has their determinants: squares, which must be neither infinite nor zero.
+  constexpr double most = 1e150, least = 1e-150;
+  double greatest = 0;
   for (std::size_t v = 0; v < made.at.size(); ++v) {
     const metric_tensor& h = made.at[v];
-    if (std::abs(h.m11) < 1e150 && std::abs(h.m12) < 1e150 && std::abs(h.m22) < 1e150) continue;
-    return error{"the second derivatives at vertex " + std::to_string(v + 1) +
-                 " are beyond what can be computed with: give coordinates in another unit"};
+    for (const double entry : {h.m11, h.m12, h.m22}) {
+      greatest = std::max(greatest, std::abs(entry));
+      if (std::abs(entry) < most) continue;
+      return error{"the second derivatives at vertex " + std::to_string(v + 1) +
+                   " are beyond what can be computed with: give coordinates in another unit"};
+    }
   }
+  if (greatest > 0 && greatest < least)
+    return error{
+        "all second derivatives are below 1e-150, and so below what can be computed with: give "
+        "coordinates or values in another unit"};
   return made;
 }
 

@@ -151,6 +151,17 @@ TEST_CASE("derivatives that overflow are refused with the vertex") {
   CHECK_FALSE(recover_hessian(m, {1, 2}).ok());
 }
 
+TEST_CASE("derivatives whose squares underflow are refused, and none at all are not") {
+  mesh m = grid(4, 1);
+  for (site& s : m.sites) s.position = {s.position.x * 1e80, s.position.y * 1e80};
+  std::vector<double> values(m.sites.size(), 0);
+  CHECK(recover_hessian(m, values).ok());
+  values[12] = 1;
+  const auto found = recover_hessian(m, values);
+  REQUIRE_FALSE(found.ok());
+  CHECK(found.failure().message.find("another unit") != std::string::npos);
+}
+
 TEST_CASE("the Hessian is the same for any number of threads") {
   const mesh m = sample_mesh(90);
   const auto values = values_of(m, [](const point& q) { return std::tanh(9 * (q.x - q.y * q.y)); });
