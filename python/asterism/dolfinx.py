@@ -197,7 +197,7 @@ def _take_tensors_at_nodes(mesh: Any, wishes: Dict[str, Any]) -> None:
         wishes["metric"] = _tensors_at_nodes(mesh, "metric", wishes["metric"], _TENSORS)
     besides = wishes.get("intersect")
     if _is_function(besides) or isinstance(besides, (list, tuple)):
-        every = [besides] if _is_function(besides) else besides
+        every: Any = [besides] if _is_function(besides) else besides
         wishes["intersect"] = [_tensors_at_nodes(mesh, "intersect", of, _TENSORS) for of in every]
     given = wishes.get("hessian")
     if isinstance(given, Mapping):
