@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, TYPE_CHECKING, Tuple, Union, overload
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, TYPE_CHECKING, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -13,15 +13,14 @@ from ._asterism import InputError
 from ._calls import told, told_methods, warn
 from ._domain import AnyDomain, Domain, as_domain
 from ._forms import (
-    check_rows, definite, Fields, fields_and_tensors, gradation_of, like, marker_pairs, metric_rows, named_fields, norm_of,
-    second_derivatives)
+    check_rows, Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, second_derivatives)
 from ._mesh import Mesh
 from ._meshing import NotReachedWarning, Progress
+from ._metric_forms import is_on_mesh, Metric, rows_at
 from ._page import Before, Page
 from ._reported import ReportedArray, reported
 
 Gradation = Union[float, str, None]
-MetricAtPoints = Union[npt.ArrayLike, Callable[[Any], Any]]
 
 
 def _mesh_made(mesh: Any, name: str = "mesh") -> Any:
@@ -39,21 +38,24 @@ def _made_of(what: Any) -> str:
     return "; asterism.Mesh.from_meshio() makes one of meshio's" if hasattr(what, "cells_dict") else ""
 
 
-def _metrics(given: Any, points: Any) -> List[Any]:
+def _metrics(given: Any, mesh: Mesh) -> List[Any]:
     """Returns the metrics of a list. An array is one metric, unless it is a stack of them."""
     if isinstance(given, np.ndarray):
-        is_stack = given.ndim == 4 or (given.ndim == 3 and given.shape[1:] == (len(points), 3))
+        is_stack = given.ndim == 4 or (given.ndim == 3 and given.shape[1:] == (len(mesh.points), 3))
         given = list(given) if is_stack else [given]
+    if isinstance(given, tuple) and is_on_mesh(given):
+        raise InputError("intersect: a list of metrics is wanted, and a tuple that begins with a Mesh may be one metric "
+                         "or two: [(mesh, tensors)] is one")
     if not isinstance(given, (list, tuple)):
         raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(given).__name__}")
-    return [definite("intersect", metric_rows("intersect", one, points)) for one in given]
+    return [rows_at("intersect", one, mesh) for one in given]
 
 
 @told
 def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, str] = 2, complexity: Optional[float] = None,
            vertices: Optional[int] = None, error: Optional[float] = None, gradation: Gradation = "default",
            hmin: Optional[float] = None, hmax: Optional[float] = None, aspect: Optional[float] = None,
-           intersect: Sequence[MetricAtPoints] = (), step: Optional[float] = None, isotropic: bool = False,
+           intersect: Sequence[Metric] = (), step: Optional[float] = None, isotropic: bool = False,
            gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
            relative: bool = False, cutoff: Optional[float] = None) -> ReportedArray:
     """The metric (n, 3) at the mesh's points in which the next mesh interpolates `values` best.
@@ -67,7 +69,8 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
     values that linear elements computed, what the layers' steepness allows).
     gradation: greatest factor by which lengths grow over a length of one; None: any factor. By default
     6 for fields, with which loops do best, and None for a metric.
-    intersect: metrics (n, 3) with which this one is intersected, in a list. step: greatest factor by which a
+    intersect: metrics with which this one is intersected, in a list, each in any form that asterism.adapt()
+    takes for its metric. step: greatest factor by which a
     length may differ from the mesh's. hessian: 'l2', 'green' or 'lsq' (docs/manual/adaptation.md); or
     the second derivatives themselves, (n, 3) = xx xy yy or (n, 2, 2) of either sign, one or a dict of
     them; the metric is then made of these, without values.
@@ -86,7 +89,7 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
              "gradation": gradation_of(gradation, given is None), "hmin": hmin, "hmax": hmax, "aspect": aspect,
              "step": step, "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape,
              "hessian": method, "hessians": hessians, "relative": relative, "cutoff": cutoff,
-             "intersect": _metrics(intersect, mesh.points)}
+             "intersect": _metrics(intersect, mesh)}
     tensors, report = _asterism._metric(made, fields, given, words)
     if not report["reached"]:
         warn(report["reason"], NotReachedWarning)
@@ -185,10 +188,10 @@ class Adapted(_Pair):
 @told
 def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int] = None,
           complexity: Optional[float] = None, error: Optional[float] = None, carry: Optional[Fields] = None,
-          how: str = "interpolate", metric: Optional[MetricAtPoints] = None, implied: bool = False,
+          how: str = "interpolate", metric: Optional[Metric] = None, implied: bool = False,
           norm: Union[float, str] = 2, gradation: Gradation = "default", hmin: Optional[float] = None,
           hmax: Optional[float] = None, aspect: Optional[float] = None,
-          intersect: Sequence[MetricAtPoints] = (), step: Optional[float] = None, isotropic: bool = False,
+          intersect: Sequence[Metric] = (), step: Optional[float] = None, isotropic: bool = False,
           gradation_keeps_shape: bool = False, hessian: Union[str, Fields] = "green",
           relative: bool = False, cutoff: Optional[float] = None, no_split_across: bool = False,
           domain: Optional[AnyDomain] = None, chord_tolerance: Optional[float] = None,
@@ -205,9 +208,13 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
     markers and lines inside stay. values: as asterism.metric() takes them; None: the mesh's own `values`.
     carry: fields (n,), (n, 2) or (n, 3), or a dict of them, that are only transferred and have no part
     in the metric. how: method of transfer for all fields, as in asterism.transfer().
-    metric: a metric in place of values: in any form that tensors have, or a callable as in asterism.mesh(),
-    called for the mesh's points; or implied=True: that of the mesh's edges. norm to cutoff: as in
-    asterism.metric(); with a hessian (n, 3) the metric is made of that, and values are only transferred.
+    metric: a metric in place of values, in any form that asterism.mesh() takes: rows at the mesh's points,
+    (n, 3), (n, 2, 2) or (n,), or one for all; a text ("swirl:12", "expr:1+x*x;0;1", the name of a file); a
+    callable; a Mesh, for its own metric; or a pair of a mesh and a metric at its points. Formulas and callables
+    are evaluated at the points of the mesh adapted, and metrics on another mesh interpolated there. A named
+    metric is placed in the bounding box of these points, and a .sol or .mtr file has a row for each of them.
+    Or implied=True: the metric of the mesh's edges. norm to cutoff: as in asterism.metric(); with a hessian
+    (n, 3) the metric is made of that, and values are only transferred.
     no_split_across: no inner edge joins two points of the boundary, so that no triangle has all three
     there.
     domain: what is meshed, in any form that asterism.mesh() takes, with chord_tolerance for its curves;
@@ -228,7 +235,7 @@ def adapt(mesh: Mesh, values: Optional[Fields] = None, *, vertices: Optional[int
     words = {
         "vertices": vertices, "complexity": complexity, "error": error, "how": how, "implied": implied,
         "norm": norm_of(norm), "gradation": gradation_of(gradation, given is None and not implied), "hmin": hmin,
-        "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, mesh.points), "step": step,
+        "hmax": hmax, "aspect": aspect, "intersect": _metrics(intersect, mesh), "step": step,
         "isotropic": isotropic, "gradation_keeps_shape": gradation_keeps_shape, "hessian": method,
         "hessians": hessians, "relative": relative, "cutoff": cutoff, "no_split_across": no_split_across,
         "chord_tolerance": chord_tolerance, "corner_angle": corner_angle, "hausd": hausd,
@@ -259,7 +266,7 @@ def _hessians(hessian: Union[str, Fields], count: int) -> Any:
     return "green", given
 
 
-def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[MetricAtPoints], implied: bool,
+def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[Metric], implied: bool,
             has_hessians: bool) -> Any:
     """Returns the fields of which the metric is made, those that are only carried, and a given metric."""
     if has_hessians:
@@ -273,7 +280,7 @@ def _wanted(mesh: Mesh, values: Optional[Fields], metric: Optional[MetricAtPoint
         raise InputError("values, metric, implied: one of the three says which metric is wanted, not "
                          + ("none" if values is None and metric is None and not implied else "several"))
     if metric is not None:
-        return [], definite("metric", metric_rows("metric", metric, mesh.points))
+        return [], rows_at("metric", metric, mesh)
     return fields_and_tensors(values) if values is not None else ([], None)
 
 

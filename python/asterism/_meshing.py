@@ -2,24 +2,19 @@
 """Meshes of domains."""
 from __future__ import annotations
 
-import os
-from numbers import Number
 from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _asterism
 from ._asterism import InputError
 from ._calls import told, warn
 from ._domain import AnyDomain, Domain, as_domain
-from ._forms import (CalledMetric, constant_text, definite, doubles, gradation_of, is_table, marker_pairs, system_text,
-                     tensor_rows)
+from ._forms import CalledMetric, constant_text, doubles, gradation_of, marker_pairs, tensor_rows
 from ._mesh import Mesh
-from ._reported import ReportedArray
+from ._metric_forms import background_of, check_form, is_on_mesh, is_sized, is_text, Metric, text_of
 from ._sizes import Places, Sizes, words_of
 
-Metric = Union[str, float, Callable[[Any], Any], Tuple[Mesh, npt.ArrayLike], Mesh, npt.ArrayLike]
 Progress = Callable[[Dict[str, Any]], Any]
 
 
@@ -48,8 +43,9 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     (n, 2), the corners of a polygon in their order; or a Mesh, for what it covers.
     metric: a text as the command takes it ("swirl:12", "expr:1+x*x;0;1", the name of a mesh's file with
     its metric); a size, the length of an edge; a tensor (3,) = m11 m12 m22 or (2, 2) for the whole
-    domain; a callable from (n, 2) points to sizes (n,), tensors (n, 3) or (n, 2, 2); a pair (mesh,
-    tensors or sizes at its points), or the tensors alone with on=mesh; or a Mesh, for its own.
+    domain; a callable from (n, 2) points to sizes (n,), tensors (n, 3) or (n, 2, 2); a Mesh, for its own
+    metric; or a pair of a mesh and a metric in any of these forms, rows (n, 3), (n, 2, 2) or (n,) at its
+    points among them. The rows alone suffice with on=mesh, or where the domain is that mesh.
     A callable is called at one point to find the kind of its result, then for thousands of points at a
     time, each once, and for single points (n = 1) where they are not known in advance; each row must
     depend on its point alone. If for n > 1 it does not return n rows, or raises, it is called for one
@@ -94,7 +90,7 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
         raise InputError(f"size: a number is wanted, not {type(size).__name__}; sizes that differ from place to place "
                          "are a metric, mesh(domain, metric=...), or size_at and the like")
     covered = as_domain(domain, repair, convex_hull)
-    if on is None and isinstance(domain, Mesh) and isinstance(metric, np.ndarray) and metric.ndim > 1 \
+    if on is None and isinstance(domain, Mesh) and isinstance(metric, np.ndarray) and metric.shape not in ((), (3,)) \
             and len(metric) == len(domain.points):
         on = domain
     wanted, size = _metric_and_size(metric, on, covered, size, (vertices, complexity) == (None, None))
@@ -115,27 +111,23 @@ def _metric_and_size(metric: Any, on: Optional[Mesh], domain: Domain, size: Opti
                      is_unscaled: bool) -> Tuple[Any, Optional[float]]:
     """Returns the metric in one of the module's three forms, and the size wanted in it."""
     default = 1.0 if size is None and is_unscaled else size
-    if on is not None or isinstance(metric, Mesh) or _is_pair(metric):
-        background, given = (on, metric) if on is not None else (
-            (metric, metric.metric) if isinstance(metric, Mesh) else metric)
-        if not isinstance(background, Mesh):
-            raise InputError(f"on: a Mesh is wanted, not {type(background).__name__}")
-        tensors = definite("metric", tensor_rows("metric", given, len(background.points)))
-        is_sized = isinstance(given, ReportedArray) or np.ndim(given) < 2
-        return (background._made, tensors), default if is_sized else size
-    if isinstance(metric, (str, os.PathLike)):
-        return system_text("metric", os.fsdecode(metric)), size
+    if on is not None and not isinstance(on, Mesh):
+        raise InputError(f"on: a Mesh is wanted, not {type(on).__name__}")
+    if on is not None:
+        if is_text(metric) or is_on_mesh(metric):
+            raise InputError("on: rows at the points of this mesh, or a callable, are wanted as metric= beside it")
+        metric = (on, metric)
+    if is_on_mesh(metric):
+        background, tensors = background_of("metric", metric)
+        given = metric.metric if isinstance(metric, Mesh) else metric[1]
+        return (background._made, tensors), default if is_sized(given, background) else size
+    if is_text(metric):
+        return text_of("metric", metric), size
+    check_form("metric", metric)
     if callable(metric):
         called = CalledMetric(metric, np.array(domain.points[:1]))
         return called, default if called.kind == "size" else size
-    if not isinstance(metric, Number) and not is_table(metric):
-        raise InputError("metric: a text, a size, a tensor, a callable or a pair (mesh, tensors) is wanted, not "
-                         f"{type(metric).__name__}")
     tensor = tensor_rows("metric", metric)
     if tensor.shape != (3,):
         raise InputError("metric: tensors at the points of a mesh want the mesh: metric=(mesh, tensors)")
     return constant_text(tensor), default if doubles("metric", metric).ndim == 0 else size
-
-
-def _is_pair(metric: Any) -> bool:
-    return isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh)

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import os
 import sys
 import traceback
 from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple
@@ -24,6 +25,7 @@ from ._adapt import adapt as _adapt_arrays
 from ._asterism import InputError
 from ._forms import definite, doubles, second_derivatives, tensor_rows
 from ._mesh import Mesh
+from ._metric_forms import has_rows, is_on_mesh, is_text
 
 # Names of labels that a DMPlex makes for itself.
 _OWN_LABELS = ("celltype", "depth")
@@ -74,8 +76,9 @@ def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None,
     metric: one in any form that tensors have, or a Vec as dm.metricCreate() makes it; or values: fields, or a
     dict of them, from which the metric is made. carry: fields to transfer that do not affect the metric. hessian,
     intersect: as in asterism.adapt(). All of these are arrays with a row for each local vertex, in the order of the
-    dm, ghosts among them, or local Vecs of such rows; a metric may be a callable, which the first process calls for
-    the vertices of the whole mesh. periodic: pairs of sides with the same points, each side the name and the value of
+    dm, ghosts among them, or local Vecs of such rows. A metric may be in the other forms of asterism.adapt(), too, a
+    callable, a text, a Mesh or a pair (mesh, rows), alike on all processes; the first process evaluates it at the
+    vertices of the whole mesh. periodic: pairs of sides with the same points, each side the name and the value of
     a label: [(("Face Sets", 4), ("Face Sets", 2))]. overlap: of the new distribution. wishes: the other arguments of
     asterism.adapt().
     Labels stay: on cells and edges as they are, on vertices where they are those of labelled edges and cells, or
@@ -118,15 +121,22 @@ class _Asked(NamedTuple):
         """Returns by their use the arguments that have a row for each local vertex, or a dict of such arguments."""
         if not isinstance(self.intersect, (list, tuple)):
             raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(self.intersect).__name__}")
-        besides = {str(k): of for k, of in enumerate(self.intersect) if not callable(of)}
-        return {"metric": None if callable(self.metric) else self.metric, "u": self.values, "carried": self.carry,
+        besides = {str(k): of for k, of in enumerate(self.intersect) if has_rows(of)}
+        return {"metric": self.metric if has_rows(self.metric) else None, "u": self.values, "carried": self.carry,
                 "hessian": None if isinstance(self.hessian, str) else self.hessian, "intersect": besides}
 
     def plain(self) -> Dict[str, Any]:
         """Returns the arguments that each process gives alike, but for the plain ones among the wishes."""
-        kinds = ["a callable" if callable(of) else "rows" for of in (self.metric, *self.intersect)]
+        kinds = [_kind_of(of) for of in (self.metric, *self.intersect)]
         return {**self.wishes, "metric, intersect": ", ".join(kinds), "hessian": self.hessian,
                 "periodic": str(self.periodic)}
+
+
+def _kind_of(metric: Any) -> str:
+    """Returns what a metric is given as, or its text."""
+    if is_text(metric):
+        return f"the text {os.fsdecode(metric)!r}"
+    return "rows" if has_rows(metric) else "on a mesh" if is_on_mesh(metric) else "a callable"
 
 
 def gathered(dm: Any) -> Optional[Mesh]:
@@ -610,10 +620,10 @@ def _adapted(parts: List[_Part], asked: _Asked) -> Any:
     whole = _whole_of(parts)
     old, labelling = _mesh_of(whole)
     values, carry, metric = asked.values, asked.carry, asked.metric
-    besides = [of if callable(of) else whole.rows[f"intersect/{k}"] for k, of in enumerate(asked.intersect)]
+    besides = [whole.rows[f"intersect/{k}"] if has_rows(of) else of for k, of in enumerate(asked.intersect)]
     made = _adapt_arrays(
         old, _fields(whole, "u", values), carry=_fields(whole, "carried", carry),
-        metric=metric if metric is None or callable(metric) else whole.rows["metric/"],
+        metric=whole.rows["metric/"] if metric is not None and has_rows(metric) else metric,
         hessian=asked.hessian if isinstance(asked.hessian, str) else _fields(whole, "hessian", asked.hessian),
         intersect=besides, periodic=_marker_pairs(asked.periodic, labelling.markers), **asked.wishes)
     rows = {f"{use}/{name}": np.asarray(of) for use, form, moved in (

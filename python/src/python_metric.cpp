@@ -8,6 +8,8 @@
 #include "asterism/mesh/audit/audit.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
 #include "asterism/mesh/c_interface/arrays.hpp"
+#include "asterism/mesh/io/medit_solution.hpp"
+#include "asterism/mesh/io/read_mesh.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/metric/make_metric_field.hpp"
 #include "asterism/mesh/pipeline/foreign_mesh.hpp"
@@ -103,6 +105,30 @@ std::unique_ptr<metric_field> called(called_field& callable, const bounding_box&
   return value_or_raise(internal::field_of(asked, box));
 }
 
+std::vector<metric_tensor> tensors_in(const mesh& m) {
+  std::vector<metric_tensor> tensors;
+  tensors.reserve(m.sites.size());
+  for (const asterism::site& s : m.sites) tensors.push_back(s.metric);
+  return tensors;
+}
+
+// Reads a file of numbers for the vertices of a mesh.
+std::vector<metric_tensor> numbers_at_vertices(const mesh& m, const std::string& file) {
+  mesh numbered;
+  numbered.sites = m.sites;
+  medit_read_options how;
+  how.solution = file;
+  value_or_raise(internal::read_medit_solution(file, numbered, how));
+  return tensors_in(numbered);
+}
+
+bounding_box box_of_vertices(const mesh& m) {
+  if (m.sites.empty()) throw input_error("mesh: it has no points");
+  bounding_box box{m.sites.front().position, m.sites.front().position};
+  for (const asterism::site& s : m.sites) box.include(s.position);
+  return box;
+}
+
 }  // namespace
 
 python_metric::python_metric(const py::object& metric, const std::string& file,
@@ -131,5 +157,19 @@ python_metric::python_metric(const py::object& metric, const std::string& file,
 
 python_metric::~python_metric() = default;
 python_metric::python_metric(python_metric&&) noexcept = default;
+
+std::vector<metric_tensor> metric_at_vertices(const mesh& m, const py::object& metric) {
+  if (py::isinstance<py::str>(metric)) {
+    const std::string name = metric.cast<system_text>().bytes;
+    if (is_metric_file(name)) return numbers_at_vertices(m, name);
+  }
+  raised_error errors;
+  const auto field = python_metric(metric, "", box_of_vertices(m), 1, errors).take_field();
+  const py::gil_scoped_release unlocked;
+  std::vector<metric_tensor> tensors;
+  tensors.reserve(m.sites.size());
+  for (const asterism::site& s : m.sites) tensors.push_back(value_or_raise(field->at(s.position)));
+  return tensors;
+}
 
 }  // namespace asterism::python

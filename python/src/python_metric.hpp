@@ -5,8 +5,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "asterism/mesh/data/domain.hpp"
+#include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/data/metric_field.hpp"
 #include "watched_run.hpp"
 
@@ -35,5 +37,10 @@ class python_metric {
   std::unique_ptr<called_field> callable_;  // used by the field
   std::unique_ptr<metric_field> field_;
 };
+
+// Returns a metric's tensors at the vertices of a mesh. The metric is a text, placed in the
+// bounding box of these vertices, or a pair of another mesh and tensors at its vertices. Of the
+// texts, a file of numbers alone has them for the vertices of `m`, in their order.
+std::vector<metric_tensor> metric_at_vertices(const mesh& m, const py::object& metric);
 
 }  // namespace asterism::python

@@ -10,6 +10,7 @@
 #include "asterism/mesh/transfer/transfer.hpp"
 #include "bindings.hpp"
 #include "py_mesh.hpp"
+#include "python_metric.hpp"
 #include "solution_arguments.hpp"
 
 namespace asterism::python {
@@ -82,6 +83,12 @@ void define_solution(py::module_& m) {
   m.def("_metric", &metric_for, py::arg("mesh"), py::arg("fields"), py::arg("given"),
         py::arg("more"));
   m.def("_implied_metric", &implied, py::arg("mesh"));
+  m.def(
+      "_metric_at",
+      [](const py_mesh& on, const py::object& metric) {
+        return array_of(metric_at_vertices(on.content, metric));
+      },
+      py::arg("mesh"), py::arg("metric"));
 }
 
 }  // namespace asterism::python

@@ -139,6 +139,8 @@ def run_tensors():
         "hessian": dict(hessian=curved, vertices=300), "named": dict(hessian={"a": curved}, vertices=300),
         "intersect": dict(metric=0.2, intersect=[sizes]), "array": dict(metric=0.2, intersect=sizes),
         "callables": dict(metric=lambda p: 0.2 + 0 * p[:, 0], intersect=[lambda p: 0.05 + 0.1 * p[:, 0]]),
+        "tensors": dict(metric=(25, 0, 25), intersect=[(100, 0, 100)]),
+        "texts": dict(metric="expr:25;0;25", intersect=["expr:100;0;100"]),
         "periodic": dict(values=front(at), vertices=300, periodic=[sides])}.items()}
     found = {name: whole(of.dm) for name, of in made.items()}
     if MPI.rank == 0:
@@ -186,6 +188,7 @@ def run_errors():
                (dict(dm=dm, values=front(at), vertices=300 + MPI.rank), "vertices: process 1 gives 301"),
                (dict(dm=dm, values=front(at), **({} if MPI.rank else {"error": 1})), "error: process 1 gives None"),
                (dict(dm=dm, metric=np.sin if MPI.rank else 0.1), "process 1 gives 'a callable'"),
+               (dict(dm=dm, metric="swirl" if MPI.rank else "sink"), "process 1 gives"),
                (dict(dm=dm, hessian=np.ones(len(at))), "second derivatives (n, 3)"),
                (dict(dm=dm, values=front(at), periodic=[(4, 2)]), "the name and the value of a label"),
                (dict(dm=dm, values=front(at), periodic=[(("Face Sets", 4), ("Face Sets", 8))]), "('Face Sets', 9)"))
