@@ -2,6 +2,7 @@
 """Meshes of domains."""
 from __future__ import annotations
 
+import os
 from typing import Any, Callable, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -10,9 +11,10 @@ from . import _asterism
 from ._asterism import InputError
 from ._calls import told, warn
 from ._domain import AnyDomain, Domain, as_domain
-from ._forms import CalledMetric, constant_text, doubles, gradation_of, marker_pairs, tensor_rows
+from ._forms import CalledMetric, constant_text, doubles, gradation_of, marker_pairs, path_of, tensor_rows
 from ._mesh import Mesh
-from ._metric_forms import background_of, check_form, is_on_mesh, is_sized, is_text, Metric, text_of
+from ._metric_forms import (background_of, check_form, is_numbers_file, is_on_mesh, is_sized, is_text, Metric, rows_at,
+                            text_of)
 from ._sizes import Places, Sizes, words_of
 
 Progress = Callable[[Dict[str, Any]], Any]
@@ -45,7 +47,8 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     its metric); a size, the length of an edge; a tensor (3,) = m11 m12 m22 or (2, 2) for the whole
     domain; a callable from (n, 2) points to sizes (n,), tensors (n, 3) or (n, 2, 2); a Mesh, for its own
     metric; or a pair of a mesh and a metric in any of these forms, rows (n, 3), (n, 2, 2) or (n,) at its
-    points among them. The rows alone suffice with on=mesh, or where the domain is that mesh.
+    points among them. The rows alone suffice with on=mesh, or where the domain is that mesh. A .sol or .mtr
+    file has a row for each point of the domain, if that is a mesh, else of the mesh's file of its name.
     A callable is called at one point to find the kind of its result, then for thousands of points at a
     time, each once, and for single points (n = 1) where they are not known in advance; each row must
     depend on its point alone. If for n > 1 it does not return n rows, or raises, it is called for one
@@ -93,12 +96,15 @@ def mesh(domain: AnyDomain, metric: Metric = "identity", size: Optional[float] =
     if on is None and isinstance(domain, Mesh) and isinstance(metric, np.ndarray) and metric.shape not in ((), (3,)) \
             and len(metric) == len(domain.points):
         on = domain
+    if isinstance(domain, Mesh) and is_numbers_file(metric):
+        metric = (domain, rows_at("metric", metric, domain))
     wanted, size = _metric_and_size(metric, on, covered, size, (vertices, complexity) == (None, None))
     made = Mesh._of(_asterism._mesh(covered._made, wanted, {
         "size": size, "angle_bound": angle_bound, "max_sites": max_sites,
         "gradation": gradation_of(gradation, False), "voronoi": voronoi or prove_voronoi, "improve": improve,
         "vertices": vertices, "complexity": complexity, "metric_tolerance": metric_tolerance,
         "chord_tolerance": chord_tolerance, "keep_if_complete": covered._is_meshed, "max_seconds": max_seconds,
+        "domain_file": path_of(domain) if isinstance(domain, (str, bytes, os.PathLike)) else None,
         "sizes": words_of(size_at, size_box, size_in, size_near, layers,
                           {"hmin": hmin, "hmax": hmax, "aspect": aspect}),
         "guarantee": guarantee, "periodic": marker_pairs(periodic), "threads": threads, "progress": progress}))

@@ -31,6 +31,11 @@ def text_of(name: str, metric: Any) -> str:
     return system_text(name, text)
 
 
+def is_numbers_file(metric: Any) -> bool:
+    """True of the name of a file of numbers at the points of a mesh that is not in it: .sol, .solb or .mtr."""
+    return is_text(metric) and _asterism._is_metric_file(text_of("metric", metric))
+
+
 def is_on_mesh(metric: Any) -> bool:
     """True of a Mesh, whose metric is meant, and of a pair of a Mesh and a metric at its points."""
     return isinstance(metric, Mesh) or (isinstance(metric, tuple) and len(metric) == 2 and isinstance(metric[0], Mesh))

@@ -383,6 +383,9 @@ py::dict statistics(const py_mesh& m) {
 
 void define_mesh(py::module_& m) {
   m.def(
+      "_is_metric_file", [](const system_text& name) { return is_metric_file(name.bytes); },
+      py::arg("name"));
+  m.def(
       "_is_mesh_file", [](const system_text& name) { return is_mesh_file(name.bytes); },
       py::arg("name"));
   py::class_<py_mesh>(m, "_Mesh")

@@ -174,12 +174,15 @@ py_mesh run(const py_domain& held, const py::object& metric, const py::dict& mor
   check_counts(d, a);
   check_sizes(a, metric);
   watched_run watch(given);
+  const std::string file = given.has("domain_file")
+                               ? given.object("domain_file").cast<system_text>().bytes
+                               : d.origin.file;
   // Keeps the metric's function alive as long as a field may call it.
   std::vector<python_metric> wanted;
   const field_in_box metric_of_size =
       [&](double size, const bounding_box& box) -> result<std::unique_ptr<metric_field>> {
     const py::gil_scoped_acquire locked;
-    wanted.emplace_back(metric, d.origin.file, box, size, watch.errors());
+    wanted.emplace_back(metric, file, box, size, watch.errors());
     return wanted.back().take_field();
   };
   a.options.stop = watch.stop();

@@ -83,6 +83,12 @@ def test_a_file_of_numbers_belongs_to_the_mesh_that_is_adapted(mesh, other, tmp_
         assert np.allclose(wanted_of(mesh, tmp_path / name), tensors_of(sizes), rtol=1e-12)
         with pytest.raises(asterism.InputError, match=f"metric: .*{name}"):
             asterism.adapt(other, metric=tmp_path / name)
+    mesh.save(tmp_path / "own.mesh")
+    wanted = asterism.mesh(mesh, metric=(mesh, sizes))
+    for domain in (mesh, tmp_path / "own.mesh", str(tmp_path / "own.mesh")):
+        assert np.array_equal(asterism.mesh(domain, metric=tmp_path / "h.sol", size=1).sites, wanted.sites)
+    with pytest.raises(asterism.InputError, match="metric: .*h.sol"):
+        asterism.mesh(other, metric=tmp_path / "h.sol")
 
 
 def test_each_metric_of_intersect_takes_the_same_forms(mesh, other, tmp_path):
