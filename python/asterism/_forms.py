@@ -99,8 +99,9 @@ def check_rows(fields: NamedFields, points: int, triangles: int) -> None:
         rows = np.shape(of)[0] if np.ndim(of) else 0
         if rows == triangles != points:
             raise InputError(f"{name}: it has {rows} rows, one a triangle, and {points} are wanted, one a point; "
-                             "materials are `regions` of the Mesh, and values[mesh.locate(p)] brings values of "
-                             "triangles to points p")
+                             "materials are `regions` of the Mesh; other values v of triangles are brought to the "
+                             "triangles of a next mesh by v[mesh.locate(next.points[next.triangles].mean(axis=1))], "
+                             "where locate() is not -1, which is outside")
 
 
 def like(given: Fields, moved: NamedFields) -> Any:

@@ -137,6 +137,17 @@ def test_what_is_no_metric_is_refused_by_every_verb(mesh, metric, message):
         asterism.metric(mesh, mesh.points[:, 0] ** 2, vertices=200, intersect=[metric])
 
 
+def test_values_of_triangles_are_brought_along_as_the_message_says(mesh):
+    v = (mesh.points[mesh.triangles].mean(axis=1)[:, 0] > 0).astype(float)
+    with pytest.raises(asterism.InputError, match=r"one a triangle.*v\[mesh.locate\(next.points\[next.triangles\].mean"):
+        asterism.adapt(mesh, metric=0.2, carry=v)
+    next = asterism.adapt(mesh, metric=0.2).mesh
+    centroids = next.points[next.triangles].mean(axis=1)
+    found = v[mesh.locate(centroids)]
+    far = np.abs(centroids[:, 0]) > 0.15
+    assert np.array_equal(found[far], (centroids[far, 0] > 0).astype(float))
+
+
 def test_pairs_with_wrong_rows_are_refused(mesh, other):
     for metric, message in (((other, np.ones(7)), "metric: "), ((other, np.zeros(len(other.points))), "size is positive"),
                             ((other, np.full(len(other.points), np.nan)), "positive and finite"),
