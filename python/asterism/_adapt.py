@@ -44,8 +44,8 @@ def _metrics(given: Any, mesh: Mesh) -> List[Any]:
         is_stack = given.ndim == 4 or (given.ndim == 3 and given.shape[1:] == (len(mesh.points), 3))
         given = list(given) if is_stack else [given]
     if isinstance(given, tuple) and is_on_mesh(given):
-        raise InputError("intersect: a list of metrics is wanted, and a tuple that begins with a Mesh may be one metric "
-                         "or two: [(mesh, tensors)] is one")
+        raise InputError("intersect: a list of metrics is wanted, and a tuple that begins with a Mesh may be one "
+                         "metric or two: [(mesh, tensors)] is one")
     if not isinstance(given, (list, tuple)):
         raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(given).__name__}")
     return [rows_at("intersect", one, mesh) for one in given]
