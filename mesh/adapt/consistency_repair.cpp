@@ -82,7 +82,7 @@ bool consistency_repair::round() {
   report_.disagreeing = report_.low = 0;
   find_due_faces();
   if (!std::exchange(edges_agree_, false)) mend_edges();
-  find_fine_faces();
+  find_low_faces();
   visit(in_question_, 0, m_.faces().size(), [this](vertex_index t) {
     if (is_active(t)) check_angles(t);
   });
@@ -193,18 +193,15 @@ void consistency_repair::find_clear_edges() {
                   });
 }
 
-// Marks the faces whose angles meet the bound, and puts the others in question, with several
-// threads.
-void consistency_repair::find_fine_faces() {
-  is_fine_.assign(m_.faces().size(), 0);
+// Puts the faces with an angle below the bound in question, with several threads.
+void consistency_repair::find_low_faces() {
   if (options_.angle_bound <= 0) return;
-  const auto find_fine = [this](vertex_index t) {
-    if (!is_active(t)) return;
-    (tests_.is_low(t) ? in_question_ : is_fine_)[t] = 1;
+  const auto find_low = [this](vertex_index t) {
+    if (is_active(t) && tests_.is_low(t)) in_question_[t] = 1;
   };
   parallel_chunks(m_.faces().size(), faces_checked_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
-                    visit(is_due_, begin, end, find_fine);
+                    visit(is_due_, begin, end, find_low);
                   });
 }
 
@@ -324,7 +321,6 @@ bool consistency_repair::move_off_circle(vertex_index d, vertex_index a, vertex_
 
 void consistency_repair::check_angles(vertex_index t) {
   const std::array<vertex_index, 3> at = m_.faces()[t].v;
-  if (is_fine_[t] != 0 && !is_touched(at[0]) && !is_touched(at[1]) && !is_touched(at[2])) return;
   if (options_.angle_bound <= 0 || !tests_.is_low(t) || tests_.is_exempt(t)) return;
   ++report_.low;
   for (const vertex_index v : at) touch(v);

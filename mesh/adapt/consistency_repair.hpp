@@ -72,7 +72,7 @@ class consistency_repair {
   void visit(const std::vector<char>& flags, std::size_t begin, std::size_t end, const Act& act);
   bool is_to_test(vertex_index t, std::size_t i) const;
   void find_clear_edges();
-  void find_fine_faces();
+  void find_low_faces();
   void check_edge(vertex_index t, std::size_t i);
   bool move_off_circle(vertex_index d, vertex_index a, vertex_index b, vertex_index c);
   void check_angles(vertex_index t);
@@ -101,10 +101,8 @@ class consistency_repair {
   // an earlier round of a run is kept while no node of its face is active.
   std::vector<face_centre> centres_;
   std::vector<char> has_centre_;
-  // Test results of each face before the round changes it: one bit for each edge that agrees, and a
-  // flag for angles that all meet the bound.
+  // One bit for each edge of a face that agreed before the round changed it.
   std::vector<unsigned char> clear_edges_;
-  std::vector<char> is_fine_;
   repair_report report_;
 };
 
