@@ -165,8 +165,8 @@ bool node_settling::take_place(vertex_index v) {
 }
 
 // Marks the nodes that a move of v concerns. Its neighbours, and the nodes across from it, may have
-// a defect now; the nodes of its faces are to be tried again. Writes no flag that is as it should
-// be: a node across may be known to several threads, and has its flag from the start then.
+// a defect now; the nodes of its faces are to be tried again. Writes a flag only where it changes:
+// threads of two parts may have the same node across, whose flag is then clear from the start.
 void node_settling::note_move(vertex_index v) {
   const auto unmark = [this](vertex_index u) {
     if (whole_.is_defect_free[u] != 0) whole_.is_defect_free[u] = 0;

@@ -25,7 +25,7 @@ class target_search {
 
   // Returns the argument to try next.
   double at() const { return at_; }
-  // Returns the smallest absolute value found so far.
+  // Returns the least absolute value entered so far; infinity before the first.
   double least_off() const { return least_; }
   // Returns the distance between the last arguments that were too small and too large; infinity
   // until both are known.
