@@ -60,7 +60,7 @@ std::vector<fs::path> files_read_by(const adapt_job& job) {
   return read;
 }
 
-// Returns the files of the run.
+// Lists the files that the run writes: meshes, fields, certificate and proof.
 run_files files_written_by(const adapt_job& job) {
   run_files files{job.outputs,
                   {},
