@@ -21,6 +21,7 @@
 #include "asterism/apps/options/second_order.hpp"
 #include "asterism/apps/options/solution_options.hpp"
 #include "asterism/apps/options/thread_limit.hpp"
+#include "asterism/apps/run/freed_memory.hpp"
 #include "asterism/apps/run/progress_line.hpp"
 #include "asterism/apps/run/run_files.hpp"
 #include "asterism/apps/run/run_limits.hpp"
@@ -244,6 +245,7 @@ int run_adapt_job(adapt_job job) {
   set_defaults(job.request);
   if (const auto failed = check_job(job, files)) return complain(*failed, refused);
   run_limits limits(job.max_seconds, std::nullopt);
+  keep_freed_blocks();
   if (const auto failed = take_domain(job)) return complain(*failed, refused);
   auto run = adapt(job, limits);
   if (!run) return complain(run.failure(), refused);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -29,6 +30,7 @@
 #include "asterism/apps/text/summary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
+#include "asterism/mesh/delivery/domain_background.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/outline.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
@@ -179,17 +181,20 @@ int conclude(const mesh_job& job, const certified_mesh& made) {
 result<certified_mesh> mesh_with_progress(const mesh_job& job, const mesh_input& input,
                                           const mesh_options& options, run_limits& limits) {
   progress_line line(!job.quiet);
+  const metric_field& field = *input.metric.field;
   // Number of sites from which freed blocks are given back to the system: lower for a fill, in
   // which blocks of all sizes are freed before it is at its largest (3 % of the memory at a million
-  // triangles).
-  const std::size_t many = options.limit_size ? 100'000 : 300'000;
+  // triangles). A mesh that is changed locally needs blocks of the same sizes again and again.
+  constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+  const std::size_t many = background_of_domain(input.shape, field) != nullptr ? never
+                           : options.limit_size                                ? 100'000
+                                                                               : 300'000;
   bool keeps_blocks = !job.max_megabytes;
   const auto show = [&](const mesh_progress& progress) {
     if (progress.sites > many && std::exchange(keeps_blocks, false)) give_back_large_blocks();
     limits.expect(progress.sites);
     line.show(progress);
   };
-  const metric_field& field = *input.metric.field;
   if (!job.guarantee)
     return make_periodic_mesh(input.shape, field, options, job.periodic, show, job.no_split_across);
   auto made = make_guaranteed_mesh(input.shape, field, options, show);

@@ -184,8 +184,11 @@ void unit_mesh_remesher::refit(metric_at field) {
   // edges.
   constexpr double usual = 1.07;
   crowding_ = std::max(wants_few() ? 0 : usual, std::sqrt(crowding_));
-  constexpr effort careful{2, 2, 0.015};
-  fit(careful);
+  // In blocks a whole round takes longer than splitting the longest edges, or merging the shortest,
+  // for the last percents of the count. Errors are the same: 1.0005 times at 8,000 vertices, in the
+  // mean of 14 functions.
+  constexpr effort careful{2, 2, 0.015}, in_blocks{2, 2, 0.06};
+  fit(mesh_blocks::are_worth_it(m_) ? in_blocks : careful);
   if (options_.count > 0) meet_count();
   spare_ = {};
 }

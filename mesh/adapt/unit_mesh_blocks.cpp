@@ -134,10 +134,9 @@ std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
 }
 
 // Splits the edges longer than this until none is left, or none can be split; returns whether any
-// was. Blocks split each
-// edge once and leave further splits to the next cut: beside a frame that is not yet split,
-// repeated splits would make twice the number of nodes that are wanted. Where one cut has split few
-// edges, the rest is split without blocks, in less time than another cut takes.
+// was. Blocks split each edge once and leave further splits to the next cut: beside a frame that is
+// not yet split, repeated splits would make twice the number of nodes that are wanted. Where one
+// cut has split few edges, the rest is split without blocks, in less time than another cut takes.
 bool unit_mesh_remesher::split_all_long(double longest) {
   constexpr int most_splits = 40;
   constexpr std::size_t few = 16;  // one node in this number
