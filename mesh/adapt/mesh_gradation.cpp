@@ -88,21 +88,21 @@ background_metric field_of(editable_mesh& m) {
 namespace {
 
 // Locates the nodes of a range, from each node to its neighbours, so that each search begins an
-// edge away.
+// edge away. Nodes without a neighbour in the range, as the last splits made, are searched from the
+// bins of the field: from each other they may be as far as the mesh is wide.
 void look_up_stretch(editable_mesh& m, const background_metric& field, vertex_index begin,
                      vertex_index end) {
   std::vector<char> is_reached(end - begin, 0);
   std::vector<vertex_index> waiting;
   face_list ring;
-  vertex_index last = 0;
   for (vertex_index first = begin; first < end; ++first) {
     if (m.at(first).kind == node_kind::gone || is_reached[first - begin] != 0) continue;
-    m.at(first).hint = last;
+    m.at(first).hint = none;
     is_reached[first - begin] = 1;
     waiting.assign(1, first);
     for (std::size_t next = 0; next < waiting.size(); ++next) {
       const vertex_index v = waiting[next];
-      m.at(v).hint = last = field.triangle_near(m.at(v).position, m.at(v).hint);
+      m.at(v).hint = field.triangle_near(m.at(v).position, m.at(v).hint);
       m.neighbours(v, ring);
       for (const vertex_index w : ring) {
         if (w < begin || w >= end || is_reached[w - begin] != 0) continue;

@@ -164,8 +164,9 @@ bool triangle_locator::walk(const point& q, located& at) const {
 }
 
 triangle_locator::located triangle_locator::nearby(const point& q, vertex_index hint) const {
+  if (hint >= triangles_.size()) return deepest_by_walk(q);
   located at;
-  at.triangle = hint < triangles_.size() ? hint : 0;
+  at.triangle = hint;
   if (!walk(q, at)) at = deepest_by_walk(q);
   raise_negative_weights(at);
   return at;
