@@ -55,15 +55,16 @@ class local_numbers {
 };
 
 // Resizes a list whose elements will all be overwritten. Where it has to grow it drops its elements
-// first, in place of copying them, and reserves an eighth more: splits add elements soon, and the
-// next cut often joins a somewhat larger mesh. One thread alone would copy the list, and access
-// the pages of its new memory for the first time.
+// first, in place of copying them, and reserves room for the number expected, and an eighth more:
+// splits add elements soon, and the next cut often joins a somewhat larger mesh. One thread alone
+// would copy the list, and access the pages of its new memory for the first time.
 template <class List>
-void resize_to_overwrite(List& list, std::size_t size) {
+void resize_to_overwrite(List& list, std::size_t size, std::size_t expected) {
   constexpr std::size_t part = 8;
   if (list.capacity() < size) {
+    const std::size_t most = std::max(size, expected);
     list = List();
-    list.reserve(size + size / part);
+    list.reserve(most + most / part);
   }
   list.resize(size);
 }
@@ -264,7 +265,7 @@ void mesh_blocks::write_block(std::size_t b, editable_mesh::parts& made) {
   }
 }
 
-void mesh_blocks::join() {
+void mesh_blocks::join(std::size_t expected) {
   node_now_.resize(count());
   face_now_.resize(count());
   const std::vector<range> from = number_frame();
@@ -272,8 +273,8 @@ void mesh_blocks::join() {
   // Every node and every face is written below: numbers have no gaps, and each vertex of the domain
   // is in a block.
   editable_mesh::parts made = std::exchange(spare_, {});
-  resize_to_overwrite(made.nodes, from.back().nodes);
-  resize_to_overwrite(made.faces, from.back().faces);
+  resize_to_overwrite(made.nodes, from.back().nodes, expected);
+  resize_to_overwrite(made.faces, from.back().faces, 2 * expected);
   parallel_for(count(), [&](std::size_t b) { write_block(b, made); });
   for (const frame_edge& edge : frame_) {
     const auto &l = edge.left, &r = edge.right;

@@ -49,7 +49,8 @@ class mesh_blocks {
   block take_out(std::size_t b);
   void put_back(std::size_t b, block changed) { blocks_[b].emplace(std::move(changed)); }
   // Joins all blocks, which must have been put back. Removed nodes and faces get no number.
-  void join();
+  // `expected` is the number of nodes for which there is to be room; 0 where none is expected.
+  void join(std::size_t expected);
 
   // Returns, after join(), the number in the whole of a block's node or face; none if it was
   // removed.

@@ -129,7 +129,7 @@ std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
     states[b] = mesher.end_block(*this, taken, done);
     blocks.put_back(b, std::move(taken));
   });
-  blocks.join();
+  blocks.join(options_.count);
   return take_up(blocks, states);
 }
 
