@@ -62,8 +62,11 @@ bool take_checked(audit_context& context) {
   // A copy takes as long as several of the checks, most of it for new memory. One is needed only
   // where others have the triangulation, too.
   context.are_lists_lent = before.use_count() == 1;
-  static_cast<triangulation_lists&>(context) =
-      context.are_lists_lent ? before->lend_lists() : before->lists();
+  auto& lists = static_cast<triangulation_lists&>(context);
+  if (context.are_lists_lent)
+    lists = before->lend_lists();
+  else
+    lists = before->lists();
   before->enter_measurements(context.report);
   context.known = std::move(before);
   context.former_tree = std::move(tree);
