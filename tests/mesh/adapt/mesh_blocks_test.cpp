@@ -96,7 +96,7 @@ TEST_CASE("a mesh cut into blocks and put together is the same one") {
     mesh_blocks blocks(m, cut, spare);
     CHECK(blocks.count() >= 4);
     for (std::size_t b = 0; b < blocks.count(); ++b) blocks.put_back(b, blocks.take_out(b));
-    blocks.join();
+    blocks.join(0);
     CHECK(is_linked(m));
     CHECK(placed_faces(m) == before);
     CHECK(triangulation_of(m).boundary.size() == pieces);
@@ -126,7 +126,7 @@ TEST_CASE("in a block the frame has all its faces' other ends, and stays as it i
     }
     blocks.put_back(b, std::move(taken));
   }
-  blocks.join();
+  blocks.join(0);
   // 12 % of the 1,000 nodes of a square are on the boundary that two blocks share.
   CHECK(100 * inside > 80 * m.count());
 }
