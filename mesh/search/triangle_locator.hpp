@@ -57,9 +57,9 @@ class triangle_locator {
   void begin_near(const point& q, vertex_index t) const {
     if (t < triangles_.size()) last_found_[bin_of(q)].store(t, std::memory_order_relaxed);
   }
-  // Walks to q from the triangle `hint`; from the bin of q if there is no such triangle. Returns the
-  // result of deepest() if the walk meets the boundary: the triangle depends on the hint only where
-  // q is on an edge.
+  // Walks to q from the triangle `hint`; from the bin of q if there is no such triangle. Returns
+  // the result of deepest() if the walk meets the boundary: the triangle depends on the hint only
+  // where q is on an edge.
   located nearby(const point& q, vertex_index hint) const;
 
   const std::vector<point>& places() const { return places_; }
