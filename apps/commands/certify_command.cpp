@@ -93,7 +93,8 @@ Examples:
   asterism certify bamg.mesh -o bamg.html
   asterism certify bamg.mesh --metric swirl:24 --size 0.02 --repair -o repaired.mesh)";
 
-// Returns the files of the run. A certificate is written only with the mesh.
+// Lists the files that the run writes: outputs of the mesh, certificate and proof. A certificate is
+// written only with an output.
 run_files files_written_by(const certify_options& options) {
   run_files files{options.outputs, {}, options.proof, {}};
   if (!options.outputs.empty()) files.certificate = certificate_beside(options.outputs);
