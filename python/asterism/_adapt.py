@@ -16,7 +16,7 @@ from ._forms import (
     check_rows, Fields, fields_and_tensors, gradation_of, like, marker_pairs, named_fields, norm_of, second_derivatives)
 from ._mesh import Mesh
 from ._meshing import NotReachedWarning, Progress
-from ._metric_forms import is_on_mesh, Metric, rows_at
+from ._metric_forms import check_list, Metric, rows_at, split_stack
 from ._page import Before, Page
 from ._reported import ReportedArray, reported
 
@@ -39,15 +39,9 @@ def _made_of(what: Any) -> str:
 
 
 def _metrics(given: Any, mesh: Mesh) -> List[Any]:
-    """Returns the metrics of a list. An array is one metric, unless it is a stack of them."""
-    if isinstance(given, np.ndarray):
-        is_stack = given.ndim == 4 or (given.ndim == 3 and given.shape[1:] == (len(mesh.points), 3))
-        given = list(given) if is_stack else [given]
-    if isinstance(given, tuple) and is_on_mesh(given):
-        raise InputError("intersect: a list of metrics is wanted, and a tuple that begins with a Mesh may be one "
-                         "metric or two: [(mesh, tensors)] is one")
-    if not isinstance(given, (list, tuple)):
-        raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(given).__name__}")
+    """Returns the tensors of a list of metrics at the points of a mesh."""
+    given = split_stack(given)
+    check_list(given)
     return [rows_at("intersect", one, mesh) for one in given]
 
 

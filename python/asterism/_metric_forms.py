@@ -46,6 +46,26 @@ def has_rows(metric: Any) -> bool:
     return not (is_text(metric) or is_on_mesh(metric) or callable(metric))
 
 
+def split_stack(metrics: Any) -> Any:
+    """Returns the metrics of an array in a list, and other objects as they are.
+
+    An array is one metric, unless it is a stack of them: (k, n, 3) or (k, n, 2, 2).
+    """
+    if not isinstance(metrics, np.ndarray):
+        return metrics
+    is_stack = metrics.ndim == 4 or (metrics.ndim == 3 and metrics.shape[1:] != (2, 2))
+    return list(metrics) if is_stack else [metrics]
+
+
+def check_list(metrics: Any) -> None:
+    """Raises InputError for what `intersect` does not take as a list of metrics."""
+    if isinstance(metrics, tuple) and is_on_mesh(metrics):
+        raise InputError("intersect: a list of metrics is wanted, and a tuple that begins with a Mesh may be one "
+                         "metric or two: [(mesh, tensors)] is one")
+    if not isinstance(metrics, (list, tuple)):
+        raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(metrics).__name__}")
+
+
 def background_of(name: str, metric: Any) -> Tuple[Mesh, Doubles]:
     """Returns the mesh that a metric is given on, and tensors (n, 3) at its points or one (3,) for all."""
     if isinstance(metric, Mesh):

@@ -25,7 +25,7 @@ from ._adapt import adapt as _adapt_arrays
 from ._asterism import InputError
 from ._forms import definite, doubles, second_derivatives, tensor_rows
 from ._mesh import Mesh
-from ._metric_forms import has_rows, is_on_mesh, is_text
+from ._metric_forms import check_list, has_rows, is_on_mesh, is_text, split_stack
 
 # Names of labels that a DMPlex makes for itself.
 _OWN_LABELS = ("celltype", "depth")
@@ -99,11 +99,8 @@ def adapt(dm: Any, metric: Any = None, *, values: Any = None, carry: Any = None,
 
 
 def _listed(intersect: Any) -> Any:
-    """Returns the metrics to intersect with in a list. An array or Vec is one, unless it is a stack of them."""
-    if isinstance(intersect, np.ndarray):
-        is_stack = intersect.ndim == 4 or (intersect.ndim == 3 and intersect.shape[1:] != (2, 2))
-        return list(intersect) if is_stack else [intersect]
-    return [intersect] if hasattr(intersect, "array_r") else intersect
+    """Returns the metrics to intersect with in a list. A Vec is one metric."""
+    return [intersect] if hasattr(intersect, "array_r") else split_stack(intersect)
 
 
 class _Asked(NamedTuple):
@@ -119,8 +116,7 @@ class _Asked(NamedTuple):
 
     def rows_given(self) -> Dict[str, Any]:
         """Returns by their use the arguments that have a row for each local vertex, or a dict of such arguments."""
-        if not isinstance(self.intersect, (list, tuple)):
-            raise InputError(f"intersect: a list of metrics is wanted, as [M], not {type(self.intersect).__name__}")
+        check_list(self.intersect)
         besides = {str(k): of for k, of in enumerate(self.intersect) if has_rows(of)}
         return {"metric": self.metric if has_rows(self.metric) else None, "u": self.values, "carried": self.carry,
                 "hessian": None if isinstance(self.hessian, str) else self.hessian, "intersect": besides}

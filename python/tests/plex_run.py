@@ -134,10 +134,13 @@ def run_tensors():
     at = coordinates(dm)
     curved = np.column_stack([2 + at[:, 0], 0 * at[:, 0], -1 - 30 * at[:, 1]])
     sizes = 0.05 + 0.1 * at[:, 0]
+    rows = np.column_stack([sizes ** -2, 0 * sizes, sizes ** -2])
     sides = ("Face Sets", 4), ("Face Sets", 2)
     made = {name: asterism.petsc.adapt(dm, **of) for name, of in {
         "hessian": dict(hessian=curved, vertices=300), "named": dict(hessian={"a": curved}, vertices=300),
         "intersect": dict(metric=0.2, intersect=[sizes]), "array": dict(metric=0.2, intersect=sizes),
+        "list": dict(metric=0.2, intersect=[rows, 4 * rows]),
+        "stack": dict(metric=0.2, intersect=np.stack([rows, 4 * rows])),
         "callables": dict(metric=lambda p: 0.2 + 0 * p[:, 0], intersect=[lambda p: 0.05 + 0.1 * p[:, 0]]),
         "tensors": dict(metric=(25, 0, 25), intersect=[(100, 0, 100)]),
         "texts": dict(metric="expr:25;0;25", intersect=["expr:100;0;100"]),

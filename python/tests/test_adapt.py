@@ -35,10 +35,15 @@ def test_fields_by_name_are_intersected_in_the_order_of_the_names(background):
 
 def test_an_array_to_intersect_with_is_one_metric(background):
     u, finer = ridge(background.points), np.tile([100.0, 0, 100], (len(background.points), 1))
-    one, array, sizes, two, stack = (
+    matrices = finer[:, [0, 1, 1, 2]].reshape(-1, 2, 2)
+    one, array, whole, sizes, two, stack, whole_stack = (
         asterism.metric(background, u, vertices=1500, intersect=given)
-        for given in ([finer], finer, np.full(len(finer), 0.1), [finer, finer], np.stack([finer, finer])))
-    assert np.array_equal(one, array) and np.array_equal(two, stack)
+        for given in ([finer], finer, matrices, np.full(len(finer), 0.1), [finer, finer], np.stack([finer, finer]),
+                      np.stack([matrices, matrices])))
+    assert np.array_equal(one, array) and np.array_equal(one, whole)
+    assert np.array_equal(two, stack) and np.array_equal(two, whole_stack)
+    with pytest.raises(asterism.InputError, match="intersect: 2 tensors"):
+        asterism.metric(background, u, vertices=1500, intersect=np.tile([1.0, 0, 1], (1, 2, 1)))
     assert np.allclose(one, sizes, rtol=1e-9, atol=1e-9) and np.allclose(one, two, rtol=1e-9, atol=1e-9)
 
 

@@ -73,7 +73,7 @@ def test_tensors_at_the_vertices_are_gathered_too():
     alone, several = run(1, "tensors"), run(3, "tensors")
     assert alone == several
     assert alone["hessian"] == alone["named"] and alone["intersect"] == alone["array"] == alone["callables"]
-    assert alone["tensors"] == alone["texts"]
+    assert alone["tensors"] == alone["texts"] and alone["list"] == alone["stack"]
     assert abs(alone["sizes"] / 300 - 1) < 0.03 and alone["left"] == alone["right"] and len(alone["left"]) > 5
 
 
