@@ -452,11 +452,13 @@ std::optional<theorem_hypotheses> theorem_at_bound(const mesh& subject, const ce
 }
 
 // Returns the certificate of the audit. Its witnesses are compared with those of a claim to be
-// certified, which count from 1: audits again where the audit has others.
+// certified, which count from 1: audits again where both lists have witnesses, and the audit's
+// count from another number. An empty list differs from any other whatever they count from.
 certificate certificate_of(const auditor& judge, const mesh& subject,
                            const std::optional<certificate>& claim, audit_options options) {
   certificate found = judge.make_certificate(options.stop);
-  const bool are_compared = claim && claim->certified && !found.witnesses.empty();
+  const bool are_compared =
+      claim && claim->certified && !claim->witnesses.empty() && !found.witnesses.empty();
   if (!are_compared || options.first_number == 1) return found;
   options.first_number = 1;
   auditor again(subject, options);

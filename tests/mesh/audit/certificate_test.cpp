@@ -277,6 +277,22 @@ TEST_CASE("witnesses count from the number asked for, and those of certificates 
              Contains("boundary edge 3 names vertex 9 of 4"));
 }
 
+TEST_CASE("a mesh that is not certified as claimed is audited once") {
+  certified_patch made;
+  made.c.angle_bound = 70;
+  const auto spent = [&made](int first_number) {
+    audit_options options;
+    options.first_number = first_number;
+    options.stop = cancellation().with_work(1e9);
+    const verify_report report = verify(made.p.m, made.c, options);
+    CHECK_FALSE(report.verified);
+    CHECK_FALSE(report.audit.findings.empty());
+    return 1e9 - options.stop.units_left();
+  };
+  CHECK(spent(0) > 0);
+  CHECK(spent(0) == spent(1));
+}
+
 TEST_CASE("a refusing audit is written down") {
   patch p = make_patch(3);
   p.m.triangles.pop_back();
