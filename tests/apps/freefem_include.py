@@ -412,6 +412,11 @@ class IncludeTest(unittest.TestCase):
         status, numbers, text, _ = call("x * x", "hmin = 1; hmax = 0.1")
         self.assertEqual((status, numbers), (2, []), text)
         self.assertIn("--hmin 1 is not less than --hmax 0.1", text)
+        self.assertNotIn("asterism.idp: there", text)
+        status, numbers, text, _ = call("x * x + y * y", "err = 1e-4; nbvx = 50; maxsubdiv = 20")
+        self.assertEqual((status, numbers), (1, []), text)
+        self.assertIn("the limit of 50 sites was reached", text)
+        self.assertIn("asterism.idp: there nbvx is --max-sites, maxsubdiv is --step", text)
 
     def test_a_variable_with_the_name_of_an_option_is_refused(self):
         status, numbers, text, _ = call("x * x", "err = err")
