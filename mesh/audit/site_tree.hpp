@@ -171,7 +171,7 @@ inline bool site_tree::is_beyond(const node& n, const star_extent& star) {
   const double lost = step * (std::abs(ax) + std::abs(bx) + std::abs(ay) + std::abs(by));
   const double least = (ax < bx ? ax : bx) + (ay < by ? ay : by) - lost,
                greatest = (ax < bx ? bx : ax) + (ay < by ? by : ay) + lost;
-  if (least <= 0 && greatest >= 0) return false;
+  if (!star.may_be_beyond_own(least, greatest)) return false;
   const metric_tensor adjugate{n.inverse.m22, -n.inverse.m12, n.inverse.m11};
   return star.is_beyond_own(least, greatest, length_above(g, adjugate, n.spread_squared));
 }
@@ -182,7 +182,9 @@ inline bool site_tree::is_beyond(const site& w, const star_extent& star) {
   const double x = g.x * (w.position.x - star.v().position.x),
                y = g.y * (w.position.y - star.v().position.y);
   const double value = x + y, lost = step * (std::abs(x) + std::abs(y));
-  return star.is_beyond_own(value - lost, value + lost,
+  const double least = value - lost, greatest = value + lost;
+  return star.may_be_beyond_own(least, greatest) &&
+         star.is_beyond_own(least, greatest,
                             length_above(g, w.metric, inverse_determinant_above(w.metric)));
 }
 

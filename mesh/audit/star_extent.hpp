@@ -72,6 +72,11 @@ class star_extent {
     return {-(by_four_.back.at(length) + margin), by_four_.forth.at(length) + margin};
   }
   const point& own() const { return own_; }
+  // False if is_beyond_own() is false for these values with any length: an extent is least at the
+  // length 0. Decides the sites near v without the length in their metrics.
+  bool may_be_beyond_own(double least, double greatest) const {
+    return least > by_own_.forth.none || -greatest > by_own_.back.none;
+  }
   // True if sites w do not matter whose values of the own covector at w - v are from `least` to
   // `greatest`, if it is no longer than `length` in their metrics.
   bool is_beyond_own(double least, double greatest, double length) const {
