@@ -109,6 +109,14 @@ bool is_shaped_piece(const certificate& claim) {
          (option_of(claim, "gradation") != "none" || option_of(claim, "sizes") != "none");
 }
 
+// Returns the name of the mesh that was judged, or whose own domain an adaptation kept, else the
+// name of the domain.
+std::string mesh_or_domain_of(const certificate& claim) {
+  if (claim.options.count("mesh") != 0) return option_of(claim, "mesh");
+  std::string adapted = option_of(claim, "adapt-mesh"), meshed = option_of(claim, "domain");
+  return meshed == "of " + adapted ? adapted : meshed;
+}
+
 // Computes the upper bound of the field's variation again, if the certificate claims a guarantee.
 void check_variation(const certificate& claim, const metric_field& wanted, field_check& check) {
   if (!claim.guarantee || !claim.guarantee->field_variation_bound || !claim.original) return;
@@ -145,7 +153,7 @@ result<std::unique_ptr<metric_field>> field_of(const metric_wording& asked, cons
 result<metric_wording> wording_in(const certificate& claim) {
   metric_wording asked;
   asked.name = claim.metric;
-  asked.domain = option_of(claim, claim.options.count("mesh") != 0 ? "mesh" : "domain");
+  asked.domain = mesh_or_domain_of(claim);
   if (const std::string size = option_of(claim, "size"); size != "none") {
     const auto number = parse_number(size);
     if (!number) return error{"the size is no number"};

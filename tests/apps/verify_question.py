@@ -71,6 +71,18 @@ class Question(command.CommandTest):
             inner[last] = value
         path.write_text(json.dumps(claim))
 
+    def test_numbers_at_the_vertices_of_the_mesh_that_was_adapted_are_a_metric(self):
+        self.made("square", "--size", "0.3")
+        vertices = self.judged()["vertices"]
+        for name, size in (("asked.sol", 0.2), ("finer.sol", 0.1)):
+            self.write(name, "\n".join(["MeshVersionFormatted 2", "Dimension 2", "SolAtVertices", str(vertices), "1 1",
+                                        *[str(size)] * vertices, "End", ""]))
+        done = self.run_command("adapt", "m.mesh", "--metric", "asked.sol", "--quiet", "-o", "n.mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.verdict(0, "--metric", "asked.sol", mesh="n.mesh")
+        said = self.verdict(1, "--metric", "finer.sol", mesh="n.mesh")
+        self.assertIn("the metric of the mesh is 0.693147 from finer.sol", said)
+
     def test_a_domain_repaired_without_need_was_passed_for_the_domain(self):
         self.write("slot.poly", SLOT)
         self.made("slot.poly", "--repair-domain", "--repair-distance", "0.45")
