@@ -95,7 +95,8 @@ struct audit_options {
   bool domain_is_the_mesh = false;
   bool check_stars = true;
   // True to check stars with the auditor's own filter and edge_test alone. Otherwise the kernel's
-  // prepared gaps, faster and shared with the mesher, are evaluated first.
+  // prepared gaps, faster and shared with the mesher, are evaluated first. The kernel bounds the
+  // reach of a gap in both cases, if the filter does not.
   bool own_filter_alone = false;
   bool check_voronoi = false;
   // Polled while stars are checked; a stop ends that check, and the stars then count as not

@@ -6,8 +6,9 @@
 // within that reach, or one that is outside of the outline of the kite (audit/star_outline.hpp).
 // Nearly every other test is decided by the kernel's prepared gap (kernels/star_gap.hpp), made once
 // for a gap; the rest by the auditor's own filter of wider range, and then edge_test. The mesher
-// uses prepared gaps too. Where nothing may be shared with the mesher, as in verify(), prepared
-// gaps are left out (audit_options::own_filter_alone).
+// uses prepared gaps too. Where no test may be shared with the mesher, as in verify(), prepared
+// gaps are left out (audit_options::own_filter_alone), except to bound the reach of gaps that the
+// filter does not bound.
 #pragma once
 
 #include <algorithm>
