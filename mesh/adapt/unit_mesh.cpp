@@ -138,7 +138,7 @@ void unit_mesh_remesher::fit(const effort& how) {
   const double growth = wants_few() ? 1 : 2;
   double power = usual_power, off = 0;  // logarithm of the ratio
   for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
-    if (round >= how.rounds && -off < how.missing && off < how.too_many) break;
+    if (round >= how.rounds && std::abs(off) < how.tolerable) break;
     measure_unit();
     if (split_all_long(std::numbers::sqrt2 * unit_)) measure_unit();
     merge_and_move(unit_ / std::numbers::sqrt2, how.sweeps);
@@ -168,7 +168,7 @@ void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
   seed(seeds);
   // Leaves the count off by a few percent, as the mesh is fitted again: merging the shortest edges
   // for the last of them is mostly in vain here.
-  constexpr effort usual{2, 2, 0.05, 0.05}, rough{1, 1, 0.05, 0.05};
+  constexpr effort usual{2, 2, 0.05}, rough{1, 1, 0.05};
   fit(wants_few() ? usual : rough);
   spare_ = {};  // other steps need the room
 }
@@ -184,11 +184,8 @@ void unit_mesh_remesher::refit(metric_at field) {
   // edges.
   constexpr double usual = 1.07;
   crowding_ = std::max(wants_few() ? 0 : usual, std::sqrt(crowding_));
-  // In blocks a whole round takes longer than merging the shortest edges for the last percents of
-  // the count. Splitting the longest for as many that are missing would leave the others too long:
-  // with 6 % missing and a gradation of 1.3 errors were 1.05 to 1.10 times those of whole rounds.
-  constexpr effort careful{2, 2, 0.015, 0.015}, in_blocks{2, 2, 0.015, 0.03};
-  fit(mesh_blocks::are_worth_it(m_) ? in_blocks : careful);
+  constexpr effort careful{2, 2, 0.015};
+  fit(careful);
   if (options_.count > 0) meet_count();
   spare_ = {};
 }

@@ -81,11 +81,11 @@ class unit_mesh_remesher {
   std::vector<vertex_index> split_longer(metric_at wanted, const length_limits& limits,
                                          std::size_t most_nodes);
 
-  // Effort of a fit: least number of rounds, sweeps of moves in each, and the parts of the count
-  // that may be missing, or too many, in the end.
+  // Effort of a fit: least number of rounds, sweeps of moves in each, and the share by which the
+  // count may be off in the end.
   struct effort {
     int rounds, sweeps;
-    double missing, too_many;
+    double tolerable;
   };
   void fit(const effort& how);
   // True if so few nodes are wanted that a first mesh fitted in one round of one sweep loses the
