@@ -79,6 +79,7 @@ class mesh_blocks {
 
   void list_blocks();
   void mark_frame();
+  void prefetch_nodes(vertex_index t) const;
   std::size_t shared_corners(const std::vector<vertex_index>& faces) const;
   struct range {
     vertex_index nodes = 0, faces = 0;
