@@ -30,7 +30,6 @@
 #include "asterism/apps/text/summary.hpp"
 #include "asterism/core/number_text.hpp"
 #include "asterism/mesh/audit/certificate.hpp"
-#include "asterism/mesh/delivery/domain_background.hpp"
 #include "asterism/mesh/domain/smooth_vertices.hpp"
 #include "asterism/mesh/draw/outline.hpp"
 #include "asterism/mesh/io/file_ending.hpp"
@@ -184,11 +183,12 @@ result<certified_mesh> mesh_with_progress(const mesh_job& job, const mesh_input&
   const metric_field& field = *input.metric.field;
   // Number of sites from which freed blocks are given back to the system: lower for a fill, in
   // which blocks of all sizes are freed before it is at its largest (3 % of the memory at a million
-  // triangles). A mesh that is changed locally needs blocks of the same sizes again and again.
+  // triangles). Where the metric is given on a mesh, as a mesh is then changed locally, blocks of
+  // the same sizes are needed again and again.
   constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
-  const std::size_t many = background_of_domain(input.shape, field) != nullptr ? never
-                           : options.limit_size                                ? 100'000
-                                                                               : 300'000;
+  const std::size_t many = field.background() != nullptr ? never
+                           : options.limit_size          ? 100'000
+                                                         : 300'000;
   bool keeps_blocks = !job.max_megabytes;
   const auto show = [&](const mesh_progress& progress) {
     if (progress.sites > many && std::exchange(keeps_blocks, false)) give_back_large_blocks();
