@@ -63,6 +63,7 @@ bool take_checked(audit_context& context) {
   // where others have the triangulation, too.
   context.are_lists_lent = before.use_count() == 1;
   auto& lists = static_cast<triangulation_lists&>(context);
+  // A conditional expression would make a constant of the lists lent, and copy them.
   if (context.are_lists_lent)
     lists = before->lend_lists();
   else

@@ -203,9 +203,9 @@ void star_check::sharpen(vertex_index v, fan_gap& gap) {
   const star_gap* prepared = prepared_gap(v, gap);
   if (prepared != nullptr) gap.reach = std::min(gap.reach, prepared->reach());
   if (!is_finite(gap.reach)) gap.reach = filter_of(v, gap).reach();
-  // Takes the bound by the kernel's gap where the filter has none, also of an audit by filters
-  // alone: without it all sites of the mesh would be tested. In one of 100,000 sites 500 stars had
-  // such gaps, and the work limit ended the audit.
+  // Bounds the reach by the kernel's gap where the filter does not, also in an audit by filters
+  // alone, which shares no test for that: without a reach all sites of the mesh are tested. In a
+  // mesh of 100,000 sites 500 stars had such gaps, and the audit ended at the work limit.
   if (!is_finite(gap.reach) && prepared == nullptr)
     gap.reach = star_gap(at(v), at(gap.x), at(gap.y)).reach();
 }
