@@ -104,19 +104,23 @@ void unit_mesh_remesher::measure_unit() {
   if (std::isfinite(unit) && unit > 0) unit_ = std::clamp(unit, unit_ / most, unit_ * most);
 }
 
-// Splits the longest or merges the shortest edges until the number of nodes is as wanted.
+// Splits the longest or merges the shortest edges until the number of nodes is as wanted. Ends
+// where merging makes little progress: edges whose merges leave bad shapes stay.
 void unit_mesh_remesher::meet_count() {
   constexpr int most = 4;
   constexpr std::size_t parts = 200;  // of the count: half a percent more or less is as wanted
+  std::size_t before = no_limit;      // number of nodes too many or too few
   for (int round = 0; round < most && !is_stopped(); ++round) {
     const std::size_t now = m_.count(), wanted = options_.count;
     const std::size_t off = now > wanted ? now - wanted : wanted - now;
-    if (off * parts <= wanted) return;
+    const bool is_in_vain = now > wanted && off > before - before / 4;
+    if (off * parts <= wanted || is_in_vain) return;
     if (now > wanted)
       merge_short(unit_, off);
     else
       split_long(unit_, off);
     merge_and_move(0, 1);
+    before = off;
   }
 }
 
@@ -126,6 +130,12 @@ void unit_mesh_remesher::correct_crowding(double log_ratio, double power) {
   crowding_ = std::clamp(crowding_ * quick_exp(power * log_ratio), least, most);
 }
 
+// Returns the logarithm of the number of nodes over the wanted number.
+double unit_mesh_remesher::log_of_count() const {
+  if (options_.count == 0) return 0;
+  return quick_log(static_cast<double>(m_.count()) / static_cast<double>(options_.count));
+}
+
 // Splits, merges, flips and moves in turn, with the unit that gives the wanted number of nodes.
 // Adds rounds while the count is off by more than is tolerable.
 void unit_mesh_remesher::fit(const effort& how) {
@@ -133,18 +143,18 @@ void unit_mesh_remesher::fit(const effort& how) {
   // Power of the ratio of counts by which the crowding factor is corrected. The number of nodes
   // would follow the square of the unit if all edges had length one, but edges a little shorter are
   // not merged. Where these are most, it hardly changes: so with many nodes the power is doubled
-  // from round to round, as long as the count is off to the same side.
-  constexpr double usual_power = 0.75, most_power = 3;
+  // once if the count is off to the same side again. Doubled twice, it overshoots: the count then
+  // swings from side to side.
+  constexpr double usual_power = 0.75, most_power = 1.5;
   const double growth = wants_few() ? 1 : 2;
   double power = usual_power, off = 0;  // logarithm of the ratio
   for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
     if (round >= how.rounds && std::abs(off) < how.tolerable) break;
     measure_unit();
-    if (split_all_long(std::numbers::sqrt2 * unit_)) measure_unit();
+    if (split_all_long((round == 0 ? how.longest_at_first : how.longest) * unit_)) measure_unit();
     merge_and_move(unit_ / std::numbers::sqrt2, how.sweeps);
     if (options_.count == 0) continue;
-    const double before = std::exchange(
-        off, quick_log(static_cast<double>(m_.count()) / static_cast<double>(options_.count)));
+    const double before = std::exchange(off, log_of_count());
     power = before * off > 0 ? std::min(growth * power, most_power) : usual_power;
     correct_crowding(off, power);
   }
@@ -168,7 +178,8 @@ void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
   seed(seeds);
   // Leaves the count off by a few percent, as the mesh is fitted again: merging the shortest edges
   // for the last of them is mostly in vain here.
-  constexpr effort usual{2, 2, 0.05}, rough{1, 1, 0.05};
+  constexpr double longest = std::numbers::sqrt2;
+  constexpr effort usual{2, 2, longest, longest, 0.05}, rough{1, 1, longest, longest, 0.05};
   fit(wants_few() ? usual : rough);
   spare_ = {};  // other steps need the room
 }
@@ -179,12 +190,14 @@ void unit_mesh_remesher::refit(metric_at field) {
   m_.each_node([this](vertex_index v) { measure(v); });
   for (vertex_index t = 0; t < m_.faces().size(); ++t)
     if (m_.faces()[t].exists()) note_change(t);
-  // Starts from the square root of the last crowding factor, but with many nodes from what
-  // refitting needs in most meshes, if that is more: with less, rounds are needed that only merge
-  // edges.
-  constexpr double usual = 1.07;
-  crowding_ = std::max(wants_few() ? 0 : usual, std::sqrt(crowding_));
-  constexpr effort careful{2, 2, 0.015};
+  // Starts with many nodes from the crowding factor that refitting needs in most meshes, corrected
+  // by the count that the first fit left: then one round is enough in most.
+  constexpr double usual = 1.085, power = 0.6;
+  crowding_ = wants_few() ? std::sqrt(crowding_) : usual * quick_exp(power * log_of_count());
+  // Splits edges first that are a tenth longer than one already. Their halves are merged or moved,
+  // which spreads nodes more evenly than edges of up to the square root of 2 do: errors of
+  // interpolation are less, in fewer rounds (docs/design/adaptation_experiments.md).
+  constexpr effort careful{1, 2, 1.1, 1.25, 0.015};
   fit(careful);
   if (options_.count > 0) meet_count();
   spare_ = {};

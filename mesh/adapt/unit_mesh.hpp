@@ -81,11 +81,12 @@ class unit_mesh_remesher {
   std::vector<vertex_index> split_longer(metric_at wanted, const length_limits& limits,
                                          std::size_t most_nodes);
 
-  // Effort of a fit: least number of rounds, sweeps of moves in each, and the share by which the
+  // Effort of a fit: least number of rounds, sweeps of moves in each, greatest length of an edge
+  // that is not split (units) in the first round and in later ones, and the share by which the
   // count may be off in the end.
   struct effort {
     int rounds, sweeps;
-    double tolerable;
+    double longest_at_first, longest, tolerable;
   };
   void fit(const effort& how);
   // True if so few nodes are wanted that a first mesh fitted in one round of one sweep loses the
@@ -95,6 +96,7 @@ class unit_mesh_remesher {
     return options_.count < few;
   }
   void correct_crowding(double log_ratio, double power);
+  double log_of_count() const;
   bool is_crowded(vertex_index t, const node& there) const;
   std::pair<double, std::size_t> measured_area() const;
   double boundary_length() const;
