@@ -190,7 +190,7 @@ class Question(command.CommandTest):
                 if edits[-1][0] != "outcome/reason" or edits[-1][1]:
                     self.verdict(1)
                 else:  # the certificate names no metric, and says so
-                    self.assertIn("the certificate names none; it says lengths up to 3.09", self.verdict(0))
+                    self.assertIn("the certificate names none; it says lengths up to 3.92", self.verdict(0))
         self.folder.joinpath("m.certificate.json").write_text(json.dumps(claim))
         self.forge(done, tolerance, ("outcome/reason", reason[1] + ", in the metric delivered"))
         self.assertIn("no metric tolerance, by the certificate", self.verdict(0))
