@@ -165,6 +165,12 @@ void unit_mesh_remesher::make_states() {
   node_states_.resize(m_.nodes().size());
 }
 
+void unit_mesh_remesher::release() {
+  face_states_ = {};
+  node_states_ = {};
+  due_ = {};
+}
+
 void unit_mesh_remesher::forget_shapes() {
   face_states_.clear();
   for (const vertex_index t : due_) state_of(t).is_due = true;
@@ -181,7 +187,6 @@ void unit_mesh_remesher::run(metric_at field, const std::vector<point>& seeds) {
   constexpr double longest = std::numbers::sqrt2;
   constexpr effort usual{2, 2, longest, longest, 0.05}, rough{1, 1, longest, longest, 0.05};
   fit(wants_few() ? usual : rough);
-  spare_ = {};  // other steps need the room
 }
 
 void unit_mesh_remesher::refit(metric_at field) {
@@ -200,7 +205,7 @@ void unit_mesh_remesher::refit(metric_at field) {
   constexpr effort careful{1, 2, 1.1, 1.25, 0.015};
   fit(careful);
   if (options_.count > 0) meet_count();
-  spare_ = {};
+  spare_ = {};  // other steps need the room
 }
 
 void unit_mesh_remesher::meet_count(metric_at field) {

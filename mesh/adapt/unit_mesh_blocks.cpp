@@ -10,6 +10,7 @@
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/resize_to_overwrite.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -17,7 +18,9 @@ struct unit_mesh_remesher::block_state {
   std::size_t done = 0;
   std::vector<char> is_inside;
   std::vector<node_state> nodes;
-  std::vector<face_state> faces;
+  // Of each face, what the next cut needs of its state: all blocks' are kept until they are joined.
+  std::vector<double> shapes;
+  std::vector<char> is_due;
 };
 
 // Makes this the mesher of one block of a larger mesh.
@@ -53,8 +56,13 @@ unit_mesh_remesher::block_state unit_mesh_remesher::end_block(const unit_mesh_re
           part.nodes[v] < whole.is_inside_.size() ? whole.is_inside_[part.nodes[v]] : 0;
   left.nodes = std::move(node_states_);
   left.nodes.resize(nodes);
-  left.faces = std::move(face_states_);
-  left.faces.resize(faces);
+  face_states_.resize(faces);
+  left.shapes.reserve(faces);
+  left.is_due.reserve(faces);
+  for (const face_state& state : face_states_) {
+    left.shapes.push_back(state.shape);
+    left.is_due.push_back(state.is_due ? 1 : 0);
+  }
   return left;
 }
 
@@ -65,7 +73,7 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
   std::size_t done = 0;
   node_states_.assign(m_.nodes().size(), {});
   is_inside_.assign(m_.nodes().size(), 0);
-  face_states_.resize(m_.faces().size());  // each face is in one block
+  resize_to_overwrite(face_states_, m_.faces().size(), 2 * options_.count);
   merges_in_vain_.clear();
   // Queues nodes of the frame, which several blocks share, one block after the other.
   const auto take_node = [&](std::size_t b, vertex_index v) {
@@ -78,12 +86,12 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
     const block_state& left = states[b];
     for (vertex_index v = 0; v < left.is_inside.size(); ++v)
       if (!blocks.is_at_frame(b, v)) take_node(b, v);
-    for (vertex_index t = 0; t < left.faces.size(); ++t) {
+    for (vertex_index t = 0; t < left.shapes.size(); ++t) {
       const vertex_index now = blocks.face_now(b, t);
       if (now == none) continue;
       face_states_[now] = {};
-      face_states_[now].is_due = left.faces[t].is_due;
-      face_states_[now].shape = left.faces[t].shape;
+      face_states_[now].is_due = left.is_due[t] != 0;
+      face_states_[now].shape = left.shapes[t];
     }
   });
   for (std::size_t b = 0; b < states.size(); ++b) {
