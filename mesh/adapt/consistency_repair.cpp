@@ -57,7 +57,7 @@ consistency_repair::consistency_repair(editable_mesh& m, const repair_options& o
       options_(options),
       tests_(m, options.angle_bound),
       aim_(cotangent_of(options.angle_bound + degrees_above)) {
-  active_.assign(m_.nodes().size(), 1);
+  active_.assign(m_.nodes().size(), options.others_pass ? 0 : 1);
 }
 
 void consistency_repair::run() {

@@ -27,6 +27,9 @@ struct repair_options {
   double angle_bound = 20;
   double unit = 1;  // length wanted of an edge
   std::size_t most_rounds = 60;
+  // True if all edges and angles pass their tests, but for those at nodes given to disagreed_at():
+  // the first round then tests these alone.
+  bool others_pass = false;
   // Function that returns the metric wanted at a place, for a node that has moved.
   std::function<std::optional<metric_tensor>(const point&)> wanted;
   cancellation stop;

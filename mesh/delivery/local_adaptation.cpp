@@ -340,12 +340,13 @@ class local_adaptation {
       agreeing.changed_at(maker.split_outliers(field_by(wanted_, m)));
       agreeing.run();
     }
+    maker.release();
     settle(m, agreeing);
     constexpr std::size_t few = 20;  // one node in this number
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
       const editable_mesh alike = m;
-      if (give_back(m)) return;
+      if (give_back(m, left == 0)) return;
       m = alike;
     }
     mend(m, agreeing);
@@ -423,9 +424,9 @@ class local_adaptation {
     length_factor_ = length_factor;
   }
 
-  // Restores the wanted tensors at the nodes where the auditor accepts them. Returns whether the
-  // resulting mesh is certified.
-  bool give_back(editable_mesh& m) {
+  // Restores the wanted tensors at the nodes where the auditor accepts them. Takes whether all edges
+  // and angles pass their tests. Returns whether the resulting mesh is certified.
+  bool give_back(editable_mesh& m, bool all_pass = false) {
     std::vector<metric_tensor> tensors(m.nodes().size());
     std::atomic<bool> is_known = true;
     looked_up_.resize(m.nodes().size());
@@ -435,8 +436,9 @@ class local_adaptation {
       tensors[v] = *there;
     });
     if (!is_known) return false;
-    return internal::give_back(m, std::move(tensors), options_, asked_of_agreement(length_factor_),
-                               made_);
+    repair_options mending = asked_of_agreement(length_factor_);
+    mending.others_pass = all_pass;
+    return internal::give_back(m, std::move(tensors), options_, mending, made_);
   }
 
   // Makes the mesh in one metric for all sites, of the wanted metric's complexity, in which stars
