@@ -424,8 +424,8 @@ class local_adaptation {
     length_factor_ = length_factor;
   }
 
-  // Restores the wanted tensors at the nodes where the auditor accepts them. Takes whether all edges
-  // and angles pass their tests. Returns whether the resulting mesh is certified.
+  // Restores the wanted tensors at the nodes where the auditor accepts them. Takes whether all
+  // edges and angles pass their tests. Returns whether the resulting mesh is certified.
   bool give_back(editable_mesh& m, bool all_pass = false) {
     std::vector<metric_tensor> tensors(m.nodes().size());
     std::atomic<bool> is_known = true;

@@ -78,3 +78,32 @@ TEST_CASE("the edges of a grid, whose cells are on circles, agree after the repa
       }
   }
 }
+
+TEST_CASE("where others pass, edges are tested at the nodes that disagreed alone") {
+  const domain d = square_of_cells();
+  const metric_tensor metric{1, 0, 1};
+  auto built = editable_mesh::build(d, grid(metric));
+  REQUIRE(built.ok());
+  editable_mesh m = std::move(built).value();
+  repair_options options;
+  options.others_pass = true;
+  options.most_rounds = 1;
+  options.wanted = [&metric](const point&) { return metric; };
+  consistency_repair agreeing(m, options);
+  agreeing.run();
+  CHECK(agreeing.report().disagreeing == 0);
+  CHECK(agreeing.report().moves == 0);
+
+  vertex_index corner = 0;  // of one cell alone
+  while (m.at(corner).position != point{1, 1}) ++corner;
+  agreeing.disagreed_at({corner});
+  agreeing.run();
+  CHECK(agreeing.report().moves > 0);
+  constexpr double reach = 3;  // cells
+  for (const node& n : m.nodes()) {
+    const bool is_near = n.position.x < reach && n.position.y < reach;
+    const bool is_in_grid = n.position.x == static_cast<int>(n.position.x) &&
+                            n.position.y == static_cast<int>(n.position.y);
+    CHECK((is_near || is_in_grid));
+  }
+}
