@@ -18,7 +18,8 @@ struct unit_mesh_remesher::block_state {
   std::size_t done = 0;
   std::vector<char> is_inside;
   std::vector<node_state> nodes;
-  // Of each face, what the next cut needs of its state: all blocks' are kept until they are joined.
+  // Holds what the next cut needs of each face's state, and not all of it: the states of all blocks
+  // are kept until the blocks are joined.
   std::vector<double> shapes;
   std::vector<char> is_due;
 };
@@ -73,6 +74,7 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
   std::size_t done = 0;
   node_states_.assign(m_.nodes().size(), {});
   is_inside_.assign(m_.nodes().size(), 0);
+  // Every state is written below, as each face is in one block.
   resize_to_overwrite(face_states_, m_.faces().size(), 2 * options_.count);
   merges_in_vain_.clear();
   // Queues nodes of the frame, which several blocks share, one block after the other.
