@@ -63,9 +63,8 @@ bool mesh_blocks::are_worth_it(const editable_mesh& m) {
   return m.faces().size() >= least * faces_in_block;
 }
 
-mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut, editable_mesh::parts& spare)
+mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut)
     : whole_(whole),
-      spare_(spare),
       given_(whole.release()),
       parts_(given_.nodes, given_.faces, box_of_cut(whole.shape().box(), cut),
              given_.faces.size() / faces_in_block) {
@@ -146,7 +145,7 @@ std::size_t mesh_blocks::shared_corners(const std::vector<vertex_index>& faces) 
 }
 
 mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
-  block made{whole_.like({}), {}, {}, {}, {}};
+  block made{whole_.like({}), {}, {}, {}, {}, {}};
   made.faces.assign(listed_.begin() + static_cast<std::ptrdiff_t>(first_[b]),
                     listed_.begin() + static_cast<std::ptrdiff_t>(first_[b + 1]));
   editable_mesh::parts parts;
@@ -177,6 +176,7 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
         for (const vertex_index v : {f.v[after(e)], f.v[before(e)]}) {
           if (std::exchange(made.is_frame[v], char{1}) != 0) continue;
           made.frame.push_back(v);
+          made.frame_before.push_back(parts.nodes[v]);
           parts.nodes[v].kind = node_kind::given;
         }
   made.part = whole_.like(std::move(parts));
@@ -240,14 +240,15 @@ void mesh_blocks::number_block(std::size_t b, range from) {
 
 void mesh_blocks::write_block(std::size_t b, editable_mesh::parts& made) {
   const block& now = *blocks_[b];
-  for (vertex_index v = 0; v < now.part.nodes().size(); ++v) {
-    if (node_now_[b][v] == none) continue;
-    const bool is_frame = is_at_frame(b, v);
-    if (is_frame && frame_owner_[now.nodes[v]] != b) continue;
-    node& n = made.nodes[node_now_[b][v]];
-    n = is_frame ? given_.nodes[now.nodes[v]] : now.part.at(v);
-    n.face = face_now_[b][now.part.at(v).face];
-  }
+  const auto write_node = [&](vertex_index v, const node& n) {
+    node& written = made.nodes[node_now_[b][v]];
+    written = n;
+    written.face = face_now_[b][now.part.at(v).face];
+  };
+  for (vertex_index v = 0; v < now.part.nodes().size(); ++v)
+    if (node_now_[b][v] != none && !is_at_frame(b, v)) write_node(v, now.part.at(v));
+  for (std::size_t i = 0; i < now.frame.size(); ++i)
+    if (frame_owner_[now.nodes[now.frame[i]]] == b) write_node(now.frame[i], now.frame_before[i]);
   for (vertex_index t = 0; t < now.part.faces().size(); ++t) {
     if (face_now_[b][t] == none) continue;
     face f = now.part.faces()[t];
@@ -271,7 +272,7 @@ void mesh_blocks::join(std::size_t expected) {
   parallel_for(count(), [&](std::size_t b) { number_block(b, from[b]); });
   // Every node and every face is written below: numbers have no gaps, and each vertex of the domain
   // is in a block.
-  editable_mesh::parts made = std::exchange(spare_, {});
+  editable_mesh::parts made = std::move(given_);
   resize_to_overwrite(made.nodes, from.back().nodes, expected);
   resize_to_overwrite(made.faces, from.back().faces, 2 * expected);
   parallel_for(count(), [&](std::size_t b) { write_block(b, made); });
@@ -284,7 +285,6 @@ void mesh_blocks::join(std::size_t expected) {
   for (std::size_t b = 0; b < count(); ++b)
     whole_.note_looked_at(blocks_[b]->part.take_looked_at());
   whole_.assign_all(std::move(made));
-  spare_ = std::move(given_);
 }
 
 std::vector<vertex_index> mesh_blocks::faces_at_frame() const {

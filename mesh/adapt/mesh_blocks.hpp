@@ -30,15 +30,14 @@ class mesh_blocks {
     std::vector<vertex_index> nodes, faces;
     std::vector<char> is_frame;       // of these nodes
     std::vector<vertex_index> frame;  // the nodes that are
+    std::vector<node> frame_before;   // what these were in the whole
   };
 
   // True if the mesh has enough faces for blocks to pay.
   static bool are_worth_it(const editable_mesh& m);
 
-  // Cuts the mesh into blocks. The mesh is empty until join(), and must outlive the object, as must
-  // `spare`: the joined mesh is made in its memory, and the mesh before is left in it for the next
-  // cut. Memory of its own would be new at each cut, and one thread alone would wait for its pages.
-  mesh_blocks(editable_mesh& whole, unsigned cut, editable_mesh::parts& spare);
+  // Cuts the mesh into blocks. The mesh is empty until join(), and must outlive the object.
+  mesh_blocks(editable_mesh& whole, unsigned cut);
 
   std::size_t count() const { return parts_.count(); }
   // Returns the block that contains the point's place on the curve. Near the frame the face at the
@@ -48,7 +47,9 @@ class mesh_blocks {
   // blocks.
   block take_out(std::size_t b);
   void put_back(std::size_t b, block changed) { blocks_[b].emplace(std::move(changed)); }
-  // Joins all blocks, which must have been put back. Removed nodes and faces get no number.
+  // Joins all blocks, which must have been put back, in the memory of the mesh that was cut: other
+  // memory would be new at each cut, and one thread alone would wait for its pages. Removed nodes
+  // and faces get no number.
   // `expected` is the number of nodes for which there is to be room; 0 where none is expected.
   void join(std::size_t expected);
 
@@ -90,8 +91,7 @@ class mesh_blocks {
   void write_block(std::size_t b, editable_mesh::parts& made);
 
   editable_mesh& whole_;
-  editable_mesh::parts& spare_;
-  editable_mesh::parts given_;
+  editable_mesh::parts given_;        // the mesh that was cut, until the blocks are joined
   curve_parts parts_;                 // the faces of each block
   std::vector<std::size_t> first_;    // of each block in listed_
   std::vector<vertex_index> listed_;  // the faces, block after block

@@ -205,14 +205,12 @@ void unit_mesh_remesher::refit(metric_at field) {
   constexpr effort careful{1, 2, 1.1, 1.25, 0.015};
   fit(careful);
   if (options_.count > 0) meet_count();
-  spare_ = {};  // other steps need the room
 }
 
 void unit_mesh_remesher::meet_count(metric_at field) {
   field_ = std::move(field);
   forget_shapes();
   if (options_.count > 0) meet_count();
-  spare_ = {};
 }
 
 }  // namespace asterism::internal::adapting

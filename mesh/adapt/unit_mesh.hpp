@@ -225,7 +225,6 @@ class unit_mesh_remesher {
   double merges_tested_by_ = 0;
   std::vector<char> is_inside_;  // nodes that were inside a block of a cut so far
   unsigned cuts_ = 0;            // number of cuts into blocks so far
-  editable_mesh::parts spare_;   // memory for the next mesh that is joined from blocks
 };
 
 }  // namespace asterism::internal::adapting

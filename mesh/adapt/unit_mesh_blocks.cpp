@@ -117,7 +117,7 @@ std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
 std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
                                           const block_preparation& prepare) {
   const std::size_t count = m_.count();
-  mesh_blocks blocks(m_, cuts_++, spare_);
+  mesh_blocks blocks(m_, cuts_++);
   std::vector<std::size_t> order(blocks.count());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (prepare) {

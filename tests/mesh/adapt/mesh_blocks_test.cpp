@@ -90,10 +90,9 @@ TEST_CASE("a mesh cut into blocks and put together is the same one") {
   REQUIRE(mesh_blocks::are_worth_it(m));
   const auto before = placed_faces(m);
   const std::size_t pieces = triangulation_of(m).boundary.size();
-  editable_mesh::parts spare;
   for (const unsigned cut : {0U, 1U, 2U, 17U}) {
     INFO("cut " << cut);
-    mesh_blocks blocks(m, cut, spare);
+    mesh_blocks blocks(m, cut);
     CHECK(blocks.count() >= 4);
     for (std::size_t b = 0; b < blocks.count(); ++b) blocks.put_back(b, blocks.take_out(b));
     blocks.join(0);
@@ -107,8 +106,7 @@ TEST_CASE("in a block the frame has all its faces' other ends, and stays as it i
   const domain d = halved_square();
   editable_mesh m = fitted(d, 6000);
   const editable_mesh whole = m;
-  editable_mesh::parts spare;
-  mesh_blocks blocks(m, 3, spare);
+  mesh_blocks blocks(m, 3);
   std::size_t inside = 0;
   for (std::size_t b = 0; b < blocks.count(); ++b) {
     mesh_blocks::block taken = blocks.take_out(b);
