@@ -57,7 +57,14 @@ consistency_repair::consistency_repair(editable_mesh& m, const repair_options& o
       options_(options),
       tests_(m, options.angle_bound),
       aim_(cotangent_of(options.angle_bound + degrees_above)) {
-  active_.assign(m_.nodes().size(), options.others_pass ? 0 : 1);
+  restart(false);
+}
+
+void consistency_repair::restart(bool others_pass) {
+  active_.assign(m_.nodes().size(), others_pass ? 0 : 1);
+  edges_agree_ = false;
+  touched_.clear();
+  report_ = {};
 }
 
 void consistency_repair::run() {
@@ -123,6 +130,7 @@ void consistency_repair::question(vertex_index t) {
 // Marks a node that was changed in this round, or a neighbour of which was.
 void consistency_repair::touch(vertex_index v) {
   if (std::exchange(next_[v], char{1}) != 0) return;
+  touched_.push_back(v);
   face_list at;
   m_.around(v, at);
   for (const vertex_index t : at) question(t);
@@ -210,6 +218,7 @@ void consistency_repair::disagreed_at(const std::vector<vertex_index>& nodes) {
   next_.assign(m_.nodes().size(), 0);
   clip_distortion_at(nodes, part);
   for (const vertex_index v : nodes) active_[v] = 1;
+  touched_.insert(touched_.end(), nodes.begin(), nodes.end());
 }
 
 void consistency_repair::changed_at(const std::vector<vertex_index>& nodes) {

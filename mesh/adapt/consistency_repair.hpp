@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/adapt/editable_mesh.hpp"
@@ -27,9 +28,6 @@ struct repair_options {
   double angle_bound = 20;
   double unit = 1;  // length wanted of an edge
   std::size_t most_rounds = 60;
-  // True if all edges and angles pass their tests, but for those at nodes given to disagreed_at():
-  // the first round then tests these alone.
-  bool others_pass = false;
   // Function that returns the metric wanted at a place, for a node that has moved.
   std::function<std::optional<metric_tensor>(const point&)> wanted;
   cancellation stop;
@@ -46,6 +44,10 @@ class consistency_repair {
   // delivered. Both references must outlive the object.
   consistency_repair(editable_mesh& m, const repair_options& options);
 
+  // Begins anew, with the tensors that the nodes have now, in the memory of what was done before.
+  // `others_pass` tells that all edges and angles pass their tests, but for those at nodes given to
+  // disagreed_at(): the first round then tests these alone.
+  void restart(bool others_pass);
   // Mends in rounds until no changed node has a defect, or the limit on rounds is reached.
   void run();
   // Clips the tensors of these nodes, whose stars disagree in a way that run() does not detect.
@@ -58,7 +60,10 @@ class consistency_repair {
   // Adds a node to each triangle with a low angle, equally far from the ends of its shortest edge,
   // for run() to fit in. Returns the number of nodes added.
   std::size_t add_at_low_faces();
-  // Returns the report of all rounds so far.
+  // Returns the nodes that were touched since the last call, some of them several times: all that
+  // have changed, and all of new faces.
+  std::vector<vertex_index> take_touched() { return std::exchange(touched_, {}); }
+  // Returns the report of all rounds since the last start.
   const repair_report& report() const { return report_; }
 
  private:
@@ -94,6 +99,7 @@ class consistency_repair {
   double aim_;                // cotangent of the angle aimed at
   bool edges_agree_ = false;  // until the next round
   std::vector<char> active_, next_;
+  std::vector<vertex_index> touched_;
   // Flags of the faces to be tested: faces with an active node, and the neighbours of these, those
   // that the round has made included.
   std::vector<char> is_due_;

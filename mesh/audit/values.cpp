@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/audit/checks.hpp"
+#include "asterism/mesh/support/sort_by_counting.hpp"
 #include "asterism/mesh/support/tensor_text.hpp"
 
 namespace asterism::internal::audit_detail {
@@ -110,65 +111,70 @@ void check_indices(audit_context& context) {
                                                         std::to_string(m.sites.size()));
 }
 
-// A triangle's corners in ascending order and its number, in two words: two comparisons order it.
-using sorted_triangle = std::pair<std::uint64_t, std::uint64_t>;
+// A triangle's two greater corners in ascending order, and its number.
+struct sorted_triangle {
+  std::uint64_t corners;
+  vertex_index number;
+};
+
+vertex_index least_corner(const triangle& t) { return std::min({t[0], t[1], t[2]}); }
 
 sorted_triangle sorted(const triangle& t, vertex_index number) {
   const auto [low, high] = std::minmax({t[0], t[1], t[2]});
   const vertex_index middle = t[0] ^ t[1] ^ t[2] ^ low ^ high;
-  return {std::uint64_t{low} << 32U | middle, std::uint64_t{high} << 32U | number};
+  return {std::uint64_t{middle} << 32U | high, number};
 }
 
-bool have_same_corners(const sorted_triangle& a, const sorted_triangle& b) {
-  return a.first == b.first && a.second >> 32U == b.second >> 32U;
-}
-
-std::vector<sorted_triangle> sorted_triangles(const audit_context& context) {
-  constexpr std::size_t triangles_at_once = 4096;  // for a thread
-  std::vector<sorted_triangle> all(context.triangles.size());
-  parallel_chunks(all.size(), triangles_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    for (std::size_t i = begin; i < end; ++i) {
-                      const vertex_index t = context.triangles[i];
-                      all[i] = sorted(context.subject.triangles[t], t);
-                    }
-                  });
-  parallel_sort(all.begin(), all.end());
-  return all;
-}
-
+// Sorts triangles by counting for the least corner, and by comparisons among those that have the
+// same one. The cost for triangles that share it, however many, has the bound of std::sort.
 void check_repeated_triangles(audit_context& context) {
-  const auto in_order = sorted_triangles(context);
-  for (std::size_t i = 1; i < in_order.size(); ++i) {
-    if (!have_same_corners(in_order[i - 1], in_order[i])) continue;
-    const auto number = [&](std::size_t k) {
-      return static_cast<vertex_index>(in_order[k].second);
-    };
-    context.found(finding_kind::repeated_triangle, triangle_text(context, number(i)) +
-                                                       " has the vertices of triangle " +
-                                                       number_of(context, number(i - 1)));
-  }
+  const auto& triangles = context.subject.triangles;
+  const auto& listed = context.triangles;
+  std::vector<sorted_triangle> all(listed.size());
+  const std::vector<std::size_t> start = sort_by_counting(
+      listed.size(), context.placed.size(),
+      [&](std::size_t i) { return std::size_t{least_corner(triangles[listed[i]])}; },
+      [&](std::size_t at, std::size_t i) { all[at] = sorted(triangles[listed[i]], listed[i]); });
+  const auto at = [&all](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::sort(at(start[v]), at(start[v + 1]), [](const auto& a, const auto& b) {
+        return a.corners < b.corners || (a.corners == b.corners && a.number < b.number);
+      });
+      for (std::size_t i = start[v] + 1; i < start[v + 1]; ++i)
+        if (all[i - 1].corners == all[i].corners)
+          tally.found(finding_kind::repeated_triangle,
+                      triangle_text(context, all[i].number) + " has the vertices of triangle " +
+                          number_of(context, all[i - 1].number));
+    }
+  };
+  check_in_parallel(context, context.placed.size(), check);
+}
+
+void check_site(audit_context& context, audit_tally& tally, vertex_index v) {
+  const auto& [position, metric] = context.subject.sites[v];
+  context.placed[v] = finite(position);
+  if (!context.placed[v])
+    tally.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
+  if (!finite(metric))
+    tally.found(finding_kind::not_finite, "the " + metric_text(context, v) + " is not finite");
+  else if (!tally.kernel().is_positive_definite(metric))
+    tally.found(finding_kind::metric_not_positive_definite,
+                "the " + metric_text(context, v) + " is not positive definite");
+  else
+    context.measured[v] = context.placed[v];
 }
 
 }  // namespace
 
 void check_sites(audit_context& context) {
-  const auto& sites = context.subject.sites;
-  context.placed.assign(sites.size(), 0);
-  context.measured.assign(sites.size(), 0);
-  for (vertex_index v = 0; v < sites.size(); ++v) {
-    const metric_tensor& m = sites[v].metric;
-    context.placed[v] = finite(sites[v].position);
-    if (!context.placed[v])
-      context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
-    if (!finite(m))
-      context.found(finding_kind::not_finite, "the " + metric_text(context, v) + " is not finite");
-    else if (!context.kernel().is_positive_definite(m))
-      context.found(finding_kind::metric_not_positive_definite,
-                    "the " + metric_text(context, v) + " is not positive definite");
-    else
-      context.measured[v] = context.placed[v];
-  }
+  const std::size_t sites = context.subject.sites.size();
+  context.placed.assign(sites, 0);
+  context.measured.assign(sites, 0);
+  check_in_parallel(context, sites, [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v)
+      check_site(context, tally, static_cast<vertex_index>(v));
+  });
 }
 
 void check_input(audit_context& context) {

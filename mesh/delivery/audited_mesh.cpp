@@ -27,6 +27,10 @@ void audited_mesh::take(const adapting::editable_mesh& m) {
   node_of_.assign(subject_.sites.size(), 0);
   for (vertex_index v = 0; v < renumbered.size(); ++v)
     if (renumbered[v] != adapting::none) node_of_[renumbered[v]] = v;
+  face_of_.clear();
+  face_of_.reserve(subject_.triangles.size());
+  for (vertex_index t = 0; t < m.faces().size(); ++t)
+    if (m.faces()[t].exists()) face_of_.push_back(t);
 }
 
 void audited_mesh::take_changed(const adapting::editable_mesh& m) {
@@ -39,6 +43,50 @@ void audited_mesh::take_changed(const adapting::editable_mesh& m) {
   memory_.triangulation = before.triangulation;
   memory_.tree = std::move(before.tree);
   memory_.angle_bounds = std::move(before.angle_bounds);
+}
+
+void audited_mesh::take_tensors(const adapting::editable_mesh& m) {
+  for (vertex_index s = 0; s < node_of_.size(); ++s)
+    subject_.sites[s].metric = m.at(node_of_[s]).metric;
+}
+
+bool audited_mesh::has_same_corners(const adapting::face& f, const triangle& t) const {
+  return f.v[0] == node_of_[t[0]] && f.v[1] == node_of_[t[1]] && f.v[2] == node_of_[t[2]];
+}
+
+// Flags the sites that are vertices of the domain or divide a segment.
+std::vector<char> audited_mesh::sites_on_segments() const {
+  std::vector<char> are_on(subject_.sites.size(), 0);
+  std::fill_n(are_on.begin(), subject_.given, char{1});
+  for (const boundary_edge& e : subject_.boundary) are_on[e.a] = are_on[e.b] = 1;
+  return are_on;
+}
+
+mesh_changes audited_mesh::changes(const adapting::editable_mesh& m) const {
+  mesh_changes found;
+  node_list displaced;  // sites
+  for (vertex_index s = 0; s < node_of_.size(); ++s) {
+    const adapting::node& is = m.at(node_of_[s]);
+    const bool exists = is.kind != adapting::node_kind::gone;
+    const bool has_stayed = exists && is.position == subject_.sites[s].position;
+    if (!has_stayed) displaced.push_back(s);
+    if (exists && !(has_stayed && identical(is.metric, subject_.sites[s].metric)))
+      found.nodes.push_back(node_of_[s]);
+  }
+  auto before = face_of_.begin();
+  for (vertex_index t = 0; t < m.faces().size(); ++t) {
+    const auto nth = static_cast<std::size_t>(before - face_of_.begin());
+    const bool had_face = before != face_of_.end() && *before == t;
+    if (had_face) ++before;
+    const adapting::face& is = m.faces()[t];
+    if (is.exists() && !(had_face && has_same_corners(is, subject_.triangles[nth])))
+      found.nodes.insert(found.nodes.end(), is.v.begin(), is.v.end());
+  }
+  if (displaced.empty()) return found;
+  const std::vector<char> are_on = sites_on_segments();
+  found.are_inside = std::none_of(displaced.begin(), displaced.end(),
+                                  [&](vertex_index s) { return are_on[s] != 0; });
+  return found;
 }
 
 audit_options audited_mesh::question(std::size_t findings_kept) const {

@@ -18,6 +18,13 @@ namespace asterism::internal {
 
 using node_list = std::vector<vertex_index>;
 
+// Lists what a triangulation that was taken to be audited has other than then.
+struct mesh_changes {
+  node_list nodes;  // that are elsewhere or have other tensors, and those of new faces
+  // True if only inside nodes were removed or moved: sight across the boundary is the same then.
+  bool are_inside = true;
+};
+
 class audited_mesh {
  public:
   // References must outlive the object and its copies.
@@ -44,6 +51,10 @@ class audited_mesh {
   // Takes the present mesh, which has the nodes of the last one that was taken and audited: the
   // known reaches of their stars are kept.
   void take_changed(const adapting::editable_mesh& m);
+  // Does the same where nothing but tensors has changed.
+  void take_tensors(const adapting::editable_mesh& m);
+  // Returns what has changed since the mesh was taken. No node may be new.
+  mesh_changes changes(const adapting::editable_mesh& m) const;
 
   // Audits the mesh; an audit that keeps all findings is never cut short.
   void judge(std::size_t findings_kept);
@@ -72,11 +83,14 @@ class audited_mesh {
   template <class Vertices>
   node_list nodes_of(const Vertices& vertices) const;
   void keep(const auditor& judge);
+  bool has_same_corners(const adapting::face& f, const triangle& t) const;
+  std::vector<char> sites_on_segments() const;
 
   const domain* domain_;
   const mesh_options* options_;
   mesh subject_;
-  node_list node_of_;  // of each site
+  node_list node_of_;  // of each site, ascending
+  node_list face_of_;  // of each triangle, ascending
   std::shared_ptr<audit_report> report_;
   std::size_t many_for_a_gap_ = 1000;
   audit_memory memory_;

@@ -314,8 +314,9 @@ class local_adaptation {
     const metric_at wanted = [this](const point& q, vertex_index& hint) {
       return wanted_.at(q, hint);
     };
+    consistency_repair agreeing(m, agree);
     for (int i = 0; i < rounds && !stop_reason(); ++i) {
-      consistency_repair agreeing(m, agree);
+      agreeing.restart(false);
       agreeing.run();
       if (maker.split_left_long(wanted, most_nodes) > 0) continue;
       edges_agree_ = agreeing.report().disagreeing == 0;
@@ -346,13 +347,14 @@ class local_adaptation {
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
       const editable_mesh alike = m;
-      if (give_back(m, left == 0)) return;
+      if (give_back(m, agreeing, left == 0)) return;
       m = alike;
+      agreeing.restart(left == 0);
     }
     mend(m, agreeing);
     if (!is_certified()) return;
     const audited_mesh certified = made_;
-    if (!give_back(m)) made_ = certified;
+    if (!give_back(m, agreeing)) made_ = certified;
   }
 
   // Moves the nodes of a mesh whose edges agree to places where more nodes can have their wanted
@@ -417,7 +419,7 @@ class local_adaptation {
     }
     if (is_certified() && made_.subject().sites.size() <= options_.max_sites) {
       const audited_mesh certified = made_;
-      if (!give_back(m)) made_ = certified;
+      if (!give_back(m, agreeing)) made_ = certified;
       return;
     }
     made_ = before;
@@ -426,7 +428,7 @@ class local_adaptation {
 
   // Restores the wanted tensors at the nodes where the auditor accepts them. Takes whether all
   // edges and angles pass their tests. Returns whether the resulting mesh is certified.
-  bool give_back(editable_mesh& m, bool all_pass = false) {
+  bool give_back(editable_mesh& m, consistency_repair& agreeing, bool all_pass = false) {
     std::vector<metric_tensor> tensors(m.nodes().size());
     std::atomic<bool> is_known = true;
     looked_up_.resize(m.nodes().size());
@@ -436,9 +438,7 @@ class local_adaptation {
       tensors[v] = *there;
     });
     if (!is_known) return false;
-    repair_options mending = asked_of_agreement(length_factor_);
-    mending.others_pass = all_pass;
-    return internal::give_back(m, std::move(tensors), options_, mending, made_);
+    return internal::give_back(m, std::move(tensors), options_, agreeing, all_pass, made_);
   }
 
   // Makes the mesh in one metric for all sites, of the wanted metric's complexity, in which stars
@@ -455,7 +455,9 @@ class local_adaptation {
     const double length_factor = std::exchange(length_factor_, made->length_factor);
     editable_mesh m = std::move(built).value();
     const editable_mesh alike = m;
-    if (give_back(m)) return;
+    const repair_options agree = asked_of_agreement(length_factor_);
+    consistency_repair agreeing(m, agree);
+    if (give_back(m, agreeing)) return;
     made_.take(alike);
     made_.judge(every_finding);
     if (is_certified()) return;

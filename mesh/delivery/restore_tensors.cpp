@@ -69,40 +69,15 @@ void take_back_unbounded(adapting::editable_mesh& m, adapting::tensor_restoratio
   }
 }
 
-// Lists the nodes whose tensors have changed.
-struct mesh_changes {
-  node_list nodes;  // and those of faces that there were not
-  // True if only inside nodes were removed or moved: sight across the boundary is the same
-  // then.
-  bool are_inside = true;
-};
-
-mesh_changes changes_of(const adapting::editable_mesh& before, const adapting::editable_mesh& m) {
-  using adapting::node_kind;
-  mesh_changes found;
-  for (vertex_index v = 0; v < m.nodes().size(); ++v) {
-    const adapting::node &was = before.at(v), &is = m.at(v);
-    const bool has_stayed = was.kind == is.kind && was.position == is.position;
-    found.are_inside = found.are_inside && (has_stayed || was.kind == node_kind::free);
-    if (is.kind != node_kind::gone && !(has_stayed && identical(was.metric, is.metric)))
-      found.nodes.push_back(v);
-  }
-  for (vertex_index t = 0; t < m.faces().size(); ++t) {
-    const adapting::face& is = m.faces()[t];
-    if (is.exists() && before.faces()[t].v != is.v)
-      found.nodes.insert(found.nodes.end(), is.v.begin(), is.v.end());
-  }
-  return found;
-}
-
 // Restores the tensors of one mesh as far as an auditor accepts them.
 class giver {
  public:
   giver(adapting::editable_mesh& m, std::vector<metric_tensor> wanted, const mesh_options& options,
-        const adapting::repair_options& mending, audited_mesh& audited)
+        adapting::consistency_repair& agreeing, bool others_pass, audited_mesh& audited)
       : m_(m),
         options_(options),
-        mending_(mending),
+        agreeing_(agreeing),
+        others_pass_(others_pass),
         audited_(audited),
         giving_(m, options.angle_bound, std::move(wanted)) {}
 
@@ -139,6 +114,7 @@ class giver {
       return true;
     }
     if (taken.empty()) return mend(found);
+    audited_.take_tensors(m_);
     judge_changed(one_of_each(questions, taken), taken);
     return true;
   }
@@ -162,14 +138,14 @@ class giver {
   bool mend(const std::vector<node_list>& found) {
     if (found.size() > least_found_ || times_mended_++ >= most_mended) return false;
     least_found_ = found.size();
-    const adapting::editable_mesh before = m_;
-    adapting::consistency_repair agreeing(m_, mending_);
-    for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
-    agreeing.run();
-    const mesh_changes changes = changes_of(before, m_);
+    agreeing_.restart(others_pass_);
+    for (const node_list& nodes : found) agreeing_.disagreed_at(nodes);
+    agreeing_.run();
+    const mesh_changes changes = audited_.changes(m_);
     if (changes.nodes.empty()) return false;
     giving_.keep(changes.nodes);
     if (changes.are_inside) {
+      audited_.take_changed(m_);
       judge_changed(one_of_each(found, {}), changes.nodes);
     } else {
       audited_.take(m_);
@@ -180,13 +156,13 @@ class giver {
 
   void judge_changed(node_list looked_at, const node_list& changed) {
     looked_at.insert(looked_at.end(), changed.begin(), changed.end());
-    audited_.take_changed(m_);
     audited_.judge_again(std::move(looked_at), hard_questions::left_open);
   }
 
   adapting::editable_mesh& m_;
   const mesh_options& options_;
-  const adapting::repair_options& mending_;
+  adapting::consistency_repair& agreeing_;
+  bool others_pass_;  // all edges and angles, but for those that an audit finds
   audited_mesh& audited_;
   adapting::tensor_restoration giving_;
   int times_mended_ = 0;
@@ -233,17 +209,16 @@ void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreei
     m.note_looked_at(work_weights::faces_for_three_gaps * faces.size());
     m.charge_work(stop);
     if (found.empty() || few * found.size() > m.count()) return;
-    const adapting::editable_mesh before = m;
     for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
     agreeing.run();
-    faces = faces_with(m, changes_of(before, m).nodes);  // the reach at others is known
+    faces = faces_with(m, agreeing.take_touched());  // the reach at others is known
   }
 }
 
 bool give_back(adapting::editable_mesh& m, std::vector<metric_tensor> wanted,
-               const mesh_options& options, const adapting::repair_options& mending,
+               const mesh_options& options, adapting::consistency_repair& agreeing, bool others_pass,
                audited_mesh& audited) {
-  return giver(m, std::move(wanted), options, mending, audited).run();
+  return giver(m, std::move(wanted), options, agreeing, others_pass, audited).run();
 }
 
 }  // namespace asterism::internal

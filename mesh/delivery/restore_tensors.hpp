@@ -19,13 +19,14 @@ namespace asterism::internal {
 void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreeing,
                 const cancellation& stop);
 
-// Restores tensors; `wanted` has one for each node. Findings of the audit are undone
+// Restores tensors; `wanted` has one for each node. `agreeing` is of this mesh; `others_pass` tells
+// that all edges and angles pass its tests before. Findings of the audit are undone
 // (adapt/tensor_restoration.hpp), and where nothing is left to undo the mesh is repaired. Hard
 // questions are decided last: not at all if their tensors are undone for another reason, by filters
 // first, and by exact numbers once nothing can be undone. Returns whether the resulting mesh, in
 // `audited`, is certified.
 bool give_back(adapting::editable_mesh& m, std::vector<metric_tensor> wanted,
-               const mesh_options& options, const adapting::repair_options& mending,
+               const mesh_options& options, adapting::consistency_repair& agreeing, bool others_pass,
                audited_mesh& audited);
 
 }  // namespace asterism::internal

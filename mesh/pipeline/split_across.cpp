@@ -130,7 +130,8 @@ class across_splitter {
       wanted.push_back(*there);
     }
     editable_mesh given = m;
-    if (give_back(given, std::move(wanted), options_, agree_, made_)) return true;
+    consistency_repair agreeing_of_given(given, agree_);
+    if (give_back(given, std::move(wanted), options_, agreeing_of_given, false, made_)) return true;
     consistency_repair agreeing(m, agree_);
     for (int repair = 0; repair < most_repairs && !is_stopped(); ++repair) {
       made_.take(m);

@@ -86,10 +86,10 @@ TEST_CASE("where others pass, edges are tested at the nodes that disagreed alone
   REQUIRE(built.ok());
   editable_mesh m = std::move(built).value();
   repair_options options;
-  options.others_pass = true;
   options.most_rounds = 1;
   options.wanted = [&metric](const point&) { return metric; };
   consistency_repair agreeing(m, options);
+  agreeing.restart(true);
   agreeing.run();
   CHECK(agreeing.report().disagreeing == 0);
   CHECK(agreeing.report().moves == 0);
