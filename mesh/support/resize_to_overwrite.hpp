@@ -12,11 +12,10 @@ namespace asterism::internal {
 // would copy the list, and access the pages of its new memory for the first time.
 template <class List>
 void resize_to_overwrite(List& list, std::size_t size, std::size_t expected) {
-  constexpr std::size_t part = 8;
+  constexpr double times = 1.4;
   if (list.capacity() < size) {
-    const std::size_t most = std::max(size, expected);
     list = List();
-    list.reserve(most + most / part);
+    list.reserve(std::max(size, static_cast<std::size_t>(times * static_cast<double>(expected))));
   }
   list.resize(size);
 }
