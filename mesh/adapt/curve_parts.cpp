@@ -30,10 +30,18 @@ curve_parts::curve_parts(const std::vector<node>& nodes, const std::vector<face>
   std::sort(sample.begin(), sample.end());
   for (std::size_t part = 1; part < parts && !sample.empty(); ++part)
     bounds_.push_back(sample[part * sample.size() / parts]);
+  // Tries the part of the face before first, which is nearly always the part of the next one, too.
   parallel_chunks(faces.size(), faces_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
-                    for (std::size_t t = begin; t < end; ++t) part_[t] = at(places[t]);
+                    std::uint32_t last = 0;
+                    for (std::size_t t = begin; t < end; ++t)
+                      part_[t] = last = is_in(places[t], last) ? last : at(places[t]);
                   });
+}
+
+bool curve_parts::is_in(std::uint64_t place, std::uint32_t part) const {
+  return (part == 0 || bounds_[part - 1] <= place) &&
+         (part == bounds_.size() || place < bounds_[part]);
 }
 
 std::uint32_t curve_parts::at(std::uint64_t place) const {

@@ -29,6 +29,7 @@ class curve_parts {
 
  private:
   std::uint32_t at(std::uint64_t place) const;
+  bool is_in(std::uint64_t place, std::uint32_t part) const;
 
   bounding_box box_;
   std::vector<std::uint64_t> bounds_;  // places on the curve between parts
