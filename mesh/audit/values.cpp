@@ -143,9 +143,9 @@ void check_repeated_triangles(audit_context& context) {
       });
       for (std::size_t i = start[v] + 1; i < start[v + 1]; ++i)
         if (all[i - 1].corners == all[i].corners)
-          tally.found(finding_kind::repeated_triangle,
-                      triangle_text(context, all[i].number) + " has the vertices of triangle " +
-                          number_of(context, all[i - 1].number));
+          tally.found(finding_kind::repeated_triangle, triangle_text(context, all[i].number) +
+                                                           " has the vertices of triangle " +
+                                                           number_of(context, all[i - 1].number));
     }
   };
   check_in_parallel(context, context.placed.size(), check);

@@ -217,8 +217,8 @@ void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreei
 }
 
 bool give_back(adapting::editable_mesh& m, std::vector<metric_tensor> wanted,
-               const mesh_options& options, adapting::consistency_repair& agreeing, bool others_pass,
-               audited_mesh& audited) {
+               const mesh_options& options, adapting::consistency_repair& agreeing,
+               bool others_pass, audited_mesh& audited) {
   return giver(m, std::move(wanted), options, agreeing, others_pass, audited).run();
 }
 

@@ -26,7 +26,7 @@ void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreei
 // first, and by exact numbers once nothing can be undone. Returns whether the resulting mesh, in
 // `audited`, is certified.
 bool give_back(adapting::editable_mesh& m, std::vector<metric_tensor> wanted,
-               const mesh_options& options, adapting::consistency_repair& agreeing, bool others_pass,
-               audited_mesh& audited);
+               const mesh_options& options, adapting::consistency_repair& agreeing,
+               bool others_pass, audited_mesh& audited);
 
 }  // namespace asterism::internal
