@@ -99,8 +99,9 @@ void remember_triangulation(audit_context& context) {
   context.memory->tree = context.tree != nullptr ? context.tree : context.former_tree;
   context.memory->angle_bounds = std::move(context.angle_bounds);
   auto& lists = static_cast<triangulation_lists&>(context);
-  if (context.are_lists_lent) context.known->take_back(std::move(lists));
-  if (context.is_new)
+  if (context.are_lists_lent)
+    context.known->take_back(std::move(lists));
+  else if (context.is_new)
     context.known = std::make_shared<checked_triangulation>(
         context.subject, context.options.original, std::move(lists), context.report);
   if (context.known != nullptr) context.memory->triangulation = std::move(context.known);
