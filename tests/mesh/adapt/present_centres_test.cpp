@@ -21,13 +21,6 @@ bool are_same(const face_centre& p, const face_centre& q) {
   return p.at == q.at && p.squared_radius == q.squared_radius;
 }
 
-editable_mesh even_mesh(const domain& d) {
-  const auto field = make_metric_field("identity", d.box(), 0.25);
-  mesh_options options;
-  options.limit_size = true;
-  return mesh_to_change(d, *field.value(), options);
-}
-
 vertex_index free_node(const editable_mesh& m) {
   for (vertex_index v = 0; v < m.nodes().size(); ++v)
     if (m.at(v).kind == node_kind::free) return v;
@@ -38,7 +31,7 @@ vertex_index free_node(const editable_mesh& m) {
 
 TEST_CASE("a centre is that of the face as it was until its node is accepted") {
   const domain d = square();
-  editable_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d, 0.25);
   const local_tests tests(m, 20);
   present_centres present(m, tests);
   present.find_all();
@@ -67,7 +60,7 @@ TEST_CASE("a centre is that of the face as it was until its node is accepted") {
 
 TEST_CASE("clearances do not change where a node is tried as it is") {
   const domain d = square();
-  editable_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d, 0.25);
   const local_tests tests(m, 20);
   present_centres present(m, tests);
   edges_around edges(m, tests, present);
@@ -81,7 +74,7 @@ TEST_CASE("clearances do not change where a node is tried as it is") {
 
 TEST_CASE("the distance of a node from a face across is at least the clearance of their edge") {
   const domain d = square();
-  editable_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d, 0.25);
   const local_tests tests(m, 20);
   present_centres present(m, tests);
   edges_around edges(m, tests, present);
@@ -101,7 +94,7 @@ TEST_CASE("the distance of a node from a face across is at least the clearance o
 
 TEST_CASE("clearances before are those of the node as it was remembered") {
   const domain d = square();
-  editable_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d, 0.25);
   const local_tests tests(m, 20);
   present_centres present(m, tests);
   edges_around edges(m, tests, present);

@@ -18,13 +18,6 @@ using namespace asterism::internal::adapting;
 
 namespace {
 
-editable_mesh even_mesh(const domain& d) {
-  const auto field = make_metric_field("identity", d.box(), 0.15);
-  mesh_options options;
-  options.limit_size = true;
-  return mesh_to_change(d, *field.value(), options);
-}
-
 // Makes one random change of tensors, places, edges or nodes, if one is possible at the face drawn.
 void change(editable_mesh& m, splitmix64& random) {
   const auto t = static_cast<vertex_index>(random.bits() % m.faces().size());
@@ -75,7 +68,7 @@ TEST_CASE("what changed since a mesh was taken is what differs from a copy of it
   const mesh_options options;
   std::size_t inside = 0, at_boundary = 0;
   for (int run = 0; run < 40; ++run) {
-    editable_mesh m = even_mesh(d);
+    editable_mesh m = even_mesh(d, 0.15);
     for (int i = 0; i < 20; ++i) change(m, random);  // leaves gaps in the numbers
     audited_mesh taken(d, options);
     taken.take(m);
@@ -95,7 +88,7 @@ TEST_CASE("what changed since a mesh was taken is what differs from a copy of it
 TEST_CASE("a mesh taken again for its tensors is the one taken anew") {
   const domain d = square();
   const mesh_options options;
-  editable_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d, 0.15);
   audited_mesh taken(d, options), anew(d, options);
   taken.take(m);
   for (vertex_index v = 0; v < m.nodes().size(); v += 7) {

@@ -22,13 +22,6 @@ using namespace asterism::internal::adapting;
 
 namespace {
 
-editable_mesh even_mesh(const domain& d) {
-  const auto field = make_metric_field("identity", d.box(), 0.15);
-  mesh_options options;
-  options.limit_size = true;
-  return mesh_to_change(d, *field.value(), options);
-}
-
 metric_tensor random_tensor(splitmix64& random) {
   const double angle = random.real(0, 3.2), p = std::exp(random.real(3, 6)),
                q = std::exp(random.real(3, 6)), c = std::cos(angle), s = std::sin(angle);
@@ -78,7 +71,7 @@ TEST_CASE("a gap whose reach the auditor knows by few operations keeps its tenso
   CAPTURE(seed);
   splitmix64 random(seed);
   const domain d = square();
-  editable_mesh m = even_mesh(d);
+  editable_mesh m = even_mesh(d, 0.15);
   REQUIRE(count_unknown(m).to_kernel == 0);
   REQUIRE(spoil_for_kernel(m, random));
   const std::vector<node> before = m.nodes();
