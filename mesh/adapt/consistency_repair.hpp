@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "asterism/mesh/adapt/editable_mesh.hpp"
@@ -60,9 +59,10 @@ class consistency_repair {
   // Adds a node to each triangle with a low angle, equally far from the ends of its shortest edge,
   // for run() to fit in. Returns the number of nodes added.
   std::size_t add_at_low_faces();
-  // Returns the nodes that were touched since the last call, some of them several times: all that
-  // have changed, and all of new faces.
-  std::vector<vertex_index> take_touched() { return std::exchange(touched_, {}); }
+  // Returns the nodes touched since the last start or forget_touched(), some of them several times:
+  // among them all nodes that have changed and are left, and all nodes of new faces.
+  const std::vector<vertex_index>& touched() const { return touched_; }
+  void forget_touched() { touched_.clear(); }
   // Returns the report of all rounds since the last start.
   const repair_report& report() const { return report_; }
 

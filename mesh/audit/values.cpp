@@ -111,9 +111,10 @@ void check_indices(audit_context& context) {
                                                         std::to_string(m.sites.size()));
 }
 
-// A triangle's two greater corners in ascending order, and its number.
+// A triangle among those with one least corner.
 struct sorted_triangle {
-  std::uint64_t corners;
+  std::uint64_t
+      corners;  // the other two, packed in ascending order: one comparison in place of two
   vertex_index number;
 };
 
@@ -125,8 +126,9 @@ sorted_triangle sorted(const triangle& t, vertex_index number) {
   return {std::uint64_t{middle} << 32U | high, number};
 }
 
-// Sorts triangles by counting for the least corner, and by comparisons among those that have the
-// same one. The cost for triangles that share it, however many, has the bound of std::sort.
+// Finds triangles with the same corners next to each other: sorts them by counting for the least
+// corner, and by comparisons among those that have the same one. The cost for triangles that share
+// it, however many, has the bound of std::sort.
 void check_repeated_triangles(audit_context& context) {
   const auto& triangles = context.subject.triangles;
   const auto& listed = context.triangles;

@@ -18,7 +18,7 @@ namespace asterism::internal {
 
 using node_list = std::vector<vertex_index>;
 
-// Lists what a triangulation that was taken to be audited has other than then.
+// Lists the differences of a triangulation from the mesh of it that was taken to be audited.
 struct mesh_changes {
   node_list nodes;  // that are elsewhere or have other tensors, and those of new faces
   // True if only inside nodes were removed or moved: sight across the boundary is the same then.
@@ -51,7 +51,7 @@ class audited_mesh {
   // Takes the present mesh, which has the nodes of the last one that was taken and audited: the
   // known reaches of their stars are kept.
   void take_changed(const adapting::editable_mesh& m);
-  // Does the same where nothing but tensors has changed.
+  // Takes the present tensors alone, where nothing else has changed since the mesh was taken.
   void take_tensors(const adapting::editable_mesh& m);
   // Returns what has changed since the mesh was taken. No node may be new.
   mesh_changes changes(const adapting::editable_mesh& m) const;

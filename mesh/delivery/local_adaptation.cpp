@@ -349,7 +349,7 @@ class local_adaptation {
       const editable_mesh alike = m;
       if (give_back(m, agreeing, left == 0)) return;
       m = alike;
-      agreeing.restart(left == 0);
+      agreeing.restart(left == 0);  // restoring tensors may have repaired another mesh with it
     }
     mend(m, agreeing);
     if (!is_certified()) return;

@@ -209,10 +209,10 @@ void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreei
     m.note_looked_at(work_weights::faces_for_three_gaps * faces.size());
     m.charge_work(stop);
     if (found.empty() || few * found.size() > m.count()) return;
-    static_cast<void>(agreeing.take_touched());  // in runs before
+    agreeing.forget_touched();
     for (const node_list& nodes : found) agreeing.disagreed_at(nodes);
     agreeing.run();
-    faces = faces_with(m, agreeing.take_touched());  // the reach at others is known
+    faces = faces_with(m, agreeing.touched());  // the reach at others is known
   }
 }
 

@@ -7,8 +7,8 @@
 namespace asterism::internal {
 
 // Resizes a list whose elements will all be overwritten. Where it has to grow it drops its elements
-// first, in place of copying them, and reserves room for the number expected, and an eighth more:
-// splits add elements soon, and the next cut often joins a somewhat larger mesh. One thread alone
+// first, in place of copying them, and reserves room for 1.4 times the number expected: splits of
+// the second fit make a third more nodes than are wanted for a while. One thread alone
 // would copy the list, and access the pages of its new memory for the first time.
 template <class List>
 void resize_to_overwrite(List& list, std::size_t size, std::size_t expected) {
