@@ -57,7 +57,7 @@ bool take_checked(audit_context& context) {
                        before->is_of(context.subject, context.options.original);
   if (!is_same) {
     context.angle_bounds.clear();
-    // The edges take most of the memory of an audit's lists, and new memory takes time.
+    // Takes the memory of the edges, most of that of an audit's lists: new memory takes time.
     if (before != nullptr && before.use_count() == 1) {
       context.edges = before->lend_lists().edges;
       context.edges.clear();

@@ -111,10 +111,10 @@ void check_indices(audit_context& context) {
                                                         std::to_string(m.sites.size()));
 }
 
-// A triangle among those with one least corner.
+// A triangle among those with one least corner: the other two in ascending order, packed into one
+// number that takes one comparison in place of two, and the triangle's number.
 struct sorted_triangle {
-  std::uint64_t
-      corners;  // the other two, packed in ascending order: one comparison in place of two
+  std::uint64_t corners;
   vertex_index number;
 };
 
