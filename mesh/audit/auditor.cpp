@@ -46,27 +46,48 @@ bool check_covering(audit_context& context) {
   return report.total_found() == 0;
 }
 
-// Takes the lists of the triangulation that the audit before checked. Where the mesh differs from
-// it in more than tensors, forgets it and returns false.
-bool take_checked(audit_context& context) {
-  if (context.memory == nullptr) return false;
+audit_report counts_of(const mesh& subject) {
+  audit_report report;
+  report.sites = subject.sites.size();
+  report.triangles = subject.triangles.size();
+  report.boundary_subsegments = subject.boundary.size();
+  report.given = subject.given;
+  return report;
+}
+
+// Forgets the triangulation that the audit before checked. Keeps the memory of its edges, most of
+// that of an audit's lists: new memory takes time.
+void forget_checked(audit_context& context, checked_triangulation* before) {
+  auto& lists = static_cast<triangulation_lists&>(context);
+  std::vector<directed_edge> edges = std::move(lists.edges);
+  if (before != nullptr) edges = before->lend_lists().edges;
+  edges.clear();
+  lists = {};
+  lists.edges = std::move(edges);
+  context.known = nullptr;
+  context.former_tree = nullptr;
+  context.are_lists_lent = false;
+  context.angle_bounds.clear();
+}
+
+// Takes the lists of the triangulation that the audit before checked, and returns the changes
+// since. Where there are others than those of tensors and a few triangles, forgets it and returns
+// nothing.
+std::optional<triangulation_changes> take_checked(audit_context& context) {
+  if (context.memory == nullptr) return std::nullopt;
   auto before = std::move(context.memory->triangulation);
   auto tree = std::move(context.memory->tree);
   context.angle_bounds = std::move(context.memory->angle_bounds);
-  const bool is_same = context.changed != nullptr && before != nullptr &&
-                       before->is_of(context.subject, context.options.original);
-  if (!is_same) {
-    context.angle_bounds.clear();
-    // Takes the memory of the edges, most of that of an audit's lists: new memory takes time.
-    if (before != nullptr && before.use_count() == 1) {
-      context.edges = before->lend_lists().edges;
-      context.edges.clear();
-    }
-    return false;
-  }
+  std::optional<triangulation_changes> changes;
+  if (context.changed != nullptr && before != nullptr)
+    changes = before->changes_to(context.subject, context.options.original);
   // A copy takes as long as several of the checks, most of it for new memory. One is needed only
   // where others have the triangulation, too.
   context.are_lists_lent = before.use_count() == 1;
+  if (!changes || !(changes->triangles.empty() || context.are_lists_lent)) {
+    forget_checked(context, context.are_lists_lent ? before.get() : nullptr);
+    return std::nullopt;
+  }
   auto& lists = static_cast<triangulation_lists&>(context);
   // A conditional expression would make a constant of the lists lent, and copy them.
   if (context.are_lists_lent)
@@ -76,13 +97,30 @@ bool take_checked(audit_context& context) {
   before->enter_measurements(context.report);
   context.known = std::move(before);
   context.former_tree = std::move(tree);
+  return changes;
+}
+
+// Checks what has changed since the triangulation was checked. With a finding, forgets the
+// triangulation and the finding: a check of all will name it in its order.
+bool check_changes(audit_context& context, const triangulation_changes& changes) {
+  if (changes.triangles.empty()) return true;
+  for (const auto check :
+       {check_values_again, check_edges_again, check_fans_again, check_regions_again}) {
+    check(context, changes);
+    if (context.report.total_found() == 0) continue;
+    context.report = counts_of(context.subject);
+    forget_checked(context, nullptr);
+    return false;
+  }
+  context.known->take_changes(context.subject, changes);
   return true;
 }
 
 // Checks points 0 to 2, the domain and the regions; of a triangulation checked before, the tensors
-// alone. Returns false where the mesh is no triangulation.
+// and what has changed. Returns false where the mesh is no triangulation.
 bool check_triangulation(audit_context& context) {
-  if (take_checked(context)) {
+  const auto changes = take_checked(context);
+  if (changes && check_changes(context, *changes)) {
     check_sites(context);
     return context.report.total_found() == 0;
   }
@@ -121,15 +159,6 @@ void check_all(audit_context& context) {
     report.voronoi = voronoi_verdict::not_reached;
     if (triangulation) check_voronoi(context);
   }
-}
-
-audit_report counts_of(const mesh& subject) {
-  audit_report report;
-  report.sites = subject.sites.size();
-  report.triangles = subject.triangles.size();
-  report.boundary_subsegments = subject.boundary.size();
-  report.given = subject.given;
-  return report;
 }
 
 }  // namespace
@@ -245,7 +274,7 @@ void auditor::ask_filters(const std::function<bool(const open_question&)>& is_as
 std::shared_ptr<const site_tree> auditor::known_tree() const {
   if (tree_ != nullptr || memory_.tree == nullptr) return tree_;
   const auto copy = std::make_shared<site_tree>(*memory_.tree);
-  copy->take_metrics(subject_->sites);
+  copy->take_sites(subject_->sites);
   return copy;
 }
 

@@ -12,9 +12,10 @@
 // sites, and on the subsegments between v and w, alone. So only questions with a changed site are
 // asked again; all other answers stay. A new gap, a new edge, and an edge with a new site across
 // belong to a new triangle: their questions are asked if the corners of new triangles are listed as
-// changed. Where the mesh differs in tensors alone, which the auditor compares itself, the checks
-// that tensors do not affect are passed, and angles are measured in triangles with a changed
-// corner.
+// changed. The auditor itself compares the mesh with the one before. Where it differs in tensors,
+// in a few triangles and in the places of a few inside sites alone, the checks of the triangulation
+// are made of these triangles and their corners, and angles are measured in triangles with a
+// changed corner.
 //
 // Open questions. While a mesh is being mended, questions that take long need no answer at once:
 // where doubles do not decide whether a star accepts a site, the tensors of both may be changed

@@ -41,13 +41,65 @@ checked_triangulation::checked_triangulation(const mesh& subject, const domain* 
       largest_deviation_ulps_(report.largest_deviation_ulps),
       curves_(report.curves) {}
 
-bool checked_triangulation::has_lists_of(const mesh& subject) const {
+bool checked_triangulation::has_boundary_of(const mesh& subject) const {
   return subject.given == given_ && subject.disagreeing.empty() &&
-         std::equal(subject.sites.begin(), subject.sites.end(), places_.begin(), places_.end(),
-                    has_place) &&
-         subject.triangles == triangles_ && subject.regions == regions_ &&
          std::equal(subject.boundary.begin(), subject.boundary.end(), boundary_.begin(),
                     boundary_.end(), is_same);
+}
+
+bool checked_triangulation::has_lists_of(const mesh& subject) const {
+  return has_boundary_of(subject) && subject.triangles == triangles_ &&
+         subject.regions == regions_ &&
+         std::equal(subject.sites.begin(), subject.sites.end(), places_.begin(), places_.end(),
+                    has_place);
+}
+
+bool checked_triangulation::is_inside(vertex_index v) const {
+  return v >= given_ && lists_.side_start[v] == lists_.side_start[v + 1];
+}
+
+// Lists the sites with another position; nothing where one is not inside.
+std::optional<std::vector<vertex_index>> checked_triangulation::moved_in(
+    const mesh& subject) const {
+  std::vector<vertex_index> moved;
+  for (vertex_index v = 0; v < places_.size(); ++v) {
+    if (has_place(subject.sites[v], places_[v])) continue;
+    if (!is_inside(v)) return std::nullopt;
+    moved.push_back(v);
+  }
+  return moved;
+}
+
+std::optional<triangulation_changes> checked_triangulation::changes_to(
+    const mesh& subject, const domain* original) const {
+  constexpr std::size_t few = 16;  // one triangle in this number: updates of more save little
+  if (original != original_ || subject.sites.size() != places_.size() ||
+      subject.triangles.size() != triangles_.size() || subject.regions != regions_ ||
+      !has_boundary_of(subject))
+    return std::nullopt;
+  auto moved = moved_in(subject);
+  if (!moved) return std::nullopt;
+  triangulation_changes changes{std::move(*moved), {}, {}};
+  std::vector<char> has_moved(places_.size(), 0);
+  for (const vertex_index v : changes.moved) has_moved[v] = 1;
+  for (vertex_index t = 0; t < triangles_.size(); ++t) {
+    const triangle &was = triangles_[t], &is = subject.triangles[t];
+    if (was == is && (has_moved[was[0]] | has_moved[was[1]] | has_moved[was[2]]) == 0) continue;
+    changes.triangles.push_back(t);
+    if (few * changes.triangles.size() > triangles_.size()) return std::nullopt;
+    for (const triangle& c : {was, is})
+      changes.corners.insert(changes.corners.end(), c.begin(), c.end());
+  }
+  std::sort(changes.corners.begin(), changes.corners.end());
+  changes.corners.erase(std::unique(changes.corners.begin(), changes.corners.end()),
+                        changes.corners.end());
+  return changes;
+}
+
+void checked_triangulation::take_changes(const mesh& subject,
+                                         const triangulation_changes& changes) {
+  for (const vertex_index v : changes.moved) places_[v] = subject.sites[v].position;
+  for (const vertex_index t : changes.triangles) triangles_[t] = subject.triangles[t];
 }
 
 void checked_triangulation::enter_measurements(audit_report& report) const {

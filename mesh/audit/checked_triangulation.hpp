@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Holds a triangulation that an audit found to be in order, with the lists that the audit made of
-// it: another audit of the same positions, triangles and boundary, with other tensors, takes the
-// lists and makes no check that tensors do not affect. Inside the auditor alone.
+// it. Another audit of a mesh with the same boundary takes the lists, and checks the triangulation
+// only where it has changed: nowhere if only tensors have. Inside the auditor alone.
 #pragma once
 
 #include <cstdint>
@@ -96,6 +96,14 @@ struct triangulation_lists {
   fan_lists fans;
 };
 
+// The part in which a mesh differs from one that was checked. Its sites and triangles are in the
+// places of others.
+struct triangulation_changes {
+  std::vector<vertex_index> moved;      // inside sites with another position, ascending
+  std::vector<vertex_index> triangles;  // with other corners or a moved one, ascending
+  std::vector<vertex_index> corners;    // that these have or had, ascending
+};
+
 class checked_triangulation {
  public:
   // Copies what the checks were made of. Requires that points 0 to 2, the domain (null where none
@@ -105,10 +113,13 @@ class checked_triangulation {
 
   // True if the mesh differs from the checked one in tensors alone, bit for bit.
   bool has_lists_of(const mesh& subject) const;
-  // True if also the domain is the same object.
-  bool is_of(const mesh& subject, const domain* original) const {
-    return original == original_ && has_lists_of(subject);
-  }
+  // Returns the changes, none or few, where the mesh differs from the checked one in these and in
+  // tensors alone, and the domain is the same object; else nothing. Requires that the lists are not
+  // lent.
+  std::optional<triangulation_changes> changes_to(const mesh& subject,
+                                                  const domain* original) const;
+  // Takes the changes to the mesh, which was checked, too.
+  void take_changes(const mesh& subject, const triangulation_changes& changes);
 
   const triangulation_lists& lists() const { return lists_; }
   // Lends the lists, and takes them back: until then this object has none.
@@ -118,6 +129,10 @@ class checked_triangulation {
   void enter_measurements(audit_report& report) const;
 
  private:
+  bool has_boundary_of(const mesh& subject) const;
+  bool is_inside(vertex_index v) const;
+  std::optional<std::vector<vertex_index>> moved_in(const mesh& subject) const;
+
   std::vector<point> places_;
   vertex_index given_;
   std::vector<triangle> triangles_;

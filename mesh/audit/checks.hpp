@@ -25,4 +25,13 @@ void check_something_judged(audit_context& context);
 void check_stars(audit_context& context);
 void check_voronoi(audit_context& context);
 
+// Check points 0 to 2 and the regions of a mesh that differs from one that was checked in these
+// changes, and in tensors. The context has the lists of the other mesh; those of edges and fans are
+// updated. What they do not check is as it was (docs/math/certificate.md, sections 1 and 2). Each
+// requires that the ones before found nothing.
+void check_values_again(audit_context& context, const triangulation_changes& changes);
+void check_edges_again(audit_context& context, const triangulation_changes& changes);
+void check_fans_again(audit_context& context, const triangulation_changes& changes);
+void check_regions_again(audit_context& context, const triangulation_changes& changes);
+
 }  // namespace asterism::internal::audit_detail

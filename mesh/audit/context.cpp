@@ -51,7 +51,7 @@ const site_tree& audit_context::plant() {
   // Copies the tree where somebody else has it, too.
   tree = former_tree.use_count() == 1 ? std::move(former_tree)
                                       : std::make_shared<site_tree>(*former_tree);
-  tree->take_metrics(subject.sites);
+  tree->take_sites(subject.sites);
   return *tree;
 }
 

@@ -83,8 +83,8 @@ struct audit_context : triangulation_lists {
   bool unfinished = false;
   std::optional<std::string> told;  // the reason, if it was told to end
   double share_of_work = 1;         // of the most that an audit may do
-  // Tree of the mesh's sites; none where it was not asked for. `former_tree` is of the same places
-  // with the metrics of the audit before; none where there was no such audit.
+  // Tree of the mesh's sites; none where it was not asked for. `former_tree` is of the same sites
+  // as they were in the audit before; none where there was no such audit.
   std::shared_ptr<site_tree> tree, former_tree;
 
   // Prefetches the sites of one of `triangles`, or of the edges that leave v.

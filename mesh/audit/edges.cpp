@@ -3,6 +3,7 @@
 // Point 2, the combinatorial part: every directed edge once, its reverse once or the boundary; both
 // at an internal edge.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -99,22 +100,25 @@ bool all_are_matched(std::span<const directed_edge> edges,
   return all != 0;
 }
 
-// Checks each vertex's outgoing edges against the edges that reach it, which are found in
-// the triangles around the vertex. Around an interior vertex both lists have the same far
-// ends.
+// Checks a vertex's outgoing edges against the edges that reach it, which are found in the
+// triangles around the vertex. Around an interior vertex both lists have the same far ends.
+// `arrivals` is scratch.
+void check_edges_from(const audit_context& context, audit_tally& tally, std::size_t v,
+                      std::vector<vertex_index>& arrivals) {
+  const auto& edges = context.edges;
+  const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
+  arrivals.clear();
+  for (std::size_t i = first; i < last; ++i) arrivals.push_back(edges[i].apex);
+  for (std::size_t i = first + 1; i < last; ++i) check_repeated(context, tally, i);
+  if (all_are_matched(std::span(edges).subspan(first, last - first), arrivals)) return;
+  std::sort(arrivals.begin(), arrivals.end());
+  for (std::size_t i = first; i < last; ++i) check_matched(context, tally, edges[i], arrivals);
+}
+
 void check_triangle_edges(audit_context& context) {
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     std::vector<vertex_index> arrivals;
-    const auto& edges = context.edges;
-    for (std::size_t v = begin; v < end; ++v) {
-      const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
-      arrivals.clear();
-      for (std::size_t i = first; i < last; ++i) arrivals.push_back(edges[i].apex);
-      for (std::size_t i = first + 1; i < last; ++i) check_repeated(context, tally, i);
-      if (all_are_matched(std::span(edges).subspan(first, last - first), arrivals)) continue;
-      std::sort(arrivals.begin(), arrivals.end());
-      for (std::size_t i = first; i < last; ++i) check_matched(context, tally, edges[i], arrivals);
-    }
+    for (std::size_t v = begin; v < end; ++v) check_edges_from(context, tally, v, arrivals);
   };
   check_in_parallel(context, context.subject.sites.size(), check);
 }
@@ -155,12 +159,29 @@ void check_closed_curves(audit_context& context) {
                         (balance[v] > 0 ? " than reach it" : " than leave it"));
 }
 
-void check_used(audit_context& context) {
-  std::vector<char> used(context.subject.sites.size(), 0);
-  for (const directed_edge& e : context.edges) used[e.a] = 1;
-  for (vertex_index v = 0; v < used.size(); ++v)
-    if (!used[v])
-      context.found(finding_kind::unused_vertex, vertex_text(context, v) + " is in no triangle");
+void check_used(audit_context& context, vertex_index v) {
+  if (context.edge_start[v] == context.edge_start[v + 1])
+    context.found(finding_kind::unused_vertex, vertex_text(context, v) + " is in no triangle");
+}
+
+// Replaces the edges of these triangles in the sorted list.
+void replace_edges(audit_context& context, const std::vector<vertex_index>& of) {
+  const auto& triangles = context.subject.triangles;
+  auto& edges = context.edges;
+  std::vector<char> is_replaced(triangles.size(), 0);
+  for (const vertex_index t : of) is_replaced[t] = 1;
+  std::erase_if(edges, [&](const directed_edge& e) { return is_replaced[e.triangle] != 0; });
+  const auto kept = static_cast<std::ptrdiff_t>(edges.size());
+  for (const vertex_index t : of) {
+    const triangle& c = triangles[t];
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back({c[i], c[(i + 1) % 3], c[(i + 2) % 3], t});
+  }
+  const auto is_before = [](const directed_edge& l, const directed_edge& r) {
+    return std::array{l.a, l.b, l.triangle} < std::array{r.a, r.b, r.triangle};
+  };
+  std::sort(edges.begin() + kept, edges.end(), is_before);
+  std::inplace_merge(edges.begin(), edges.begin() + kept, edges.end(), is_before);
+  context.edge_start = starts_of(edges, context.subject.sites.size());
 }
 
 }  // namespace
@@ -171,7 +192,19 @@ void check_edges(audit_context& context) {
   check_triangle_edges(context);
   check_subsegments(context);
   check_closed_curves(context);
-  check_used(context);
+  for (vertex_index v = 0; v < context.subject.sites.size(); ++v) check_used(context, v);
+}
+
+void check_edges_again(audit_context& context, const triangulation_changes& changes) {
+  replace_edges(context, changes.triangles);
+  check_in_parallel(context, changes.corners.size(),
+                    [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+                      std::vector<vertex_index> arrivals;
+                      for (std::size_t i = begin; i < end; ++i)
+                        check_edges_from(context, tally, changes.corners[i], arrivals);
+                    });
+  check_subsegments(context);
+  for (const vertex_index v : changes.corners) check_used(context, v);
 }
 
 }  // namespace asterism::internal::audit_detail

@@ -143,23 +143,41 @@ void check_vertex(const audit_context& context, audit_tally& tally, vertex_index
   });
 }
 
+// Makes and checks the fans of the vertices of one block, which is empty.
+void make_block(audit_context& context, audit_tally& tally, std::size_t begin, std::size_t end) {
+  std::vector<fan_step> steps;
+  for (std::size_t v = begin; v < end; ++v) {
+    context.prefetch_around(v + sites_ahead);
+    const auto at = static_cast<vertex_index>(v);
+    const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
+    fan_lists::block& to = context.fans.block_of(at);
+    if (first != last) list_fans(context, at, first, last, steps, to);
+    to.ends.push_back(static_cast<std::uint32_t>(to.fans.size()));
+    if (first != last) check_vertex(context, tally, at);
+  }
+}
+
 }  // namespace
 
 void check_fans(audit_context& context) {
   context.fans.resize(context.subject.sites.size());
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
-    std::vector<fan_step> steps;
-    for (std::size_t v = begin; v < end; ++v) {
-      context.prefetch_around(v + sites_ahead);
-      const auto at = static_cast<vertex_index>(v);
-      const std::size_t first = context.edge_start[v], last = context.edge_start[v + 1];
-      fan_lists::block& to = context.fans.block_of(at);
-      if (first != last) list_fans(context, at, first, last, steps, to);
-      to.ends.push_back(static_cast<std::uint32_t>(to.fans.size()));
-      if (first != last) check_vertex(context, tally, at);
-    }
+    make_block(context, tally, begin, end);
   };
   check_in_parallel(context, context.subject.sites.size(), check, fan_lists::vertices_of_a_block);
+}
+
+void check_fans_again(audit_context& context, const triangulation_changes& changes) {
+  constexpr std::size_t size = fan_lists::vertices_of_a_block;
+  std::vector<std::size_t> blocks;
+  for (const vertex_index v : changes.corners)
+    if (blocks.empty() || blocks.back() != v / size) blocks.push_back(v / size);
+  const auto check = [&](audit_tally& tally, std::size_t nth, std::size_t) {
+    const std::size_t begin = size * blocks[nth];
+    context.fans.block_of(static_cast<vertex_index>(begin)) = {};
+    make_block(context, tally, begin, std::min(begin + size, context.subject.sites.size()));
+  };
+  check_in_parallel(context, blocks.size(), check, 1);
 }
 
 }  // namespace asterism::internal::audit_detail

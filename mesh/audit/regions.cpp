@@ -17,23 +17,19 @@ std::string region_text(const audit_context& context, vertex_index t) {
   return triangle_text(context, t) + " is in region " + std::to_string(region_of(context, t));
 }
 
-void check_neighbours(audit_context& context) {
-  if (context.subject.regions.empty()) return;  // all are 1
-  const auto& edges = context.edges;
+void check_beside(audit_context& context, const directed_edge& e) {
+  if (e.a > e.b) return;
   const std::size_t no_subsegment = context.subject.boundary.size();
-  for (const directed_edge& e : edges) {
-    if (e.a > e.b) continue;
-    const std::size_t across = find_edge(context, e.b, e.a);
-    if (across == edges.size()) continue;
-    const vertex_index other = edges[across].triangle;
-    if (region_of(context, e.triangle) == region_of(context, other)) continue;
-    if (find_subsegment(context, e.a, e.b) != no_subsegment ||
-        find_subsegment(context, e.b, e.a) != no_subsegment)
-      continue;
-    context.found(finding_kind::wrong_region, region_text(context, e.triangle) + ", " +
-                                                  region_text(context, other) +
-                                                  ", and no segment is between them");
-  }
+  const std::size_t across = find_edge(context, e.b, e.a);
+  if (across == context.edges.size()) return;
+  const vertex_index other = context.edges[across].triangle;
+  if (region_of(context, e.triangle) == region_of(context, other)) return;
+  if (find_subsegment(context, e.a, e.b) != no_subsegment ||
+      find_subsegment(context, e.b, e.a) != no_subsegment)
+    return;
+  context.found(finding_kind::wrong_region, region_text(context, e.triangle) + ", " +
+                                                region_text(context, other) +
+                                                ", and no segment is between them");
 }
 
 void check_beside_segments(audit_context& context) {
@@ -64,7 +60,15 @@ void check_regions(audit_context& context) {
                       std::to_string(m.triangles.size()) + " triangles");
     return;
   }
-  check_neighbours(context);
+  if (!m.regions.empty())  // else all are 1
+    for (const directed_edge& e : context.edges) check_beside(context, e);
+  if (context.options.original != nullptr) check_beside_segments(context);
+}
+
+void check_regions_again(audit_context& context, const triangulation_changes& changes) {
+  const auto& start = context.edge_start;
+  for (const vertex_index v : changes.corners)
+    for (std::size_t i = start[v]; i < start[v + 1]; ++i) check_beside(context, context.edges[i]);
   if (context.options.original != nullptr) check_beside_segments(context);
 }
 

@@ -43,10 +43,7 @@ double product_bound(double a, double b) {
 
 site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
   std::iota(order_.begin(), order_.end(), vertex_index{0});
-  double greatest = 0;
-  for (const site& s : sites)
-    greatest = std::max(greatest, std::abs(s.position.x) + std::abs(s.position.y));
-  lost_ = roundings::step * greatest;
+  bound_roundings(sites);
   sites_.resize(sites.size());
   if (!sites.empty()) {
     nodes_.resize(node_count(sites.size()));
@@ -57,13 +54,21 @@ site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
   groups_.push_back(sites.size());
 }
 
+void site_tree::bound_roundings(const std::vector<site>& sites) {
+  double greatest = 0;
+  for (const site& s : sites)
+    greatest = std::max(greatest, std::abs(s.position.x) + std::abs(s.position.y));
+  lost_ = roundings::step * greatest;
+}
+
 // Visits the nodes from the last to the first: both children follow their parent.
-void site_tree::take_metrics(const std::vector<site>& sites) {
+void site_tree::take_sites(const std::vector<site>& sites) {
+  bound_roundings(sites);
   std::vector<char> has_changed(nodes_.size(), 0);
   for (std::size_t self = nodes_.size(); self-- > 0;) {
     node& n = nodes_[self];
     if (n.right == 0) {
-      has_changed[self] = take_metrics_of_leaf(n, sites);
+      has_changed[self] = take_sites_of_leaf(n, sites);
       if (has_changed[self] != 0) bound_leaf(n);
       continue;
     }
@@ -72,12 +77,13 @@ void site_tree::take_metrics(const std::vector<site>& sites) {
   }
 }
 
-bool site_tree::take_metrics_of_leaf(const node& n, const std::vector<site>& sites) {
+bool site_tree::take_sites_of_leaf(const node& n, const std::vector<site>& sites) {
   bool has_changed = false;
   for (std::size_t i = n.first; i < n.last; ++i) {
-    const metric_tensor& metric = sites[order_[i]].metric;
-    has_changed = has_changed || !identical(sites_[i].metric, metric);
-    sites_[i].metric = metric;
+    const site& is = sites[order_[i]];
+    has_changed = has_changed || !(sites_[i].position == is.position) ||
+                  !identical(sites_[i].metric, is.metric);
+    sites_[i] = is;
   }
   return has_changed;
 }

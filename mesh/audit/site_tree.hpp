@@ -32,9 +32,9 @@ class site_tree {
   // Builds the tree of sites that are finite and positive definite.
   explicit site_tree(const std::vector<site>& sites);
 
-  // Takes the metrics of sites at the places of which the tree was built, and bounds the nodes with
-  // a metric that has changed again.
-  void take_metrics(const std::vector<site>& sites);
+  // Takes the places and metrics of the same sites after changes, and bounds the nodes with a
+  // changed site again. The order stays: it suits small moves.
+  void take_sites(const std::vector<site>& sites);
 
   // Returns the numbers of all sites, ordered so that sites near each other are close in the list.
   const std::vector<vertex_index>& order() const { return order_; }
@@ -85,8 +85,9 @@ class site_tree {
   void build(const std::vector<site>& sites, std::size_t self, std::size_t first, std::size_t last);
   void halve(const std::vector<site>& sites, std::size_t first, std::size_t middle,
              std::size_t last);
-  // Takes the metrics of a leaf's sites. Returns whether one has changed.
-  bool take_metrics_of_leaf(const node& n, const std::vector<site>& sites);
+  void bound_roundings(const std::vector<site>& sites);
+  // Takes a leaf's sites. Returns whether one has changed.
+  bool take_sites_of_leaf(const node& n, const std::vector<site>& sites);
   void bound_leaf(node& n) const;
   void bound_metrics_of_leaf(node& n) const;
   static void bound_parent(node& n, const node& left, const node& right);

@@ -167,6 +167,15 @@ void check_site(audit_context& context, audit_tally& tally, vertex_index v) {
     context.measured[v] = context.placed[v];
 }
 
+void check_orientation(const audit_context& context, audit_tally& tally, vertex_index t) {
+  const auto& [a, b, c] = context.subject.triangles[t];
+  const sign turn = tally.kernel().orientation(context.at(a), context.at(b), context.at(c));
+  if (turn == sign::positive) return;
+  tally.found(
+      finding_kind::orientation,
+      triangle_text(context, t) + (turn == sign::zero ? " is flat" : " is not counter-clockwise"));
+}
+
 }  // namespace
 
 void check_sites(audit_context& context) {
@@ -200,17 +209,25 @@ void check_orientations(audit_context& context) {
   const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       context.prefetch_corners(i + triangles_ahead);
-      const vertex_index t = context.triangles[i];
-      const triangle& c = context.subject.triangles[t];
-      const sign turn =
-          tally.kernel().orientation(context.at(c[0]), context.at(c[1]), context.at(c[2]));
-      if (turn == sign::positive) continue;
-      tally.found(finding_kind::orientation,
-                  triangle_text(context, t) +
-                      (turn == sign::zero ? " is flat" : " is not counter-clockwise"));
+      check_orientation(context, tally, context.triangles[i]);
     }
   };
   check_in_parallel(context, context.triangles.size(), check);
+}
+
+void check_values_again(audit_context& context, const triangulation_changes& changes) {
+  for (const vertex_index v : changes.moved)
+    if (!finite(context.at(v)))
+      return context.found(finding_kind::not_finite, vertex_text(context, v) + " is not finite");
+  const std::vector<vertex_index>& some = changes.triangles;
+  const auto check = [&](audit_tally& tally, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) check_orientation(context, tally, some[i]);
+  };
+  const auto is_usable = [&](vertex_index t) {
+    return usable(context, context.subject.triangles[t], "triangle", t);
+  };
+  if (std::all_of(some.begin(), some.end(), is_usable))
+    check_in_parallel(context, some.size(), check);
 }
 
 }  // namespace asterism::internal::audit_detail

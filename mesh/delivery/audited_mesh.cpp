@@ -33,7 +33,36 @@ void audited_mesh::take(const adapting::editable_mesh& m) {
     if (m.faces()[t].exists()) face_of_.push_back(t);
 }
 
+bool audited_mesh::has_same_nodes_and_faces(const adapting::editable_mesh& m) const {
+  const auto exists = [&m](vertex_index v) { return m.at(v).kind != adapting::node_kind::gone; };
+  if (m.count() != node_of_.size() || !std::all_of(node_of_.begin(), node_of_.end(), exists))
+    return false;
+  auto before = face_of_.begin();
+  for (vertex_index t = 0; t < m.faces().size(); ++t)
+    if (m.faces()[t].exists() && (before == face_of_.end() || *before++ != t)) return false;
+  return before == face_of_.end();
+}
+
+// Takes places, tensors and corners where nodes and faces have the numbers they had.
+void audited_mesh::take_in_place(const adapting::editable_mesh& m) {
+  for (vertex_index s = 0; s < node_of_.size(); ++s) {
+    const adapting::node& is = m.at(node_of_[s]);
+    subject_.sites[s] = {is.position, is.metric};
+  }
+  const auto site_of = [&](vertex_index v) {
+    return static_cast<vertex_index>(std::lower_bound(node_of_.begin(), node_of_.end(), v) -
+                                     node_of_.begin());
+  };
+  for (std::size_t t = 0; t < face_of_.size(); ++t) {
+    const adapting::face& is = m.faces()[face_of_[t]];
+    if (!has_same_corners(is, subject_.triangles[t]))
+      subject_.triangles[t] = {site_of(is.v[0]), site_of(is.v[1]), site_of(is.v[2])};
+  }
+  assign_regions(subject_, *domain_);
+}
+
 void audited_mesh::take_changed(const adapting::editable_mesh& m) {
+  if (has_same_nodes_and_faces(m)) return take_in_place(m);
   audit_memory before = std::move(memory_);
   std::vector<double> reaches(m.nodes().size(), std::numeric_limits<double>::infinity());
   for (vertex_index s = 0; s < before.reaches.size(); ++s) reaches[node_of_[s]] = before.reaches[s];

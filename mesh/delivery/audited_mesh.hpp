@@ -48,8 +48,8 @@ class audited_mesh {
 
   // Takes the present mesh of the triangulation to be audited.
   void take(const adapting::editable_mesh& m);
-  // Takes the present mesh, which has the nodes of the last one that was taken and audited: the
-  // known reaches of their stars are kept.
+  // Takes the present mesh, which has only nodes of the last one that was taken and audited, and
+  // its boundary: the known reaches of their stars are kept.
   void take_changed(const adapting::editable_mesh& m);
   // Takes the present tensors alone, where nothing else has changed since the mesh was taken.
   void take_tensors(const adapting::editable_mesh& m);
@@ -84,6 +84,8 @@ class audited_mesh {
   node_list nodes_of(const Vertices& vertices) const;
   void keep(const auditor& judge);
   bool has_same_corners(const adapting::face& f, const triangle& t) const;
+  bool has_same_nodes_and_faces(const adapting::editable_mesh& m) const;
+  void take_in_place(const adapting::editable_mesh& m);
   std::vector<char> sites_on_segments() const;
 
   const domain* domain_;

@@ -168,6 +168,61 @@ TEST_CASE("an audit of triangles and places that were changed finds what a whole
   CHECK(flipped > 20);
 }
 
+TEST_CASE("an audit of changes that damage a triangulation says what a whole audit says") {
+  const std::uint64_t seed = 12;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  std::array<std::size_t, 7> refused{};
+  for (std::size_t round = 0; round < 210; ++round) {
+    CAPTURE(round);
+    patch p = make_patch(12);
+    mesh& m = p.m;
+    auditor judge(m, {});
+    REQUIRE(judge.run(quickly).certified);
+    const std::vector<asterism::triangle> before = m.triangles;
+    const std::size_t t = random.bits() % m.triangles.size(), i = random.bits() % 3;
+    const std::size_t s = random.bits() % m.triangles.size();
+    const auto v = static_cast<asterism::vertex_index>(random.bits() % m.sites.size());
+    const std::size_t damage = round % refused.size();
+    switch (damage) {
+      case 0:
+        m.triangles[t][i] = v;
+        break;
+      case 1:
+        m.triangles[t][i] = static_cast<asterism::vertex_index>(m.sites.size() + i);
+        break;
+      case 2:
+        std::swap(m.triangles[t][0], m.triangles[t][i]);
+        break;
+      case 3:
+        m.triangles[t] = m.triangles[s];
+        break;
+      case 4:
+        m.sites[v].position.x += random.real(0, 3);
+        break;
+      case 5:
+        m.sites[v].position.y = std::numeric_limits<double>::quiet_NaN();
+        break;
+      default:
+        std::swap(m.triangles[t][i], m.triangles[s][i]);
+    }
+    std::set<asterism::vertex_index> changed = {v};
+    for (std::size_t k = 0; k < before.size(); ++k)
+      if (before[k] != m.triangles[k])
+        for (const asterism::vertex_index w : m.triangles[k])
+          if (w < m.sites.size()) changed.insert(w);
+    const audit_report again = judge.recheck({changed.begin(), changed.end()});
+    const audit_report whole = audit(m, {});
+    CHECK(again.certified == whole.certified);
+    CHECK(again.found == whole.found);
+    REQUIRE(again.findings.size() == whole.findings.size());
+    for (std::size_t k = 0; k < whole.findings.size() && whole.findings[k].vertices.empty(); ++k)
+      CHECK(again.findings[k].witness == whole.findings[k].witness);
+    refused[damage] += whole.certified ? 0 : 1;
+  }
+  for (const std::size_t of_kind : refused) CHECK(of_kind > 5);
+}
+
 TEST_CASE("how far stars reach was remembered in units that the next audit did not have") {
   // All metrics are divided by a power of two that depends on the largest entry.
   const double large = std::ldexp(1, 70);

@@ -165,7 +165,7 @@ TEST_CASE("a tree that takes other metrics finds what a new tree finds") {
   for (int round = 0; round < 10; ++round) {
     for (int i = 0; i < 2 * round; ++i)
       sites[static_cast<std::size_t>(random.real(0, 500))].metric = random_metric(random, 2);
-    kept.take_metrics(sites);
+    kept.take_sites(sites);
     const site_tree renewed(sites);
     CHECK(kept.order() == renewed.order());
     for (const site& v : sites) {
@@ -176,6 +176,29 @@ TEST_CASE("a tree that takes other metrics finds what a new tree finds") {
       REQUIRE(of_kept == of_renewed);
     }
   }
+}
+
+TEST_CASE("a tree that takes moved sites leaves out only sites that are too far") {
+  const std::uint64_t seed = 38;
+  CAPTURE(seed);
+  splitmix64 random(seed);
+  left_out_sites left_out;
+  for (int round = 0; round < 12; ++round) {
+    const auto draw_place = [&] { return point{random.real(-1, 1), random.real(-1, 1)}; };
+    std::vector<site> sites;
+    for (int i = 0; i < 300; ++i) sites.push_back({draw_place(), random_metric(random, 2)});
+    site_tree tree(sites);
+    for (int i = 0; i < 30; ++i)
+      sites[random.bits() % sites.size()] = {draw_place(), random_metric(random, 2)};
+    sites[random.bits() % sites.size()].position.x += round % 3 == 0 ? 1e8 : 1e-3;
+    tree.take_sites(sites);
+    for (const site& v : sites) {
+      const double reach = std::exp(random.real(-5, 0));
+      left_out.count(sites, v, reach, [&](auto visit) { tree.visit_near({v, reach}, visit); });
+    }
+  }
+  CHECK(left_out.wrong == 0);
+  CHECK(left_out.all > 200000);
 }
 
 TEST_CASE("stars stretched a thousandfold in any direction are compared with few sites") {
