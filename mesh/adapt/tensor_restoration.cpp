@@ -166,6 +166,12 @@ void tensor_restoration::take_back(const std::vector<vertex_index>& nodes,
   }
 }
 
+void tensor_restoration::undo() {
+  m_.each_node([this](vertex_index v) {
+    if (has_given(v)) m_.set_metric(v, before_[v]);
+  });
+}
+
 void tensor_restoration::keep(const std::vector<vertex_index>& nodes) {
   for (const vertex_index v : nodes) {
     before_[v] = m_.at(v).metric;

@@ -346,10 +346,7 @@ class local_adaptation {
     constexpr std::size_t few = 20;  // one node in this number
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
-      const editable_mesh alike = m;
       if (give_back(m, agreeing, left == 0)) return;
-      m = alike;
-      agreeing.restart(left == 0);  // restoring tensors may have repaired another mesh with it
     }
     mend(m, agreeing);
     if (!is_certified()) return;

@@ -81,8 +81,17 @@ class giver {
         audited_(audited),
         giving_(m, options.angle_bound, std::move(wanted)) {}
 
-  // True if the mesh is certified in the end.
+  // True if the mesh is certified in the end; else the tensors are as before.
   bool run() {
+    if (restore()) return true;
+    giving_.undo();
+    agreeing_.restart(others_pass_ && times_mended_ == 0);
+    return false;
+  }
+
+ private:
+  // True if the mesh is certified in the end.
+  bool restore() {
     giving_.run(options_.stop);
     if (!audited_.asks_unbounded(m_.count())) take_back_unbounded(m_, giving_, options_.stop);
     audited_.take(m_);
@@ -92,7 +101,6 @@ class giver {
     return audited_.is_certified();
   }
 
- private:
   // Undoes the nodes of the last audit's findings, or repairs the mesh, and audits the changes.
   // Returns false where neither helps.
   bool go_on() {

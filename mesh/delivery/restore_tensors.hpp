@@ -24,7 +24,8 @@ void bound_gaps(adapting::editable_mesh& m, adapting::consistency_repair& agreei
 // (adapt/tensor_restoration.hpp), and where nothing is left to undo the mesh is repaired. Hard
 // questions are decided last: not at all if their tensors are undone for another reason, by filters
 // first, and by exact numbers once nothing can be undone. Returns whether the resulting mesh, in
-// `audited`, is certified.
+// `audited`, is certified. Where it is not, undoes what was restored and begins `agreeing` anew,
+// but leaves repairs.
 bool give_back(adapting::editable_mesh& m, std::vector<metric_tensor> wanted,
                const mesh_options& options, adapting::consistency_repair& agreeing,
                bool others_pass, audited_mesh& audited);
