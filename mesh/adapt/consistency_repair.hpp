@@ -54,7 +54,7 @@ class consistency_repair {
   // Leaves edges out of the next round: they all agree, as another repair of the mesh found, since
   // when nothing has changed.
   void edges_agree() { edges_agree_ = true; }
-  // Adds the triangles of these new nodes to those that run() examines.
+  // Adds the triangles of these nodes, new or changed, to those that run() examines.
   void changed_at(const std::vector<vertex_index>& nodes);
   // Adds a node to each triangle with a low angle, equally far from the ends of its shortest edge,
   // for run() to fit in. Returns the number of nodes added.

@@ -62,11 +62,12 @@ class unit_mesh_remesher {
   // Splits the longest edges, or merges the shortest, until the number of nodes is as wanted.
   void meet_count(metric_at field);
   // Splits edges that are much too long in this metric and not short in the mesh's own, longest
-  // first, until the mesh has `most_nodes` nodes. Returns the number of splits.
-  std::size_t split_left_long(metric_at wanted, std::size_t most_nodes);
+  // first, until the mesh has `most_nodes` nodes. Returns the nodes of faces that have changed;
+  // none where no edge was split.
+  std::vector<vertex_index> split_left_long(metric_at wanted, std::size_t most_nodes);
   // Splits a few edges of length 1.5 and more in the metric, longest first. Where the metric turns
   // fast more nodes than wanted would be needed to bring all edges near length one. Returns the
-  // nodes made.
+  // nodes of faces that have changed.
   std::vector<vertex_index> split_outliers(metric_at wanted);
   // Frees what is kept of the faces and nodes: other steps need the room.
   void release();

@@ -132,7 +132,7 @@ std::vector<measured_edge> longer_in_field(const editable_mesh& m, const metric_
 std::vector<vertex_index> unit_mesh_remesher::split_longer(metric_at wanted,
                                                            const length_limits& limits,
                                                            std::size_t most_nodes) {
-  std::vector<vertex_index> made_nodes;
+  const std::uint32_t before = changes_;
   field_ = std::move(wanted);
   forget_shapes();
   std::vector<measured_edge> found = edges_where<than::longer>(m_, limits.own);
@@ -149,14 +149,17 @@ std::vector<vertex_index> unit_mesh_remesher::split_longer(metric_at wanted,
     m_.at(*made).hint = m_.at(e.a).hint;
     measure(*made);
     settle_around(*made);
-    made_nodes.push_back(*made);
   }
-  return made_nodes;
+  std::vector<vertex_index> changed;
+  for (vertex_index v = 0; v < node_states_.size(); ++v)
+    if (node_states_[v].change > before && m_.at(v).kind != node_kind::gone) changed.push_back(v);
+  return changed;
 }
 
-std::size_t unit_mesh_remesher::split_left_long(metric_at wanted, std::size_t most_nodes) {
+std::vector<vertex_index> unit_mesh_remesher::split_left_long(metric_at wanted,
+                                                              std::size_t most_nodes) {
   constexpr double most = 1.35, own = 1.2;  // units
-  return split_longer(std::move(wanted), {most * unit_, own * unit_}, most_nodes).size();
+  return split_longer(std::move(wanted), {most * unit_, own * unit_}, most_nodes);
 }
 
 std::vector<vertex_index> unit_mesh_remesher::split_outliers(metric_at wanted) {

@@ -316,11 +316,11 @@ class local_adaptation {
     };
     consistency_repair agreeing(m, agree);
     for (int i = 0; i < rounds && !stop_reason(); ++i) {
-      agreeing.restart(false);
       agreeing.run();
-      if (maker.split_left_long(wanted, most_nodes) > 0) continue;
-      edges_agree_ = agreeing.report().disagreeing == 0;
-      return;
+      const std::vector<vertex_index> changed = maker.split_left_long(wanted, most_nodes);
+      edges_agree_ = changed.empty() && agreeing.report().disagreeing == 0;
+      if (changed.empty()) return;
+      agreeing.changed_at(changed);
     }
   }
 

@@ -4,6 +4,7 @@
 // fits them to another metric.
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -144,8 +145,21 @@ TEST_CASE("long edges are split up to the number of nodes that there is room for
     const auto finer = [](const point&, vertex_index&) { return metric_tensor{4, 0, 4}; };
     CAPTURE(room);
     const std::size_t before = m.count();
-    CHECK(maker.split_left_long(finer, before + room) == room);
+    const std::vector<node> nodes = m.nodes();
+    const std::vector<face> faces = m.faces();
+    const std::vector<vertex_index> changed = maker.split_left_long(finer, before + room);
     CHECK(m.count() == before + room);
+    CHECK(changed.empty() == (room == 0));
+    const auto is_listed = [&](vertex_index v) {
+      return std::find(changed.begin(), changed.end(), v) != changed.end();
+    };
+    for (vertex_index v = 0; v < m.nodes().size(); ++v) {
+      const bool is_as_before = v < nodes.size() && nodes[v].position == m.at(v).position;
+      CHECK((is_as_before || is_listed(v)));
+    }
+    for (vertex_index t = 0; t < m.faces().size(); ++t)
+      for (const vertex_index v : m.faces()[t].v)
+        CHECK(((t < faces.size() && faces[t].v == m.faces()[t].v) || is_listed(v)));
     CHECK(is_whole(m));
   }
 }
