@@ -197,6 +197,12 @@ class editable_mesh {
   // Returns a mesh of the same domain with these nodes and faces.
   editable_mesh like(parts p) const;
 
+  // Frees the room that is left for further nodes and faces.
+  void shrink_to_fit() {
+    nodes_.shrink_to_fit();
+    faces_.shrink_to_fit();
+  }
+
   // Returns the mesh: vertices of the domain in their order, then other nodes by number; faces as
   // triangles; subsegments in the order of their segments. `renumbered` maps nodes to sites.
   mesh triangulation(std::vector<vertex_index>& renumbered) const;

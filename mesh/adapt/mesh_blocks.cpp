@@ -183,6 +183,11 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
   return made;
 }
 
+void mesh_blocks::put_back(std::size_t b, block changed) {
+  changed.part.shrink_to_fit();
+  blocks_[b].emplace(std::move(changed));
+}
+
 // Counts the nodes and faces that a block adds to the whole, without the frame's nodes and the
 // domain's vertices.
 mesh_blocks::range mesh_blocks::count_block(std::size_t b) {

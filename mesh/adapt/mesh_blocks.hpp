@@ -46,7 +46,7 @@ class mesh_blocks {
   // Removes one block, to be changed, and puts it back. Several threads may do that with different
   // blocks.
   block take_out(std::size_t b);
-  void put_back(std::size_t b, block changed) { blocks_[b].emplace(std::move(changed)); }
+  void put_back(std::size_t b, block changed);
   // Joins all blocks, which must have been put back, in the memory of the mesh that was cut: other
   // memory would be new at each cut, and one thread alone would wait for its pages. Removed nodes
   // and faces get no number.

@@ -165,10 +165,12 @@ void unit_mesh_remesher::make_states() {
   node_states_.resize(m_.nodes().size());
 }
 
+// Swaps with empty lists: an assignment of {} would keep the memory of a vector.
 void unit_mesh_remesher::release() {
-  face_states_ = {};
-  node_states_ = {};
-  due_ = {};
+  std::vector<face_state>().swap(face_states_);
+  std::vector<node_state>().swap(node_states_);
+  std::vector<vertex_index>().swap(due_);
+  std::vector<measured_edge>().swap(merges_in_vain_);
 }
 
 void unit_mesh_remesher::forget_shapes() {
