@@ -2,6 +2,7 @@
 #include "asterism/mesh/metric/background_metric.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "asterism/mesh/data/site_box.hpp"
@@ -34,14 +35,20 @@ background_metric::background_metric(std::shared_ptr<const triangle_locator> loc
 }
 
 void background_metric::set_tensors(std::vector<metric_tensor> tensors) {
-  const std::vector<metric_tensor> before = std::exchange(tensors_, std::move(tensors));
-  logarithms_.resize(tensors_.size());
-  parallel_chunks(tensors_.size(), nodes_at_once,
+  const auto before = tensors_ ? std::span(*tensors_) : std::span<const metric_tensor>();
+  if (tensors_ &&
+      std::equal(tensors.begin(), tensors.end(), before.begin(), before.end(), identical))
+    return;
+  std::vector<tensor_logarithm> logarithms(tensors.size());
+  parallel_chunks(tensors.size(), nodes_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
                     for (std::size_t v = begin; v < end; ++v)
-                      if (v >= before.size() || !identical(tensors_[v], before[v]))
-                        logarithms_[v] = logarithm(tensors_[v]);
+                      logarithms[v] = v < before.size() && identical(tensors[v], before[v])
+                                          ? (*logarithms_)[v]
+                                          : logarithm(tensors[v]);
                   });
+  tensors_ = std::make_shared<const std::vector<metric_tensor>>(std::move(tensors));
+  logarithms_ = std::make_shared<const std::vector<tensor_logarithm>>(std::move(logarithms));
 }
 
 tensor_logarithm background_metric::mean_logarithm(const triangle_locator::located& where) const {
@@ -50,7 +57,7 @@ tensor_logarithm background_metric::mean_logarithm(const triangle_locator::locat
   double sum = 0;
   for (const double x : w) sum += x;
   tensor_logarithm l;
-  for (std::size_t i = 0; i < 3; ++i) add_weighted(w[i] / sum, logarithms_[t[i]], l);
+  for (std::size_t i = 0; i < 3; ++i) add_weighted(w[i] / sum, (*logarithms_)[t[i]], l);
   return l;
 }
 
@@ -65,7 +72,7 @@ std::optional<metric_tensor> background_metric::at_within(const point& q, double
 metric_tensor background_metric::at_place(const point& q,
                                           const triangle_locator::located& where) const {
   for (const vertex_index v : locator_->triangles()[where.triangle])
-    if (places()[v] == q) return tensors_[v];
+    if (places()[v] == q) return tensors()[v];
   return mean(where);
 }
 
@@ -92,18 +99,18 @@ std::optional<metric_tensor> background_metric::where_other(const background_met
                                                             vertex_index hint) const {
   const triangle_locator::located where = nearby(q, hint);
   const triangle& t = locator_->triangles()[where.triangle];
-  const auto is_same = [&](vertex_index v) { return identical(tensors_[v], than.tensors_[v]); };
+  const auto is_same = [&](vertex_index v) { return identical(tensors()[v], than.tensors()[v]); };
   if (std::all_of(t.begin(), t.end(), is_same)) return std::nullopt;
   const metric_tensor own = mean(where);
   return identical(own, than.mean(where)) ? std::nullopt : std::optional(own);
 }
 
 double background_metric::complexity() const {
-  std::vector<double> roots(tensors_.size());
+  std::vector<double> roots(tensors().size());
   parallel_chunks(roots.size(), nodes_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
                     for (std::size_t v = begin; v < end; ++v)
-                      roots[v] = plain_root_of_determinant(tensors_[v]);
+                      roots[v] = plain_root_of_determinant(tensors()[v]);
                   });
   double sum = 0;
   for (const triangle& t : locator_->triangles()) {

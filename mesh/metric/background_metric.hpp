@@ -30,7 +30,7 @@ class background_metric {
   background_metric(const mesh& background, const bounding_box& box);
 
   const std::vector<point>& places() const { return locator_->places(); }
-  const std::vector<metric_tensor>& tensors() const { return tensors_; }
+  const std::vector<metric_tensor>& tensors() const { return *tensors_; }
   void set_tensors(std::vector<metric_tensor> tensors);
 
   // Returns the tensor at the point, interpolated in the triangle that it is farthest inside of, or
@@ -71,8 +71,9 @@ class background_metric {
   }
 
   std::shared_ptr<const triangle_locator> locator_;
-  std::vector<metric_tensor> tensors_;
-  std::vector<tensor_logarithm> logarithms_;
+  // Copies share the lists.
+  std::shared_ptr<const std::vector<metric_tensor>> tensors_;
+  std::shared_ptr<const std::vector<tensor_logarithm>> logarithms_;
   mutable shared_count looked_at_;
 };
 
