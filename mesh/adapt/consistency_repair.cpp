@@ -15,6 +15,7 @@
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/resize_to_overwrite.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -169,7 +170,8 @@ void consistency_repair::visit(const std::vector<char>& flags, std::size_t begin
 // meanwhile.
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
-  centres_.resize(m_.faces().size());
+  // Only run() begins with more faces than before, and has no centres then.
+  resize_to_overwrite(centres_, m_.faces().size(), m_.faces().size());
   const auto find_centre = [this](vertex_index t) {
     if (has_centre_[t] != 0 && !is_active(t)) return;
     centres_[t] = tests_.centre_of(t);
