@@ -55,8 +55,9 @@ audit_report counts_of(const mesh& subject) {
   return report;
 }
 
-// Forgets the triangulation that the audit before checked. Keeps the memory of its edges, most of
-// that of an audit's lists: new memory takes time.
+// Forgets the triangulation that the audit before checked, and takes the memory of its edges, most
+// of that of an audit's lists: new memory takes time. `before` still has its lists; null where they
+// are in the context, or another audit has them, too.
 void forget_checked(audit_context& context, checked_triangulation* before) {
   auto& lists = static_cast<triangulation_lists&>(context);
   std::vector<directed_edge> edges = std::move(lists.edges);

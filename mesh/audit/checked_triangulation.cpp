@@ -2,7 +2,6 @@
 #include "asterism/mesh/audit/checked_triangulation.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace asterism::internal::audit_detail {
@@ -15,10 +14,7 @@ std::vector<point> places_of(const mesh& m) {
   return places;
 }
 
-// Compares bits: zeros of either sign are equal as numbers.
-bool has_place(const site& s, const point& place) {
-  return std::memcmp(&s.position, &place, sizeof place) == 0;
-}
+bool has_place(const site& s, const point& place) { return same_bits(s.position, place); }
 
 bool is_same(const boundary_edge& e, const boundary_edge& f) {
   return e.a == f.a && e.b == f.b && e.segment == f.segment && e.marker == f.marker &&

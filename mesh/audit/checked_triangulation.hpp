@@ -5,6 +5,7 @@
 // only where it has changed: nowhere if only tensors have. Inside the auditor alone.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,6 +18,12 @@
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::audit_detail {
+
+// Compares bits: zeros of either sign are equal as numbers.
+inline bool same_bits(const point& a, const point& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y);
+}
 
 // The edge a -> b of `triangle`, the triangle on its left, whose third corner is the apex.
 struct directed_edge {

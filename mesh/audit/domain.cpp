@@ -6,7 +6,6 @@
 // A split point is a rounded point, so the subsegments need not lie on the segment exactly: the
 // largest distance is reported, and refused when rounding cannot explain it.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "asterism/mesh/audit/checks.hpp"
@@ -15,11 +14,6 @@
 
 namespace asterism::internal::audit_detail {
 namespace {
-
-bool same_bits(const point& a, const point& b) {
-  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y);
-}
 
 bool check_given(audit_context& context) {
   const mesh& m = context.subject;

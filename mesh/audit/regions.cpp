@@ -17,7 +17,8 @@ std::string region_text(const audit_context& context, vertex_index t) {
   return triangle_text(context, t) + " is in region " + std::to_string(region_of(context, t));
 }
 
-void check_beside(audit_context& context, const directed_edge& e) {
+// Compares the regions on both sides of an edge, once for its two directions.
+void check_across(audit_context& context, const directed_edge& e) {
   if (e.a > e.b) return;
   const std::size_t no_subsegment = context.subject.boundary.size();
   const std::size_t across = find_edge(context, e.b, e.a);
@@ -61,14 +62,14 @@ void check_regions(audit_context& context) {
     return;
   }
   if (!m.regions.empty())  // else all are 1
-    for (const directed_edge& e : context.edges) check_beside(context, e);
+    for (const directed_edge& e : context.edges) check_across(context, e);
   if (context.options.original != nullptr) check_beside_segments(context);
 }
 
 void check_regions_again(audit_context& context, const triangulation_changes& changes) {
   const auto& start = context.edge_start;
   for (const vertex_index v : changes.corners)
-    for (std::size_t i = start[v]; i < start[v + 1]; ++i) check_beside(context, context.edges[i]);
+    for (std::size_t i = start[v]; i < start[v + 1]; ++i) check_across(context, context.edges[i]);
   if (context.options.original != nullptr) check_beside_segments(context);
 }
 
