@@ -197,7 +197,7 @@ class editable_mesh {
   // Returns a mesh of the same domain with these nodes and faces.
   editable_mesh like(parts p) const;
 
-  // Frees the room that is left for further nodes and faces.
+  // Moves nodes and faces to memory of their exact size, without room for more.
   void shrink_to_fit() {
     nodes_.shrink_to_fit();
     faces_.shrink_to_fit();

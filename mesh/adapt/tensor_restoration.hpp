@@ -32,7 +32,7 @@ class tensor_restoration {
   void take_back(const std::vector<vertex_index>& nodes, std::vector<vertex_index>& taken);
   // True if the node has been changed, and can be undone.
   bool has_given(vertex_index v) const { return !identical(m_.at(v).metric, before_[v]); }
-  // Undoes all changes.
+  // Returns all nodes to the tensors they had, or that keep() was told of.
   void undo();
   // Makes the present tensors of these nodes those to which they return, and does not try these
   // nodes again.

@@ -69,7 +69,8 @@ class unit_mesh_remesher {
   // fast more nodes than wanted would be needed to bring all edges near length one. Returns the
   // nodes of faces that have changed.
   std::vector<vertex_index> split_outliers(metric_at wanted);
-  // Frees what is kept of the faces and nodes: other steps need the room.
+  // Frees the states of faces and nodes and the queues of changes to try, which the next change
+  // makes anew: other steps need the room.
   void release();
   // Returns the length, in the metric, to which edges were fitted.
   double unit() const { return unit_; }

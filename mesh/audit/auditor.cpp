@@ -101,8 +101,8 @@ std::optional<triangulation_changes> take_checked(audit_context& context) {
   return changes;
 }
 
-// Checks what has changed since the triangulation was checked. With a finding, forgets the
-// triangulation and the finding: a check of all will name it in its order.
+// Checks the triangles and places that have changed since the triangulation was checked. With a
+// finding, forgets the triangulation and the finding: a check of all will name it in its order.
 bool check_changes(audit_context& context, const triangulation_changes& changes) {
   if (changes.triangles.empty()) return true;
   for (const auto check :

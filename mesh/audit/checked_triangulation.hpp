@@ -125,7 +125,7 @@ class checked_triangulation {
   // lent.
   std::optional<triangulation_changes> changes_to(const mesh& subject,
                                                   const domain* original) const;
-  // Takes the changes to the mesh, which was checked, too.
+  // Makes the mesh with these changes the checked one; requires that it passed its checks.
   void take_changes(const mesh& subject, const triangulation_changes& changes);
 
   const triangulation_lists& lists() const { return lists_; }

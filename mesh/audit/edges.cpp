@@ -27,6 +27,12 @@ std::uint64_t in_one_number(vertex_index a, vertex_index b) {
   return std::uint64_t{a} << bits | b;
 }
 
+// Returns the edge of triangle t that leaves its corner i.
+directed_edge edge_of(const std::vector<triangle>& triangles, vertex_index t, std::size_t i) {
+  const triangle& c = triangles[t];
+  return {c[i], c[(i + 1) % 3], c[(i + 2) % 3], t};
+}
+
 // Sorts edges by counting for a, and by comparisons among edges with the same a: linear where
 // degrees are bounded. The cost for vertices of any degree has the bound of std::sort.
 void list_edges(audit_context& context) {
@@ -39,10 +45,7 @@ void list_edges(audit_context& context) {
       context.edges.size(), sites,
       [&](std::size_t k) { return std::size_t{triangles[listed[k / 3]][k % 3]}; },
       [&](std::size_t at, std::size_t k) {
-        const vertex_index t = listed[k / 3];
-        const triangle& c = triangles[t];
-        const std::size_t i = k % 3;
-        context.edges[at] = {c[i], c[(i + 1) % 3], c[(i + 2) % 3], t};
+        context.edges[at] = edge_of(triangles, listed[k / 3], k % 3);
       });
   const auto at = [&](std::size_t i) {
     return context.edges.begin() + static_cast<std::ptrdiff_t>(i);
@@ -172,10 +175,8 @@ void replace_edges(audit_context& context, const std::vector<vertex_index>& of) 
   for (const vertex_index t : of) is_replaced[t] = 1;
   std::erase_if(edges, [&](const directed_edge& e) { return is_replaced[e.triangle] != 0; });
   const auto kept = static_cast<std::ptrdiff_t>(edges.size());
-  for (const vertex_index t : of) {
-    const triangle& c = triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back({c[i], c[(i + 1) % 3], c[(i + 2) % 3], t});
-  }
+  for (const vertex_index t : of)
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back(edge_of(triangles, t, i));
   const auto is_before = [](const directed_edge& l, const directed_edge& r) {
     return std::array{l.a, l.b, l.triangle} < std::array{r.a, r.b, r.triangle};
   };

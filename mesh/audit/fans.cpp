@@ -143,7 +143,8 @@ void check_vertex(const audit_context& context, audit_tally& tally, vertex_index
   });
 }
 
-// Makes and checks the fans of the vertices of one block, which is empty.
+// Adds the fans of the vertices from `begin` to `end`, those of one block, to the block, which is
+// empty, and checks them.
 void make_block(audit_context& context, audit_tally& tally, std::size_t begin, std::size_t end) {
   std::vector<fan_step> steps;
   for (std::size_t v = begin; v < end; ++v) {

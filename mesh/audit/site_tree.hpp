@@ -85,8 +85,10 @@ class site_tree {
   void build(const std::vector<site>& sites, std::size_t self, std::size_t first, std::size_t last);
   void halve(const std::vector<site>& sites, std::size_t first, std::size_t middle,
              std::size_t last);
+  // Bounds the rounding errors of covectors' values, from the greatest coordinates of all sites.
   void bound_roundings(const std::vector<site>& sites);
-  // Takes a leaf's sites. Returns whether one has changed.
+  // Copies the places and metrics of a leaf's sites from the list of all. Returns whether one
+  // differs from its former ones.
   bool take_sites_of_leaf(const node& n, const std::vector<site>& sites);
   void bound_leaf(node& n) const;
   void bound_metrics_of_leaf(node& n) const;

@@ -51,7 +51,7 @@ class audited_mesh {
   // Takes the present mesh, which has only nodes of the last one that was taken and audited, and
   // its boundary: the known reaches of their stars are kept.
   void take_changed(const adapting::editable_mesh& m);
-  // Takes the present tensors alone, where nothing else has changed since the mesh was taken.
+  // Copies the present tensors into the mesh that was taken, since when nothing else has changed.
   void take_tensors(const adapting::editable_mesh& m);
   // Returns what has changed since the mesh was taken. No node may be new.
   mesh_changes changes(const adapting::editable_mesh& m) const;
