@@ -2,6 +2,7 @@
 #include "asterism/mesh/support/thread_limit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <numeric>
@@ -54,13 +55,15 @@ TEST_CASE("every turn of loops in loops is done once", "[threads]") {
   for (const std::size_t threads : {1, 2, 3, 8}) {
     const thread_limit limit(threads, threads);
     for (std::size_t count = 0; count < 100; count += 7) {
-      std::vector<std::vector<int>> done(count, std::vector<int>(count));
+      // Each turn has a place of its own, as two threads may do both halves at the same time.
+      using halves = std::array<int, 2>;
+      std::vector<std::vector<halves>> done(count, std::vector<halves>(count, halves{0, 0}));
       parallel_for(count, [&](std::size_t i) {
         parallel_for(count, [&](std::size_t j) {
-          parallel_for(2, [&](std::size_t half) { done[i][j] += half == 0 ? 1 : 0; });
+          parallel_for(2, [&](std::size_t half) { ++done[i][j][half]; });
         });
       });
-      CHECK(done == std::vector<std::vector<int>>(count, std::vector<int>(count, 1)));
+      CHECK(done == std::vector<std::vector<halves>>(count, std::vector<halves>(count, {1, 1})));
     }
   }
 }
