@@ -27,7 +27,7 @@ double part_of_sorted(std::vector<double> all, double part) {
   return *at;
 }
 
-// Returns the absolute difference of `own` from the value at v of the linear function that fits its
+// Returns the difference of `own` from the value at v of the linear function that fits its
 // neighbours' best; none where they do not determine one.
 template <class Value>
 std::optional<double> off_linear(const mesh& m, const mesh_links& links, vertex_index v, double own,
@@ -51,7 +51,7 @@ std::optional<double> off_linear(const mesh& m, const mesh_links& links, vertex_
   const double determinant = xx * yy - xy * xy;
   if (!(determinant > least_pivot * (xx * yy))) return std::nullopt;
   const double a = (xt * yy - yt * xy) / determinant, b = (yt * xx - xt * xy) / determinant;
-  return std::abs(own - (t - a * x - b * y));
+  return own - (t - a * x - b * y);
 }
 
 // Vertices whose neighbours all lie inside, as the weak form means nothing at the boundary.
@@ -86,28 +86,47 @@ std::vector<vertex_index> strong_vertices(const mesh_links& links,
   return taken;
 }
 
-std::optional<roughness> roughnesses_at(const mesh& m, const mesh_links& links,
-                                        const std::vector<double>& values,
-                                        const std::vector<metric_tensor>& weak, vertex_index v) {
-  bool all_fitted = true;
-  const auto fitted = [&](vertex_index w) {
-    const auto fit = fit_quadratic(m, links, values, w);
-    all_fitted = all_fitted && fit;
-    return fit ? fit->second.m11 + fit->second.m22 : 0;
-  };
-  const auto trace = [&](vertex_index w) { return weak[w].m11 + weak[w].m22; };
+// Measures at one vertex.
+struct vertex_measures {
+  double weak, fitted;       // distances from linear functions, with their signs
+  double along_over_across;  // second derivatives of the fit: across layers is along the gradient
+};
+
+// Returns 1 where the fit has no direction across layers.
+double along_over_across(const fitted_quadratic& fit) {
+  const double greater = std::max(std::abs(fit.gradient.x), std::abs(fit.gradient.y));
+  if (!(greater > 0)) return 1;
+  const double x = fit.gradient.x / greater, y = fit.gradient.y / greater;
+  const metric_tensor& h = fit.second;
+  const double across = std::abs(h.m11 * x * x + 2 * h.m12 * x * y + h.m22 * y * y);
+  const double along = std::abs(h.m11 * y * y - 2 * h.m12 * x * y + h.m22 * x * x);
+  const double ratio = along / across;
+  return std::isfinite(ratio) ? ratio : 1;
+}
+
+std::optional<vertex_measures> measures_at(const mesh& m, const mesh_links& links,
+                                           const std::vector<double>& values,
+                                           const std::vector<metric_tensor>& weak, vertex_index v) {
+  const auto own = fit_quadratic(m, links, values, v);
+  if (!own) return std::nullopt;
+  const auto trace = [](const metric_tensor& h) { return h.m11 + h.m22; };
+  const auto around = links.neighbours(v);
   std::vector<double> of_neighbours;
-  for (const vertex_index w : links.neighbours(v)) of_neighbours.push_back(fitted(w));
-  const auto known = [&](vertex_index w) {
-    const auto around = links.neighbours(v);
+  for (const vertex_index w : around) {
+    const auto fit = fit_quadratic(m, links, values, w);
+    if (!fit) return std::nullopt;
+    of_neighbours.push_back(trace(fit->second));
+  }
+  const auto fitted = [&](vertex_index w) {
     return of_neighbours[static_cast<std::size_t>(
         std::lower_bound(around.begin(), around.end(), w) - around.begin())];
   };
-  const auto of_weak = off_linear(m, links, v, trace(v), trace),
-             of_fit = off_linear(m, links, v, fitted(v), known);
-  if (!of_weak || !of_fit || !all_fitted) return std::nullopt;
+  const auto of_weak = off_linear(m, links, v, trace(weak[v]),
+                                  [&](vertex_index w) { return trace(weak[w]); }),
+             of_fit = off_linear(m, links, v, trace(own->second), fitted);
+  if (!of_weak || !of_fit) return std::nullopt;
   const double unit = strength(weak[v]);
-  return roughness{*of_weak / unit, *of_fit / unit};
+  return vertex_measures{*of_weak / unit, *of_fit / unit, along_over_across(*own)};
 }
 
 // Returns 1 up to `all`, 0 from `none` on, and between them a share that falls linearly in ln x.
@@ -118,24 +137,26 @@ double part_below(double x, double all, double none) {
 
 }  // namespace
 
-std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
-                                      const std::vector<double>& values) {
+std::optional<layer_measures> measures_of_layers(const mesh& m, const mesh_links& links,
+                                                 const std::vector<double>& values) {
   constexpr std::size_t enough = 16;
   const auto weak = weak_second_derivatives(m, links, triangle_gradients(m, values));
   const std::vector<vertex_index> strong = strong_vertices(links, weak);
-  std::vector<std::optional<roughness>> found(strong.size());
-  for_each_node(strong.size(), [&](std::size_t i) {
-    found[i] = roughnesses_at(m, links, values, weak, strong[i]);
-  });
-  std::vector<double> of_weak, of_fit;
-  for (const auto& one : found) {
-    if (!one) continue;
-    of_weak.push_back(one->weak);
-    of_fit.push_back(one->fitted);
-  }
-  if (of_weak.size() < enough) return std::nullopt;
-  constexpr double middle = 0.5;
-  return roughness{part_of_sorted(of_weak, middle), part_of_sorted(of_fit, middle)};
+  std::vector<std::optional<vertex_measures>> found(strong.size());
+  for_each_node(strong.size(),
+                [&](std::size_t i) { found[i] = measures_at(m, links, values, weak, strong[i]); });
+  std::erase_if(found, [](const auto& one) { return !one; });
+  if (found.size() < enough) return std::nullopt;
+  const auto median = [&found](const auto& of) {
+    std::vector<double> all;
+    for (const auto& one : found) all.push_back(of(*one));
+    return part_of_sorted(std::move(all), 0.5);
+  };
+  using measures = const vertex_measures&;
+  return layer_measures{median([](measures at) { return std::abs(at.weak); }),
+                        median([](measures at) { return std::abs(at.fitted); }),
+                        median([](measures at) { return std::abs(at.weak - at.fitted); }),
+                        1 / std::sqrt(median([](measures at) { return at.along_over_across; }))};
 }
 
 double steepness(const mesh& m, const std::vector<double>& values) {
@@ -160,14 +181,20 @@ double steepness(const mesh& m, const std::vector<double>& values) {
          (steepest / (*greatest - *least));
 }
 
+double share_of_computed(const layer_measures& field) {
+  return part_below(field.ratio(), ratio_of_computed, ratio_of_function) *
+         part_below(field.fitted, roughness_of_resolved, roughness_of_unresolved) *
+         (1 - part_below(field.apart(), apart_on_grids, apart_of_computed));
+}
+
 std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
                                    const std::vector<double>& values) {
-  const auto found = roughness_of(m, links, values);
-  if (!found) return std::nullopt;
-  const double share = part_below(found->ratio(), ratio_of_computed, ratio_of_function) *
-                       part_below(found->fitted, roughness_of_resolved, roughness_of_unresolved);
+  const auto field = measures_of_layers(m, links, values);
+  if (!field) return std::nullopt;
+  const double share = share_of_computed(*field);
   if (!(share > 0)) return std::nullopt;
-  const double bound = std::max(least_aspect_bound, aspect_of_steepness * steepness(m, values));
+  const double bound = std::max(
+      least_aspect_bound, std::min(bound_of_wanted_aspect * field->aspect, steepness(m, values)));
   const double grown = elementary::log(bound) / share;
   if (!(grown < elementary::log(no_aspect_named))) return std::nullopt;
   return share < 1 ? elementary::exp(grown) : bound;

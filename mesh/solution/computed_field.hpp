@@ -8,10 +8,12 @@
 // Its values, and a quadratic fitted to them, carry the errors of the method. For values of a
 // function the reverse holds: quadratics fit them smoothly, and the weak form, which is not
 // consistent on irregular meshes, varies from vertex to vertex. So the ratio of the two roughnesses
-// distinguishes both kinds of fields, whatever the equation: 0.09 to 0.48 in solutions of advection
-// and diffusion, of reaction and diffusion, and of Poisson's equation with layers of a hundredth
-// and a thousandth, and 1.0 and more in fifteen functions on grids and in loops of 500 and 2,000
-// vertices (docs/results/adaptation.md).
+// distinguishes both kinds of fields, whatever the equation: 0.1 to 1.1 in solutions of advection
+// and diffusion, of reaction and diffusion, and of Poisson's equation with straight and curved
+// layers, and more than 1.07 in twelve functions in nearly all passes of loops
+// (docs/results/adaptation.md). It does not where both roughnesses are the field's own: where the
+// mesh resolves the field badly, and on grids on which the weak form is consistent. There the two
+// agree at each vertex.
 #pragma once
 
 #include <optional>
@@ -23,45 +25,59 @@
 
 namespace asterism::internal {
 
-// Bounds of roughness::ratio(): a field counts as computed below the first, and as values of a
+// Bounds of layer_measures::ratio(): a field counts as computed below the first, and as values of a
 // function above the second.
-inline constexpr double ratio_of_computed = 0.6, ratio_of_function = 0.95;
-// Bounds of roughness::fitted: a field is resolved by the mesh below the first, and not resolved
-// above the second, where both roughnesses come from the field's own higher derivatives. In loops
-// solutions have 0.02 to 0.04; layers of a third of a grid's spacing have 0.9.
+inline constexpr double ratio_of_computed = 1, ratio_of_function = 1.07;
+// Bounds of layer_measures::fitted: a field is resolved by the mesh below the first, and not
+// resolved above the second, where both roughnesses come from the field's own higher derivatives.
+// In loops solutions have 0.02 to 0.1; layers of a third of a grid's spacing have 0.9.
 inline constexpr double roughness_of_resolved = 0.1, roughness_of_unresolved = 0.2;
-// Least bound of the aspect, and the ratio of the bound to the steepness. By experiment: the best
-// bounds are 7 to 14 for layers of three hundredths, 20 to 40 for layers of a hundredth (steepness
-// 75), 150 to 400 for layers of a thousandth (steepness 713). Without a least bound smooth
-// solutions, whose steepness is 2 to 4, would be isotropic.
-inline constexpr double least_aspect_bound = 14, aspect_of_steepness = 0.27;
+// Least bound of the aspect, and the ratio of the bound to the aspect that interpolation wants
+// along the layers. By experiment: the best bounds are 7 to 10 for curved layers where
+// interpolation wants 6 to 10, and 14 to 40 for straight ones that meet in a corner, where it wants
+// 5 to 20 in the median. Without a least bound smooth solutions would be isotropic.
+inline constexpr double least_aspect_bound = 10, bound_of_wanted_aspect = 1.5;
 
-// Distance of second derivatives at a vertex from the linear function that fits its neighbours'
-// best, as a part of the second derivatives there.
-struct roughness {
-  double weak = 0;    // of the Laplacian in the weak form
-  double fitted = 0;  // of that of fitted quadratics
-  // Returns weak / fitted. Adds a small number to both, so that the ratio is about 1 if both are
-  // negligible beside a method's errors.
-  double ratio() const {
-    constexpr double nothing = 1.0 / 512;
-    return (weak + nothing) / (fitted + nothing);
-  }
+// Bounds of layer_measures::apart(): both roughnesses are the field's own below the first, and
+// those of a method or a form above the second. On grids functions have up to 0.12; in loops
+// solutions have 0.33 and more.
+inline constexpr double apart_on_grids = 0.15, apart_of_computed = 0.3;
+
+// Measures of a field at about a thousand vertices where its second derivatives are strong. Both
+// roughnesses are medians of distances, as parts of the second derivatives there: from the linear
+// function that fits the neighbours' second derivatives best.
+struct layer_measures {
+  double weak = 0;         // roughness of the Laplacian in the weak form
+  double fitted = 0;       // roughness of that of fitted quadratics
+  double differences = 0;  // of the two distances, with their signs, in the median
+  // Aspect that interpolation wants along the layers: the root of the second derivative in the
+  // direction of the gradient, which is across a layer, over that along the layer, in the median.
+  // Infinite if the latter is 0.
+  double aspect = 1;
+  // Roughness that is negligible beside a method's errors.
+  static constexpr double nothing = 1.0 / 512;
+  // Returns weak / fitted, which is about 1 if both are negligible.
+  double ratio() const { return (weak + nothing) / (fitted + nothing); }
+  // Returns the differences over the fits' roughness, which is about 0 if both are negligible.
+  double apart() const { return differences / (fitted + nothing); }
 };
 
-// Returns medians over about a thousand vertices where second derivatives are strong. None where
-// fewer than sixteen vertices can be judged.
-std::optional<roughness> roughness_of(const mesh& m, const mesh_links& links,
-                                      const std::vector<double>& values);
+// Returns 1 for a field that linear elements computed, 0 for values of a function, and a share for
+// fields of which this is not known.
+double share_of_computed(const layer_measures& field);
+
+// Measures a field's layers. None where fewer than sixteen vertices can be judged.
+std::optional<layer_measures> measures_of_layers(const mesh& m, const mesh_links& links,
+                                                 const std::vector<double>& values);
 
 // Returns the ratio of the diagonal of the box around the mesh to the width of the field's layers:
 // that diagonal times the mean slope, weighted by its square, over the range of the values. It does
 // not depend on the mesh where this resolves the layers. 0 for a constant.
 double steepness(const mesh& m, const std::vector<double>& values);
 
-// Returns the bound on aspects that a field asks for; none for values of a function. Between the
-// two ratios the logarithm of the bound grows to infinity, so that the bound is continuous in the
-// ratio.
+// Returns the bound on aspects that a field asks for; none for values of a function. As the share
+// of a computed field falls to 0, the logarithm of the bound grows to infinity, so that the bound
+// is continuous in the measures.
 std::optional<double> aspect_bound(const mesh& m, const mesh_links& links,
                                    const std::vector<double>& values);
 

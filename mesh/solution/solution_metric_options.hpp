@@ -16,7 +16,7 @@ namespace asterism {
 inline constexpr double loop_gradation = 6;
 
 // Aspect if none is named: then the aspect along layers of a solution that was computed in linear
-// elements is bounded by their steepness (docs/manual/adaptation.md).
+// elements is bounded by what the layers are like (docs/manual/adaptation.md).
 inline constexpr double no_aspect_named = 1e6;
 
 // Options of the metric. At most one of vertices, complexity and error; without any, the number of

@@ -60,7 +60,7 @@ def metric(mesh: Mesh, values: Optional[Fields] = None, *, norm: Union[float, st
     norm: p of the L^p norm of the error, at least 1; "inf" for the maximum.
     At most one of complexity (area in the metric), vertices and error; without any, the number of
     vertices of the mesh. hmin, hmax: lengths; aspect: greatest length over width (1e6; along layers of
-    values that linear elements computed, what the layers' steepness allows).
+    values that linear elements computed, what those layers allow).
     gradation: greatest factor by which lengths grow over a length of one; None: any factor. By default
     6 for fields, with which loops do best, and None for a metric.
     intersect: metrics with which this one is intersected, in a list, each in any form that asterism.adapt()

@@ -123,10 +123,10 @@ class linear_elements {
   double diffusion_, reaction_;
 };
 
-double ratio_of(const mesh& m, const std::vector<double>& values) {
-  const auto found = roughness_of(m, mesh_links(m), values);
+layer_measures measured(const mesh& m, const std::vector<double>& values) {
+  const auto found = measures_of_layers(m, mesh_links(m), values);
   REQUIRE(found);
-  return found->ratio();
+  return *found;
 }
 
 double greatest_aspect(const std::vector<metric_tensor>& tensors) {
@@ -142,9 +142,9 @@ double greatest_aspect(const std::vector<metric_tensor>& tensors) {
 
 TEST_CASE("solutions in linear elements are told from values of functions") {
   const mesh m = irregular(32);
-  CHECK(ratio_of(m, linear_elements(m, 0.1, 1).solve()) < ratio_of_computed);
-  CHECK(ratio_of(m, linear_elements(m, 0.2, 1).solve()) < ratio_of_computed);
-  CHECK(ratio_of(m, linear_elements(m, 1, 0).solve()) < ratio_of_computed);
+  CHECK(share_of_computed(measured(m, linear_elements(m, 0.1, 1).solve())) == 1);
+  CHECK(share_of_computed(measured(m, linear_elements(m, 0.2, 1).solve())) == 1);
+  CHECK(share_of_computed(measured(m, linear_elements(m, 1, 0).solve())) == 1);
   const std::vector<std::function<double(const point&)>> functions = {
       [](const point& q) { return std::exp(-(q.x + 1) / 0.1); },
       [](const point& q) { return std::tanh(10 * (q.x - q.y * q.y)); },
@@ -154,7 +154,7 @@ TEST_CASE("solutions in linear elements are told from values of functions") {
   for (const mesh& on : {m, sample_mesh(20), sample_mesh(40)})
     for (std::size_t i = 0; i < functions.size(); ++i) {
       INFO("function " << i << ", " << on.sites.size() << " vertices");
-      CHECK(ratio_of(on, field(on, "u", functions[i]).values) > ratio_of_function);
+      CHECK(share_of_computed(measured(on, field(on, "u", functions[i]).values)) == 0);
       CHECK(!aspect_bound(on, mesh_links(on), field(on, "u", functions[i]).values));
     }
 }
@@ -176,10 +176,34 @@ TEST_CASE("steepness counts layers over the diagonal, whatever the mesh and the 
   CHECK(steepness(m, std::vector<double>(m.sites.size(), 3)) == 0);
 }
 
+TEST_CASE("the aspect wanted along layers is that of the second derivatives, in any units") {
+  const mesh m = irregular(48);
+  const auto aspect_of = [](const mesh& on, const std::vector<double>& values) {
+    return measured(on, values).aspect;
+  };
+  // The layer of exp(-t/w) at distances t + r from a place has its slope over w as the second
+  // derivative across, and its slope over r along itself.
+  constexpr double w = 0.1, r = 1.5;
+  const auto round = [](const point& q) {
+    return std::exp(-(std::hypot(q.x + 1 + r, q.y) - r) / w);
+  };
+  auto values = field(m, "u", round).values;
+  const double aspect = aspect_of(m, values);
+  CHECK(aspect == Approx(std::sqrt(r / w)).epsilon(0.15));
+  for (double& u : values) u *= 0x1p200;
+  CHECK(aspect_of(m, values) == aspect);
+  mesh small = m;
+  for (site& s : small.sites) s.position = {0x1p-200 * s.position.x, 0x1p-200 * s.position.y};
+  CHECK(aspect_of(small, field(m, "u", round).values) == aspect);
+  // A straight layer that is the same everywhere along itself wants any aspect.
+  const auto straight = [](const point& q) { return std::exp(-(q.x - 0.3 * q.y) / (4 * w)); };
+  CHECK(aspect_of(m, field(m, "u", straight).values) > 15);
+}
+
 TEST_CASE("a mesh that is too small to tell bounds nothing") {
   const mesh m = sample_mesh(4);
-  CHECK(!roughness_of(m, mesh_links(m),
-                      field(m, "u", [](const point& q) { return q.x * q.x; }).values));
+  CHECK(!measures_of_layers(m, mesh_links(m),
+                            field(m, "u", [](const point& q) { return q.x * q.x; }).values));
   const mesh flat = sample_mesh(12);
   CHECK(!aspect_bound(flat, mesh_links(flat), std::vector<double>(flat.sites.size(), 1)));
 }
@@ -206,14 +230,14 @@ TEST_CASE("layers of a solution bound aspects where none is named, and the steps
   const auto bound = make_solution_metric(m, computed, options);
   REQUIRE(bound.ok());
   CHECK(bound.value().report.steps == std::vector<std::string>{"hessian green", "moduli",
-                                                               "optimum 2", "layers 14", "factor",
-                                                               "aspect 1e+06"});
-  CHECK(greatest_aspect(bound.value().tensors) <= 14 * (1 + 1e-9));
+                                                               "optimum 2", "layers 10.09",
+                                                               "factor", "aspect 1e+06"});
+  CHECK(greatest_aspect(bound.value().tensors) <= 10.1);
   options.aspect = 1e5;
   const auto named = make_solution_metric(m, computed, options);
   REQUIRE(named.ok());
   CHECK(std::count(named.value().report.steps.begin(), named.value().report.steps.end(),
-                   "layers 14") == 0);
+                   "layers 10.09") == 0);
   CHECK(greatest_aspect(named.value().tensors) > 15);
 }
 
