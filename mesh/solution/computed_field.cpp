@@ -148,9 +148,11 @@ std::optional<layer_measures> measures_of_layers(const mesh& m, const mesh_links
   std::erase_if(found, [](const auto& one) { return !one; });
   if (found.size() < enough) return std::nullopt;
   const auto median = [&found](const auto& of) {
+    constexpr double middle = 0.5;
     std::vector<double> all;
+    all.reserve(found.size());
     for (const auto& one : found) all.push_back(of(*one));
-    return part_of_sorted(std::move(all), 0.5);
+    return part_of_sorted(std::move(all), middle);
   };
   using measures = const vertex_measures&;
   return layer_measures{median([](measures at) { return std::abs(at.weak); }),
