@@ -33,9 +33,11 @@ inline constexpr double ratio_of_computed = 1, ratio_of_function = 1.07;
 // In loops solutions have 0.02 to 0.1; layers of a third of a grid's spacing have 0.9.
 inline constexpr double roughness_of_resolved = 0.1, roughness_of_unresolved = 0.2;
 // Least bound of the aspect, and the ratio of the bound to the aspect that interpolation wants
-// along the layers. By experiment: the best bounds are 7 to 10 for curved layers where
-// interpolation wants 6 to 10, and 14 to 40 for straight ones that meet in a corner, where it wants
-// 5 to 20 in the median. Without a least bound smooth solutions would be isotropic.
+// along the layers. By experiment: the best bounds are 7 to 14 for curved layers where
+// interpolation wants 5 to 10, and 14 to 30 for straight ones that meet in a corner, where it wants
+// 4 to 20 in the median. For layers that are the same along themselves, where it wants any aspect,
+// none is best with advection or reaction, and 14 to 30 with diffusion alone: the steepness bounds
+// these. Without a least bound smooth solutions would be isotropic.
 inline constexpr double least_aspect_bound = 10, bound_of_wanted_aspect = 1.5;
 
 // Bounds of layer_measures::apart(): both roughnesses are the field's own below the first, and
