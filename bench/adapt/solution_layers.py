@@ -129,6 +129,7 @@ PROBLEMS = {
     "one layer, advection, 0.01": Problem(one_layer(0.01), 0.01, (1, 0), given=("left", "right")),
     "one layer, advection, 0.001": Problem(one_layer(0.001), 0.001, (1, 0), given=("left", "right")),
     "one layer, reaction, 0.01": Problem(one_layer(0.01), 1e-4, reaction=1, given=("left", "right")),
+    "one layer, Poisson, 0.01": Problem(one_layer(0.01), given=("left", "right")),
     "two layers, advection, 0.03": Problem(two_layers(0.03), 0.03, (1, 1)),
     "two layers, advection, 0.01": Problem(two_layers(0.01), 0.01, (1, 1)),
     "two layers, advection, 0.001": Problem(two_layers(0.001), 0.001, (1, 1)),
