@@ -12,8 +12,8 @@
 // and diffusion, of reaction and diffusion, and of Poisson's equation with straight and curved
 // layers, and more than 1.07 in twelve functions in nearly all passes of loops
 // (docs/results/adaptation.md). It does not where both roughnesses are the field's own: where the
-// mesh resolves the field badly, and on grids on which the weak form is consistent. There the two
-// agree at each vertex.
+// mesh resolves the field badly, and on grids on which the weak form is consistent. On such grids
+// the two agree at each vertex.
 #pragma once
 
 #include <optional>

@@ -232,7 +232,17 @@ TEST_CASE("layers of a solution bound aspects where none is named, and the steps
   CHECK(bound.value().report.steps == std::vector<std::string>{"hessian green", "moduli",
                                                                "optimum 2", "layers 10.09",
                                                                "factor", "aspect 1e+06"});
-  CHECK(greatest_aspect(bound.value().tensors) <= 10.1);
+  const mesh_links links(m);
+  const auto asked = aspect_bound(m, links, computed[0].values);
+  REQUIRE(asked);
+  CHECK(greatest_aspect(bound.value().tensors) <= *asked * (1 + 1e-9));
+  // Between the least bound and the steepness the aspect wanted decides.
+  const layer_measures layers = measured(m, computed[0].values);
+  CHECK(*asked == bound_of_wanted_aspect * layers.aspect);
+  CHECK(*asked > least_aspect_bound);
+  CHECK(*asked < steepness(m, computed[0].values));
+  // Layers of twice the thickness want less than the least bound.
+  CHECK(aspect_bound(m, links, linear_elements(m, 0.2, 1).solve()) == least_aspect_bound);
   options.aspect = 1e5;
   const auto named = make_solution_metric(m, computed, options);
   REQUIRE(named.ok());
