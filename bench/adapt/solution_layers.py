@@ -13,35 +13,26 @@ import sys
 import warnings
 
 import numpy as np
-from scipy.sparse.linalg import spsolve
 
 import asterism
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples" / "solver_loops"))
 import elements  # noqa: E402
-from two_layers import PLACES, WEIGHTS, parts_of_a_triangle  # noqa: E402
+from two_layers import profile  # noqa: E402
 
 SIDES = ("left", "right", "bottom", "top")
 
 
-def boundary_layer(e):
-    """Returns a function of t with a layer of thickness e at 1, which returns value, slope and second derivative."""
-    def profile(t):
-        rise, whole = np.exp((t - 1) / e), 1 - np.exp(-1 / e)
-        return t - (rise - np.exp(-1 / e)) / whole, 1 - rise / e / whole, -rise / e / e / whole
-    return profile
-
-
 def one_layer(e):
     def jet(x, _):
-        value, slope, second = boundary_layer(e)(x)
+        value, slope, second = profile(x, e)
         return value, slope, 0 * x, second, 0 * x
     return jet
 
 
 def two_layers(e):
     def jet(x, y):
-        (a, b, c), (d, f, g) = boundary_layer(e)(x), boundary_layer(e)(y)
+        (a, b, c), (d, f, g) = profile(x, e), profile(y, e)
         return a * d, b * d, a * f, c * d, a * g
     return jet
 
@@ -62,7 +53,7 @@ class Problem:
     jet(x, y) returns u, u_x, u_y, u_xx and u_yy."""
 
     def __init__(self, jet, diffusion=1.0, wind=(0, 0), reaction=0.0, low=0.0, given=SIDES):
-        self.jet, self.diffusion, self.wind, self.reaction = jet, diffusion, np.array(wind), reaction
+        self.jet, self.diffusion, self.wind, self.reaction = jet, diffusion, wind, reaction
         self.low, self.given = low, given
 
     def start(self):
@@ -79,33 +70,11 @@ class Problem:
         return np.any([on[side] for side in self.given], axis=0)
 
     def solve(self, points, triangles):
-        areas, gradients = elements.shapes(points, triangles)
-        blocks = (self.diffusion * np.einsum("tid,tjd->tij", gradients, gradients) * areas[:, None, None]
-                  + self.reaction * areas[:, None, None] / 12 * (np.ones((3, 3)) + np.eye(3))
-                  + (areas / 3)[:, None, None] * (gradients @ self.wind)[:, None, :])
-        matrix = elements.assembled(triangles, blocks, len(points))
-        loads = 0
-        for part in parts_of_a_triangle(2):
-            places = PLACES @ part
-            x, y = np.einsum("qi,tid->dtq", places, points[triangles])
-            loads = loads + np.einsum("q,tq,qi->ti", WEIGHTS, self.force(x, y), places) * areas[:, None] / 4
-        right = np.bincount(triangles.ravel(), loads.ravel(), len(points))
-        given = self.is_given(points)
-        values = np.where(given, self.jet(*points.T)[0], 0.0)
-        right -= matrix @ values
-        values[~given] = spsolve(matrix[~given][:, ~given].tocsc(), right[~given])
-        return values
+        given = np.where(self.is_given(points), self.jet(*points.T)[0], np.nan)
+        return elements.solve(points, triangles, self.force, given, self.diffusion, self.wind, self.reaction, parts=2)
 
     def error(self, points, triangles, values):
-        """Integrates by seven points in each of sixteen parts of a triangle."""
-        areas, _ = elements.shapes(points, triangles)
-        total = 0.0
-        for part in parts_of_a_triangle(4):
-            places = PLACES @ part
-            x, y = np.einsum("qi,tid->dtq", places, points[triangles])
-            off = np.einsum("qi,ti->tq", places, values[triangles]) - self.jet(x, y)[0]
-            total += float(areas @ (off ** 2 @ WEIGHTS)) / 16
-        return np.sqrt(total)
+        return elements.error(points, triangles, values, lambda x, y: self.jet(x, y)[0])
 
 
 def parabola(x, y):

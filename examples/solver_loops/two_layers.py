@@ -16,77 +16,42 @@ import argparse
 
 import elements
 import numpy as np
-from scipy.sparse.linalg import spsolve
 
 import asterism
 
-# Radon's seven points, exact to the fifth degree: barycentric coordinates and weights.
-ROOT = np.sqrt(15.0)
-PLACES = np.array([[1 / 3] * 3] + [np.roll([1 - 2 * b, b, b], k) for b in ((6 + ROOT) / 21, (6 - ROOT) / 21)
-                                   for k in range(3)])
-WEIGHTS = np.array([9 / 40] + [(155 + ROOT) / 1200] * 3 + [(155 - ROOT) / 1200] * 3)
+
+def profile(t, e):
+    """Returns g(t) with a layer of thickness e at 1, its slope and its second derivative."""
+    rise, whole = np.exp((t - 1) / e), 1 - np.exp(-1 / e)
+    return t - (rise - np.exp(-1 / e)) / whole, 1 - rise / e / whole, -rise / e / e / whole
 
 
 class Layers:
     def __init__(self, thickness, equation):
         self.e, self.equation = thickness, equation
 
-    def profile(self, t):
-        e = self.e
-        return t - (np.exp((t - 1) / e) - np.exp(-1 / e)) / (1 - np.exp(-1 / e))
-
     def exact(self, x, y):
-        return self.profile(x) * self.profile(y)
+        return profile(x, self.e)[0] * profile(y, self.e)[0]
 
     def derivatives(self, x, y):
-        """Returns xx, xy and yy of u. exp(-1/e) is neglected beside one."""
-        rise = [np.exp((t - 1) / self.e) / self.e for t in (x, y)]
-        return np.stack([-rise[0] / self.e * self.profile(y), (1 - rise[0]) * (1 - rise[1]),
-                         -rise[1] / self.e * self.profile(x)], axis=1)
+        """Returns xx, xy and yy of u."""
+        (g, g_x, g_xx), (h, h_y, h_yy) = profile(x, self.e), profile(y, self.e)
+        return np.stack([g_xx * h, g_x * h_y, g * h_yy], axis=1)
 
     def force(self, x, y):
-        g, h = self.profile(x), self.profile(y)
+        g, h = profile(x, self.e)[0], profile(y, self.e)[0]
         if self.equation == "advection":
             return g + h
         return np.exp((x - 1) / self.e) * h + g * np.exp((y - 1) / self.e) + g * h
 
     def solve(self, points, triangles):
-        areas, gradients = elements.shapes(points, triangles)
-        stiffness = np.einsum("tid,tjd->tij", gradients, gradients) * areas[:, None, None]
-        if self.equation == "reaction":
-            blocks = self.e ** 2 * stiffness + areas[:, None, None] / 12 * (np.ones((3, 3)) + np.eye(3))
-        else:
-            blocks = self.e * stiffness + (areas / 3)[:, None, None] * gradients.sum(axis=2)[:, None, :]
-        matrix = elements.assembled(triangles, blocks, len(points))
-        x, y = np.einsum("qi,tid->dtq", PLACES, points[triangles])
-        parts = np.einsum("q,tq,qi->ti", WEIGHTS, self.force(x, y), PLACES) * areas[:, None]
-        right = np.bincount(triangles.ravel(), parts.ravel(), len(points))
-        inside = np.flatnonzero(((points > 0) & (points < 1)).all(axis=1))
-        values = np.zeros(len(points))
-        values[inside] = spsolve(matrix[inside][:, inside].tocsc(), right[inside])
-        return values
+        inside = ((points > 0) & (points < 1)).all(axis=1)
+        terms = {"diffusion": self.e ** 2, "reaction": 1} if self.equation == "reaction" else {
+            "diffusion": self.e, "wind": (1, 1)}
+        return elements.solve(points, triangles, self.force, np.where(inside, np.nan, 0.0), **terms)
 
     def error(self, points, triangles, values):
-        """Integrates by the seven points in each of sixteen parts of a triangle."""
-        areas, _ = elements.shapes(points, triangles)
-        total = 0.0
-        for part in parts_of_a_triangle(4):
-            places = PLACES @ part
-            x, y = np.einsum("qi,tid->dtq", places, points[triangles])
-            off = np.einsum("qi,ti->tq", places, values[triangles]) - self.exact(x, y)
-            total += float(areas @ (off ** 2 @ WEIGHTS)) / 16
-        return np.sqrt(total)
-
-
-def parts_of_a_triangle(n):
-    """Yields the corners of n^2 equal parts, in barycentric coordinates."""
-    def at(i, j):
-        return (1 - (i + j) / n, i / n, j / n)
-    for i in range(n):
-        for j in range(n - i):
-            yield np.array([at(i, j), at(i + 1, j), at(i, j + 1)])
-            if i + j < n - 1:
-                yield np.array([at(i + 1, j + 1), at(i, j + 1), at(i + 1, j)])
+        return elements.error(points, triangles, values, self.exact)
 
 
 def run(layers, vertices, passes, aspect, of):
