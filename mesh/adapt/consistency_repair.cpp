@@ -170,7 +170,8 @@ void consistency_repair::visit(const std::vector<char>& flags, std::size_t begin
 // meanwhile.
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
-  // A run begins without centres, and faces are added between runs alone.
+  // Where the list grows no centre is known: a run begins without any, and faces are added between
+  // runs alone.
   resize_to_overwrite(centres_, m_.faces().size(), m_.faces().size());
   const auto find_centre = [this](vertex_index t) {
     if (has_centre_[t] != 0 && !is_active(t)) return;

@@ -92,7 +92,8 @@ struct vertex_measures {
   double along_over_across;  // second derivatives of the fit: across layers is along the gradient
 };
 
-// Returns 1 where the fit has no direction across layers.
+// Divides the second derivative of a fit along a layer by that across it, which is in the direction
+// of the gradient. Returns 1 where the gradient or the second derivative across is 0.
 double along_over_across(const fitted_quadratic& fit) {
   const double greater = std::max(std::abs(fit.gradient.x), std::abs(fit.gradient.y));
   if (!(greater > 0)) return 1;

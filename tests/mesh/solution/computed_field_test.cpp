@@ -181,8 +181,8 @@ TEST_CASE("the aspect wanted along layers is that of the second derivatives, in 
   const auto aspect_of = [](const mesh& on, const std::vector<double>& values) {
     return measured(on, values).aspect;
   };
-  // The layer of exp(-t/w) at distances t + r from a place has its slope over w as the second
-  // derivative across, and its slope over r along itself.
+  // Outside of a circle of radius r, at distance t, exp(-t/w) has second derivatives of its slope
+  // over w across the layer, and of its slope over t + r along it.
   constexpr double w = 0.1, r = 1.5;
   const auto round = [](const point& q) {
     return std::exp(-(std::hypot(q.x + 1 + r, q.y) - r) / w);
@@ -236,7 +236,7 @@ TEST_CASE("layers of a solution bound aspects where none is named, and the steps
   const auto asked = aspect_bound(m, links, computed[0].values);
   REQUIRE(asked);
   CHECK(greatest_aspect(bound.value().tensors) <= *asked * (1 + 1e-9));
-  // Between the least bound and the steepness the aspect wanted decides.
+  // Recomputes the bound, here 1.5 times the aspect wanted, which lies between the other two.
   const layer_measures layers = measured(m, computed[0].values);
   CHECK(*asked == bound_of_wanted_aspect * layers.aspect);
   CHECK(*asked > least_aspect_bound);
