@@ -15,7 +15,6 @@
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/support/infinity.hpp"
 #include "asterism/mesh/support/parallel.hpp"
-#include "asterism/mesh/support/resize_to_overwrite.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -69,7 +68,6 @@ void consistency_repair::restart(bool others_pass) {
 }
 
 void consistency_repair::run() {
-  has_centre_.assign(m_.faces().size(), 0);
   for (std::size_t i = 0; i < options_.most_rounds; ++i) {
     if (options_.stop.is_requested()) return;
     const bool is_mended = !round();
@@ -170,38 +168,37 @@ void consistency_repair::visit(const std::vector<char>& flags, std::size_t begin
 // meanwhile.
 void consistency_repair::find_clear_edges() {
   clear_edges_.assign(m_.faces().size(), 0);
-  // Where the list grows no centre is known: a run begins without any, and faces are added between
-  // runs alone.
-  resize_to_overwrite(centres_, m_.faces().size(), m_.faces().size());
-  const auto find_centre = [this](vertex_index t) {
-    if (has_centre_[t] != 0 && !is_active(t)) return;
-    centres_[t] = tests_.centre_of(t);
-    has_centre_[t] = 1;
-  };
   parallel_chunks(m_.faces().size(), faces_checked_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
-                    visit(is_due_, begin, end, find_centre);
+                    if (next_set(is_due_, begin, end) < end) find_clear_edges(begin, end);
                   });
-  const auto agrees = [this](vertex_index t, std::size_t i) {
+}
+
+// Does so for the faces from `begin` to before `end`. Computes their Voronoi vertices once; those
+// of faces across that are elsewhere, which are few, at each edge.
+void consistency_repair::find_clear_edges(std::size_t begin, std::size_t end) {
+  std::vector<face_centre> centres(end - begin);
+  visit(is_due_, begin, end, [&](vertex_index t) { centres[t - begin] = tests_.centre_of(t); });
+  const auto centre_of = [&](vertex_index t) {
+    return t >= begin && t < end ? centres[t - begin] : tests_.centre_of(t);
+  };
+  const auto agrees = [&](vertex_index t, std::size_t i) {
     const edge_quad q = tests_.quad_at(t, i);
-    return clearance(centres_[t], m_.at(q.d)) > least_clearance &&
-           clearance(centres_[m_.faces()[t].next[i]], m_.at(q.c)) > least_clearance;
+    return clearance(centres[t - begin], m_.at(q.d)) > least_clearance &&
+           clearance(centre_of(m_.faces()[t].next[i]), m_.at(q.c)) > least_clearance;
   };
-  parallel_chunks(m_.faces().size(), faces_checked_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    std::size_t tested = 0;
-                    visit(is_due_, begin, end, [&](vertex_index t) {
-                      for (unsigned i = 0; i < 3; ++i) {
-                        if (!is_to_test(t, i)) continue;
-                        ++tested;
-                        if (agrees(t, i))
-                          clear_edges_[t] |= static_cast<unsigned char>(1U << i);
-                        else
-                          in_question_[t] = 1;
-                      }
-                    });
-                    m_.note_looked_at(work_weights::faces_for_edge_test * tested);
-                  });
+  std::size_t tested = 0;
+  visit(is_due_, begin, end, [&](vertex_index t) {
+    for (unsigned i = 0; i < 3; ++i) {
+      if (!is_to_test(t, i)) continue;
+      ++tested;
+      if (agrees(t, i))
+        clear_edges_[t] |= static_cast<unsigned char>(1U << i);
+      else
+        in_question_[t] = 1;
+    }
+  });
+  m_.note_looked_at(work_weights::faces_for_edge_test * tested);
 }
 
 // Puts the faces with an angle below the bound in question, with several threads.

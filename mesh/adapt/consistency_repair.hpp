@@ -63,9 +63,6 @@ class consistency_repair {
   // among them all nodes that have changed and are left, and all nodes of new faces.
   const std::vector<vertex_index>& touched() const { return touched_; }
   void forget_touched() { touched_.clear(); }
-  // Frees the Voronoi vertices of the faces, 24 bytes each, which the next run() computes anew:
-  // other steps need the room.
-  void release() { std::vector<face_centre>().swap(centres_); }
   // Returns the report of all rounds since the last start.
   const repair_report& report() const { return report_; }
 
@@ -83,6 +80,7 @@ class consistency_repair {
   void visit(const std::vector<char>& flags, std::size_t begin, std::size_t end, const Act& act);
   bool is_to_test(vertex_index t, std::size_t i) const;
   void find_clear_edges();
+  void find_clear_edges(std::size_t begin, std::size_t end);
   void find_low_faces();
   void check_edge(vertex_index t, std::size_t i);
   bool move_off_circle(vertex_index d, vertex_index a, vertex_index b, vertex_index c);
@@ -109,10 +107,6 @@ class consistency_repair {
   // Flags of those of them that have an edge or an angle in question: one that failed its test when
   // the round began, or whose nodes have been touched since.
   std::vector<char> in_question_;
-  // Voronoi vertices of the due faces, as they are when the round begins. One that was computed in
-  // an earlier round of a run is kept while no node of its face is active.
-  std::vector<face_centre> centres_;
-  std::vector<char> has_centre_;
   // One bit for each edge of a face that agreed before the round changed it.
   std::vector<unsigned char> clear_edges_;
   repair_report report_;

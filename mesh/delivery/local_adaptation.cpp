@@ -343,7 +343,6 @@ class local_adaptation {
     }
     maker.release();
     settle(m, agreeing);
-    agreeing.release();
     constexpr std::size_t few = 20;  // one node in this number
     const std::size_t left = agreeing.report().disagreeing + agreeing.report().low;
     if (few * left <= m.nodes().size()) {
