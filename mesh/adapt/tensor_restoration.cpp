@@ -54,6 +54,7 @@ tensor_restoration::tensor_restoration(editable_mesh& m, double angle_bound,
       wanted_(std::move(wanted)),
       awake_(m.nodes().size(), 1),
       kept_(m.nodes().size(), 0) {
+  before_.reserve(m.nodes().size());
   for (const node& n : m.nodes()) before_.push_back(n.metric);
 }
 
@@ -70,10 +71,11 @@ void tensor_restoration::run(const cancellation& stop) {
     any = give_once(is_first);
     m_.charge_work(stop);
     if (!is_first) continue;
-    if (nodes_for_one * wanted_count() < m_.count()) return;
+    if (nodes_for_one * wanted_count() < m_.count()) break;
     any = true;
     awake_.assign(awake_.size(), 1);
   }
+  present_.release();  // audits follow, and need the room
 }
 
 // Tries each node that may still change; returns true if any changed.
