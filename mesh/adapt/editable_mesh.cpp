@@ -295,6 +295,8 @@ editable_mesh editable_mesh::like(parts p) const {
 mesh editable_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
   mesh made;
   made.given = static_cast<vertex_index>(domain_->vertices.size());
+  made.sites.reserve(count_);
+  made.triangles.reserve(faces_.size() - free_faces_.size());
   renumbered.assign(nodes_.size(), none);
   for (vertex_index v = 0; v < nodes_.size(); ++v) {
     if (nodes_[v].kind == node_kind::gone) continue;

@@ -128,9 +128,9 @@ audit_options audited_mesh::question(std::size_t findings_kept) const {
   return asked;
 }
 
-void audited_mesh::keep(const auditor& judge) {
+void audited_mesh::keep(auditor& judge) {
   report_ = std::make_shared<audit_report>(judge.report());
-  memory_ = judge.memory();
+  memory_ = judge.take_memory();
 }
 
 void audited_mesh::judge(std::size_t findings_kept) {

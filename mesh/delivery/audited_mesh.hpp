@@ -82,7 +82,7 @@ class audited_mesh {
   audit_options question(std::size_t findings_kept) const;
   template <class Vertices>
   node_list nodes_of(const Vertices& vertices) const;
-  void keep(const auditor& judge);
+  void keep(auditor& judge);
   bool has_same_corners(const adapting::face& f, const triangle& t) const;
   bool has_same_nodes_and_faces(const adapting::editable_mesh& m) const;
   void take_in_place(const adapting::editable_mesh& m);
