@@ -70,18 +70,19 @@ metric_delivery::metric_delivery(const domain& d, const metric_field& field,
 
 // Makes the coarse mesh and the background, once; returns false if there are none.
 bool metric_delivery::prepare() {
-  if (prepared_) return start_ && background_;
+  if (prepared_) return start_ && background_ != nullptr;
   prepared_ = true;
   start_ = coarse_mesh(image_.shape(), image_.field(), options_);
   if (!start_) return false;
   if (given_ != nullptr) {
-    background_ = in_frame(image_.frame(), *given_);
+    if (!image_.frame().is_identity()) made_background_ = in_frame(image_.frame(), *given_);
+    background_ = made_background_ ? &*made_background_ : given_;
     return true;
   }
   constexpr double any_length = std::numeric_limits<double>::infinity();
   auto sampled = sample_field(image_.shape(), *start_, image_.field(), any_length, options_.stop);
   if (!sampled) return false;
-  background_ = std::move(sampled->nodes);
+  background_ = &made_background_.emplace(std::move(sampled->nodes));
   longest_ = sampled->longest;
   return true;
 }

@@ -58,8 +58,10 @@ class metric_delivery {
   const mesh* const given_;  // the background, if the field is given on one of the domain
   const mesh_options& options_;
   normalised_problem image_;
-  std::optional<mesh> start_, background_;  // in the frame
-  double longest_ = 0;                      // edge of the background of a formula, in its metric
+  std::optional<mesh> start_;  // in the frame, as the next
+  std::optional<mesh> made_background_;
+  const mesh* background_ = nullptr;  // that one, or the given one where the frame changes nothing
+  double longest_ = 0;                // edge of the background of a formula, in its metric
   bool prepared_ = false;
 };
 
