@@ -169,6 +169,14 @@ class local_adaptation {
     return there ? std::optional(there.value()) : std::nullopt;
   }
 
+  // Makes room to remember the metrics wanted at so many nodes, and at a few more: a list that
+  // grows would double.
+  void make_room_for_lookups(std::size_t nodes) {
+    constexpr std::size_t part = 64;  // of the nodes: repairs and splits add fewer
+    if (looked_up_.capacity() < nodes) looked_up_.reserve(nodes + nodes / part);
+    looked_up_.resize(nodes);
+  }
+
   // Returns the metric wanted at a node, remembered from the last time unless the node has moved.
   // Several threads may call it for different nodes.
   std::optional<metric_tensor> wanted_of(const editable_mesh& m, vertex_index v) {
@@ -201,7 +209,7 @@ class local_adaptation {
   // false where the field fails.
   bool take_wanted(editable_mesh& m) {
     std::atomic<bool> is_known = true;
-    looked_up_.resize(m.nodes().size());
+    make_room_for_lookups(m.nodes().size());
     m.each_node([&](vertex_index v) {
       const auto there = wanted_of(m, v);
       if (!there) return is_known.store(false);
@@ -428,7 +436,7 @@ class local_adaptation {
   bool give_back(editable_mesh& m, consistency_repair& agreeing, bool all_pass = false) {
     std::vector<metric_tensor> tensors(m.nodes().size());
     std::atomic<bool> is_known = true;
-    looked_up_.resize(m.nodes().size());
+    make_room_for_lookups(m.nodes().size());
     m.each_node([&](vertex_index v) {
       const auto there = wanted_of(m, v);
       if (!there) return is_known.store(false);
