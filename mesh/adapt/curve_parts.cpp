@@ -7,36 +7,50 @@
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {
+namespace {
+
+constexpr std::size_t faces_placed_at_once = 4096;  // for a thread
+
+}  // namespace
 
 curve_parts::curve_parts(const std::vector<node>& nodes, const std::vector<face>& faces,
                          const bounding_box& box, std::size_t parts)
     : box_(box), part_(faces.size(), 0) {
-  if (parts < 2) return;
-  constexpr std::size_t faces_at_once = 4096;  // for a thread
-  std::vector<std::uint64_t> places(faces.size());
-  parallel_chunks(
-      faces.size(), faces_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          if (!faces[t].exists()) continue;
-          const point &a = nodes[faces[t].v[0]].position, &b = nodes[faces[t].v[1]].position,
-                      &c = nodes[faces[t].v[2]].position;
-          places[t] = place_on_curve({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, box_);
-        }
-      });
+  const auto place_of = [&](const face& f) {
+    const point &a = nodes[f.v[0]].position, &b = nodes[f.v[1]].position,
+                &c = nodes[f.v[2]].position;
+    return place_on_curve({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, box_);
+  };
+  if (parts > 1) divide_curve(faces, place_of, parts);
+  // Tries the part of the face before first, which is nearly always the part of the next one, too.
+  parallel_chunks(faces.size(), faces_placed_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    std::uint32_t last = 0;
+                    for (std::size_t t = begin; t < end; ++t) {
+                      if (!faces[t].exists()) {
+                        part_[t] = static_cast<std::uint32_t>(count());
+                      } else if (!bounds_.empty()) {
+                        const std::uint64_t place = place_of(faces[t]);
+                        part_[t] = last = is_in(place, last) ? last : at(place);
+                      }
+                    }
+                  });
+}
+
+// Finds the bounds between parts: quantiles of the places of a sample.
+template <class Place>
+void curve_parts::divide_curve(const std::vector<face>& faces, const Place& place_of,
+                               std::size_t parts) {
   constexpr std::size_t sampled = 16;  // one face in this number
-  std::vector<std::uint64_t> sample;
-  for (std::size_t t = 0; t < faces.size(); t += sampled)
-    if (faces[t].exists()) sample.push_back(places[t]);
+  const auto append = [&](std::size_t begin, std::size_t end, std::vector<std::uint64_t>& places) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (faces[sampled * i].exists()) places.push_back(place_of(faces[sampled * i]));
+  };
+  std::vector<std::uint64_t> sample = collect_chunks<std::uint64_t>(
+      chunk_count(faces.size(), sampled), faces_placed_at_once, append);
   std::sort(sample.begin(), sample.end());
   for (std::size_t part = 1; part < parts && !sample.empty(); ++part)
     bounds_.push_back(sample[part * sample.size() / parts]);
-  // Tries the part of the face before first, which is nearly always the part of the next one, too.
-  parallel_chunks(faces.size(), faces_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    std::uint32_t last = 0;
-                    for (std::size_t t = begin; t < end; ++t)
-                      part_[t] = last = is_in(places[t], last) ? last : at(places[t]);
-                  });
 }
 
 bool curve_parts::is_in(std::uint64_t place, std::uint32_t part) const {

@@ -16,18 +16,19 @@ namespace asterism::internal::adapting {
 class curve_parts {
  public:
   // Takes the box through which the curve runs, and the number of parts; there is one for 0, too.
-  // Faces that do not exist are in some part.
   curve_parts(const std::vector<node>& nodes, const std::vector<face>& faces,
               const bounding_box& box, std::size_t parts);
 
   std::size_t count() const { return bounds_.size() + 1; }
-  // Returns the part of a face.
+  // Returns the part of a face; count() for one that does not exist.
   std::uint32_t of(vertex_index t) const { return part_[t]; }
   // Returns the part that contains the point's place on the curve. Near the edges between parts the
   // face at the point may be in another part.
   std::uint32_t near(const point& q) const;
 
  private:
+  template <class Place>
+  void divide_curve(const std::vector<face>& faces, const Place& place_of, std::size_t parts);
   std::uint32_t at(std::uint64_t place) const;
   bool is_in(std::uint64_t place, std::uint32_t part) const;
 

@@ -71,22 +71,19 @@ mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut)
   list_blocks();
   mark_frame();
   blocks_.resize(count());
+  has_.resize(count());
 }
 
 void mesh_blocks::list_blocks() {
-  const std::vector<face>& faces = given_.faces;
+  const std::size_t faces = given_.faces.size(), blocks = parts_.count();
   // Lists faces that do not exist last, and leaves them out.
-  const std::size_t blocks = parts_.count();
-  listed_.resize(faces.size());
+  listed_.resize(faces);
   first_ = sort_by_counting(
-      faces.size(), blocks + 1,
-      [&](std::size_t t) {
-        return faces[t].exists() ? parts_.of(static_cast<vertex_index>(t)) : blocks;
-      },
+      faces, blocks + 1, [this](std::size_t t) { return parts_.of(static_cast<vertex_index>(t)); },
       [this](std::size_t at, std::size_t t) { listed_[at] = static_cast<vertex_index>(t); });
   first_.pop_back();
   listed_.resize(first_.back());
-  local_.resize(faces.size());
+  local_.resize(faces);
   parallel_for(blocks, [this](std::size_t b) {
     for (std::size_t i = first_[b]; i < first_[b + 1]; ++i)
       local_[listed_[i]] = static_cast<vertex_index>(i - first_[b]);
@@ -151,6 +148,7 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
   editable_mesh::parts parts;
   parts.faces.reserve(made.faces.size());
   parts.nodes.reserve(made.faces.size());
+  made.nodes.reserve(made.faces.size());
   local_numbers numbers(shared_corners(made.faces));
   for (std::size_t i = 0; i < made.faces.size(); ++i) {
     if (i + triangles_ahead < made.faces.size()) prefetch_nodes(made.faces[i + triangles_ahead]);
@@ -176,26 +174,25 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
         for (const vertex_index v : {f.v[after(e)], f.v[before(e)]}) {
           if (std::exchange(made.is_frame[v], char{1}) != 0) continue;
           made.frame.push_back(v);
-          made.frame_before.push_back(parts.nodes[v]);
-          parts.nodes[v].kind = node_kind::given;
+          made.frame_kinds.push_back(std::exchange(parts.nodes[v].kind, node_kind::given));
         }
   made.part = whole_.like(std::move(parts));
   return made;
 }
 
 void mesh_blocks::put_back(std::size_t b, block changed) {
+  has_[b] = count_in(changed);
   changed.part.shrink_to_fit();
   blocks_[b].emplace(std::move(changed));
 }
 
 // Counts the nodes and faces that a block adds to the whole, without the frame's nodes and the
 // domain's vertices.
-mesh_blocks::range mesh_blocks::count_block(std::size_t b) {
-  const block& now = *blocks_[b];
+mesh_blocks::size mesh_blocks::count_in(const block& now) const {
   const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
-  range has;
+  size has;
   for (vertex_index v = 0; v < now.part.nodes().size(); ++v)
-    if (now.part.at(v).kind != node_kind::gone && !is_at_frame(b, v) &&
+    if (now.part.at(v).kind != node_kind::gone && !now.is_at_frame(v) &&
         !(v < now.nodes.size() && now.nodes[v] < given))
       ++has.nodes;
   for (const face& f : now.part.faces())
@@ -203,15 +200,13 @@ mesh_blocks::range mesh_blocks::count_block(std::size_t b) {
   return has;
 }
 
-// Numbers the nodes of the frame, block by block, each once and before those inside its block.
-// Returns where the numbers of each block's other nodes and faces begin, and the totals.
-std::vector<mesh_blocks::range> mesh_blocks::number_frame() {
-  std::vector<range> has(count()), from(count() + 1);
-  parallel_for(count(), [&](std::size_t b) { has[b] = count_block(b); });
+// Numbers the nodes of the frame, block by block, each once and before those inside its block, and
+// finds where the numbers of each block's other nodes and faces begin.
+mesh_blocks::size mesh_blocks::number() {
   frame_now_.assign(given_.nodes.size(), none);
   frame_owner_.assign(given_.nodes.size(), 0);
   const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
-  range next{given, 0};
+  size next{given, 0};
   for (std::size_t b = 0; b < count(); ++b) {
     for (const vertex_index v : blocks_[b]->frame) {
       const vertex_index before = blocks_[b]->nodes[v];
@@ -219,68 +214,76 @@ std::vector<mesh_blocks::range> mesh_blocks::number_frame() {
       frame_now_[before] = before < given ? before : next.nodes++;
       frame_owner_[before] = static_cast<std::uint32_t>(b);
     }
-    from[b] = next;
-    next.nodes += has[b].nodes;
-    next.faces += has[b].faces;
+    from_.push_back(next);
+    next.nodes += has_[b].nodes;
+    next.faces += has_[b].faces;
   }
-  from.back() = next;
-  return from;
+  return next;
 }
 
-void mesh_blocks::number_block(std::size_t b, range from) {
+mesh_blocks::numbers mesh_blocks::number_block(std::size_t b) const {
   const block& now = *blocks_[b];
   const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
-  node_now_[b].assign(now.part.nodes().size(), none);
-  for (vertex_index v = 0; v < node_now_[b].size(); ++v) {
+  size next = from_[b];
+  numbers made;
+  made.nodes.assign(now.part.nodes().size(), none);
+  for (vertex_index v = 0; v < made.nodes.size(); ++v) {
     if (now.part.at(v).kind == node_kind::gone) continue;
     const vertex_index before = v < now.nodes.size() ? now.nodes[v] : none;
-    node_now_[b][v] = is_at_frame(b, v) ? frame_now_[before]
-                      : before < given  ? before
-                                        : from.nodes++;
+    made.nodes[v] = now.is_at_frame(v) ? frame_now_[before]
+                    : before < given   ? before
+                                       : next.nodes++;
   }
-  face_now_[b].assign(now.part.faces().size(), none);
-  for (vertex_index t = 0; t < face_now_[b].size(); ++t)
-    if (now.part.faces()[t].exists()) face_now_[b][t] = from.faces++;
+  made.faces.assign(now.part.faces().size(), none);
+  for (vertex_index t = 0; t < made.faces.size(); ++t)
+    if (now.part.faces()[t].exists()) made.faces[t] = next.faces++;
+  return made;
 }
 
-void mesh_blocks::write_block(std::size_t b, editable_mesh::parts& made) {
+void mesh_blocks::write_block(std::size_t b, const numbers& now_in_whole,
+                              editable_mesh::parts& made) {
   const block& now = *blocks_[b];
-  const auto write_node = [&](vertex_index v, const node& n) {
-    node& written = made.nodes[node_now_[b][v]];
-    written = n;
-    written.face = face_now_[b][now.part.at(v).face];
+  const auto& [node_now, face_now] = now_in_whole;
+  const auto write_node = [&](vertex_index v) -> node& {
+    node& written = made.nodes[node_now[v]];
+    written = now.part.at(v);
+    written.face = face_now[written.face];
+    return written;
   };
   for (vertex_index v = 0; v < now.part.nodes().size(); ++v)
-    if (node_now_[b][v] != none && !is_at_frame(b, v)) write_node(v, now.part.at(v));
+    if (node_now[v] != none && !now.is_at_frame(v)) write_node(v);
   for (std::size_t i = 0; i < now.frame.size(); ++i)
-    if (frame_owner_[now.nodes[now.frame[i]]] == b) write_node(now.frame[i], now.frame_before[i]);
+    if (frame_owner_[now.nodes[now.frame[i]]] == b)
+      write_node(now.frame[i]).kind = now.frame_kinds[i];
   for (vertex_index t = 0; t < now.part.faces().size(); ++t) {
-    if (face_now_[b][t] == none) continue;
+    if (face_now[t] == none) continue;
     face f = now.part.faces()[t];
     for (std::uint32_t e = 0; e < 3; ++e) {
-      f.v[e] = node_now_[b][f.v[e]];
-      if (f.next[e] != none) f.next[e] = face_now_[b][f.next[e]];
+      f.v[e] = node_now[f.v[e]];
+      if (f.next[e] != none) f.next[e] = face_now[f.next[e]];
       if (!is_of_frame(f.segment[e])) continue;
       frame_edge& edge = frame_[f.segment[e] - first_of_frame];
       frame_edge::side& side = edge.left.block == b ? edge.left : edge.right;
-      side.face = face_now_[b][t];
+      side.face = face_now[t];
       side.edge = e;
     }
-    made.faces[face_now_[b][t]] = f;
+    made.faces[face_now[t]] = f;
   }
 }
 
-void mesh_blocks::join(std::size_t expected) {
-  node_now_.resize(count());
-  face_now_.resize(count());
-  const std::vector<range> from = number_frame();
-  parallel_for(count(), [&](std::size_t b) { number_block(b, from[b]); });
+void mesh_blocks::join(std::size_t expected, const join_visitor& visitor) {
+  const size all = number();
+  if (visitor.make_room) visitor.make_room(all);
   // Every node and every face is written below: numbers have no gaps, and each vertex of the domain
   // is in a block.
   editable_mesh::parts made = std::move(given_);
-  resize_to_overwrite(made.nodes, from.back().nodes, expected);
-  resize_to_overwrite(made.faces, from.back().faces, 2 * expected);
-  parallel_for(count(), [&](std::size_t b) { write_block(b, made); });
+  resize_to_overwrite(made.nodes, all.nodes, expected);
+  resize_to_overwrite(made.faces, all.faces, 2 * expected);
+  parallel_for(count(), [&](std::size_t b) {
+    const numbers now = number_block(b);
+    write_block(b, now, made);
+    if (visitor.take) visitor.take(b, now);
+  });
   for (const frame_edge& edge : frame_) {
     const auto &l = edge.left, &r = edge.right;
     made.faces[l.face].next[l.edge] = r.face;

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,25 @@ class mesh_blocks {
     std::vector<vertex_index> nodes, faces;
     std::vector<char> is_frame;       // of these nodes
     std::vector<vertex_index> frame;  // the nodes that are
-    std::vector<node> frame_before;   // what these were in the whole
+    // Kinds that these have in the whole; in the block they are given, so that nothing moves them.
+    std::vector<node_kind> frame_kinds;
+
+    bool is_at_frame(vertex_index v) const { return v < is_frame.size() && is_frame[v] != 0; }
+  };
+  struct size {
+    vertex_index nodes = 0, faces = 0;
+  };
+  // The numbers in the whole of a block's nodes and faces; none for those that were removed.
+  struct numbers {
+    std::vector<vertex_index> nodes, faces;
+  };
+  // Functions that are called while blocks are joined; either may be empty.
+  struct join_visitor {
+    // Called first, with the size of the whole.
+    std::function<void(const size& whole)> make_room;
+    // Called for each block when it is in the whole, by several threads: what the block has is in
+    // the cache of a thread then.
+    std::function<void(std::size_t b, const numbers& now)> take;
   };
 
   // True if the mesh has enough faces for blocks to pay.
@@ -51,17 +70,15 @@ class mesh_blocks {
   // memory would be new at each cut, and one thread alone would wait for its pages. Removed nodes
   // and faces get no number.
   // `expected` is the number of nodes for which there is to be room; 0 where none is expected.
-  void join(std::size_t expected);
+  void join(std::size_t expected, const join_visitor& visitor = {});
 
-  // Returns, after join(), the number in the whole of a block's node or face; none if it was
-  // removed.
-  vertex_index node_now(std::size_t b, vertex_index v) const { return node_now_[b][v]; }
-  vertex_index face_now(std::size_t b, vertex_index t) const { return face_now_[b][t]; }
-  // Returns a flag for each node of a block: whether it is on the frame.
+  // Returns the nodes of a block that are on the frame, and, once the blocks are joined, the number
+  // of one of them in the whole.
   const std::vector<vertex_index>& nodes_at_frame(std::size_t b) const { return blocks_[b]->frame; }
-  bool is_at_frame(std::size_t b, vertex_index v) const {
-    return v < blocks_[b]->is_frame.size() && blocks_[b]->is_frame[v] != 0;
+  vertex_index frame_node_now(std::size_t b, vertex_index v) const {
+    return frame_now_[blocks_[b]->nodes[v]];
   }
+  bool is_at_frame(std::size_t b, vertex_index v) const { return blocks_[b]->is_at_frame(v); }
   // Returns the faces beside the frame, two for each of its edges.
   std::vector<vertex_index> faces_at_frame() const;
 
@@ -82,13 +99,10 @@ class mesh_blocks {
   void mark_frame();
   void prefetch_nodes(vertex_index t) const;
   std::size_t shared_corners(const std::vector<vertex_index>& faces) const;
-  struct range {
-    vertex_index nodes = 0, faces = 0;
-  };
-  range count_block(std::size_t b);
-  std::vector<range> number_frame();
-  void number_block(std::size_t b, range from);
-  void write_block(std::size_t b, editable_mesh::parts& made);
+  size count_in(const block& now) const;
+  size number();
+  numbers number_block(std::size_t b) const;
+  void write_block(std::size_t b, const numbers& now_in_whole, editable_mesh::parts& made);
 
   editable_mesh& whole_;
   editable_mesh::parts given_;        // the mesh that was cut, until the blocks are joined
@@ -101,7 +115,8 @@ class mesh_blocks {
   std::vector<vertex_index> number_;  // of each other node, in its block; none before
   std::vector<frame_edge> frame_;
   std::vector<std::optional<block>> blocks_;
-  std::vector<std::vector<vertex_index>> node_now_, face_now_;
+  std::vector<size> has_;                   // what each block adds to the whole
+  std::vector<size> from_;                  // first numbers of that in the whole
   std::vector<vertex_index> frame_now_;     // numbers of the frame's nodes, by those they had
   std::vector<std::uint32_t> frame_owner_;  // the block that writes them to the whole
 };

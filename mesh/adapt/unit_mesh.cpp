@@ -169,12 +169,14 @@ void unit_mesh_remesher::make_states() {
 void unit_mesh_remesher::release() {
   std::vector<face_state>().swap(face_states_);
   std::vector<node_state>().swap(node_states_);
+  std::vector<std::array<std::uint32_t, 3>>().swap(flips_in_vain_);
   std::vector<vertex_index>().swap(due_);
   std::vector<measured_edge>().swap(merges_in_vain_);
 }
 
 void unit_mesh_remesher::forget_shapes() {
   face_states_.clear();
+  flips_in_vain_.clear();
   for (const vertex_index t : due_) state_of(t).is_due = true;
   merges_in_vain_.clear();
 }

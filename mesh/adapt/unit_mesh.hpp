@@ -138,7 +138,7 @@ class unit_mesh_remesher {
   void begin_block(const unit_mesh_remesher& whole, const mesh_blocks::block& part);
   block_state end_block(const unit_mesh_remesher& whole, const mesh_blocks::block& part,
                         std::size_t done);
-  std::size_t take_up(const mesh_blocks& blocks, const std::vector<block_state>& states);
+  std::size_t join(mesh_blocks& blocks, const std::vector<block_state>& states);
   using block_work = std::function<std::size_t(unit_mesh_remesher& part, std::size_t block)>;
   // Function that returns the number of changes that it expects in each block of a cut.
   using block_preparation = std::function<std::vector<std::size_t>(const mesh_blocks&)>;
@@ -196,11 +196,8 @@ class unit_mesh_remesher {
   static constexpr std::uint32_t never = ~std::uint32_t{0};
   struct face_state {
     double shape = shape_not_known;
-    // Number of the face's last change, and for each edge the number that the face across had when
-    // a flip of the edge was tested in vain. Both faces of an edge have the test.
-    std::uint32_t change = 0;
-    std::array<std::uint32_t, 3> in_vain{never, never, never};
-    bool is_due = false;  // its edges are to be tested for flips
+    std::uint32_t change = 0;  // number of the face's last change
+    bool is_due = false;       // its edges are to be tested for flips
   };
   struct node_state {
     std::uint32_t change = 0;  // number of the last change of a face at the node
@@ -216,8 +213,18 @@ class unit_mesh_remesher {
   }
   // Makes states for all nodes and faces of the mesh.
   void make_states();
+  // True if flips in vain are remembered: in blocks, and in meshes that have none. In a large mesh,
+  // where most flips are tested in blocks, the list would take longer to make than it saves.
+  bool remembers_flips() const { return !mesh_blocks::are_worth_it(m_); }
+  // Returns the numbers of changes at which flips of a face's edges were tested in vain.
+  std::array<std::uint32_t, 3>& in_vain_at(vertex_index t);
+  bool is_flip_in_vain(vertex_index t, std::size_t edge, vertex_index s);
+  void note_flip_in_vain(vertex_index t, std::size_t edge, vertex_index s, std::size_t beyond);
   std::vector<face_state> face_states_;
   std::vector<node_state> node_states_;
+  // For each edge of a face the number of changes of the face across when a flip of the edge was
+  // tested in vain. Both faces of an edge have the test. May be shorter than the list of faces.
+  std::vector<std::array<std::uint32_t, 3>> flips_in_vain_;
   std::uint32_t changes_ = 0;      // of faces, so far
   std::vector<vertex_index> due_;  // faces that are, in order
   // Edges that merge_short() tested in vain, shortest first, the number of changes when that call

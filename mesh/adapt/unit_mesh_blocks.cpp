@@ -17,9 +17,9 @@ namespace asterism::internal::adapting {
 struct unit_mesh_remesher::block_state {
   std::size_t done = 0;
   std::vector<char> is_inside;
-  std::vector<node_state> nodes;
-  // Holds what the next cut needs of each face's state, and not all of it: the states of all blocks
-  // are kept until the blocks are joined.
+  // Holds what the next cut needs of the states of nodes and faces, and not all of it: the states
+  // of all blocks are kept until the blocks are joined.
+  std::vector<char> is_restless;
   std::vector<double> shapes;
   std::vector<char> is_due;
 };
@@ -55,9 +55,10 @@ unit_mesh_remesher::block_state unit_mesh_remesher::end_block(const unit_mesh_re
     if (part.is_frame[v] != 0)
       left.is_inside[v] =
           part.nodes[v] < whole.is_inside_.size() ? whole.is_inside_[part.nodes[v]] : 0;
-  left.nodes = std::move(node_states_);
-  left.nodes.resize(nodes);
-  face_states_.resize(faces);
+  make_states();
+  left.is_restless.reserve(nodes);
+  for (const node_state& state : node_states_)
+    left.is_restless.push_back(state.is_restless ? 1 : 0);
   left.shapes.reserve(faces);
   left.is_due.reserve(faces);
   for (const face_state& state : face_states_) {
@@ -67,38 +68,39 @@ unit_mesh_remesher::block_state unit_mesh_remesher::end_block(const unit_mesh_re
   return left;
 }
 
-// Queues again the changes that the blocks have left undone, and flips of the edges of the frame.
-// Returns the sum of the blocks' counts.
-std::size_t unit_mesh_remesher::take_up(const mesh_blocks& blocks,
-                                        const std::vector<block_state>& states) {
-  std::size_t done = 0;
-  node_states_.assign(m_.nodes().size(), {});
-  is_inside_.assign(m_.nodes().size(), 0);
-  // Every state is written below, as each face is in one block.
-  resize_to_overwrite(face_states_, m_.faces().size(), 2 * options_.count);
+// Joins the blocks. Queues again the changes that they have left undone, and flips of the edges of
+// the frame. Returns the sum of the blocks' counts.
+std::size_t unit_mesh_remesher::join(mesh_blocks& blocks, const std::vector<block_state>& states) {
   merges_in_vain_.clear();
-  // Queues nodes of the frame, which several blocks share, one block after the other.
-  const auto take_node = [&](std::size_t b, vertex_index v) {
-    const vertex_index now = blocks.node_now(b, v);
-    if (now == none) return;
-    node_states_[now].is_restless |= states[b].nodes[v].is_restless;
+  flips_in_vain_.clear();
+  const auto make_room = [this](const mesh_blocks::size& whole) {
+    node_states_.assign(whole.nodes, {});
+    is_inside_.assign(whole.nodes, 0);
+    // Every state is written below, as each face is in one block.
+    resize_to_overwrite(face_states_, whole.faces, 2 * options_.count);
+  };
+  const auto take_node = [&](std::size_t b, vertex_index v, vertex_index now) {
+    node_states_[now].is_restless |= states[b].is_restless[v] != 0;
     is_inside_[now] = static_cast<char>(is_inside_[now] | states[b].is_inside[v]);
   };
-  parallel_for(states.size(), [&](std::size_t b) {
+  const auto take = [&](std::size_t b, const mesh_blocks::numbers& now) {
     const block_state& left = states[b];
-    for (vertex_index v = 0; v < left.is_inside.size(); ++v)
-      if (!blocks.is_at_frame(b, v)) take_node(b, v);
-    for (vertex_index t = 0; t < left.shapes.size(); ++t) {
-      const vertex_index now = blocks.face_now(b, t);
-      if (now == none) continue;
-      face_states_[now] = {};
-      face_states_[now].is_due = left.is_due[t] != 0;
-      face_states_[now].shape = left.shapes[t];
+    for (vertex_index v = 0; v < now.nodes.size(); ++v)
+      if (now.nodes[v] != none && !blocks.is_at_frame(b, v)) take_node(b, v, now.nodes[v]);
+    for (vertex_index t = 0; t < now.faces.size(); ++t) {
+      if (now.faces[t] == none) continue;
+      face_state& state = face_states_[now.faces[t]] = {};
+      state.is_due = left.is_due[t] != 0;
+      state.shape = left.shapes[t];
     }
-  });
+  };
+  blocks.join(options_.count, {make_room, take});
+  // Takes the nodes of the frame, which several blocks share, one block after the other.
+  std::size_t done = 0;
   for (std::size_t b = 0; b < states.size(); ++b) {
     done += states[b].done;
-    for (const vertex_index v : blocks.nodes_at_frame(b)) take_node(b, v);
+    for (const vertex_index v : blocks.nodes_at_frame(b))
+      take_node(b, v, blocks.frame_node_now(b, v));
   }
   for (const vertex_index t : blocks.faces_at_frame()) face_states_[t].is_due = true;
   constexpr std::size_t faces_at_once = 16384;  // for a thread
@@ -139,8 +141,7 @@ std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
     states[b] = mesher.end_block(*this, taken, done);
     blocks.put_back(b, std::move(taken));
   });
-  blocks.join(options_.count);
-  return take_up(blocks, states);
+  return join(blocks, states);
 }
 
 // Splits the edges longer than this until none is left, or none can be split; returns whether any

@@ -178,15 +178,34 @@ void unit_mesh_remesher::note_change(vertex_index t) {
   state = {};
   state.change = changes_;
   state.is_due = true;
+  if (t < flips_in_vain_.size()) flips_in_vain_[t] = {never, never, never};
   if (!was_due) due_.push_back(t);
+}
+
+std::array<std::uint32_t, 3>& unit_mesh_remesher::in_vain_at(vertex_index t) {
+  if (flips_in_vain_.size() <= t) flips_in_vain_.resize(m_.faces().size(), {never, never, never});
+  return flips_in_vain_[t];
+}
+
+// True if a flip of this edge of t was tested in vain, and neither t nor the face across, s, has
+// changed since.
+bool unit_mesh_remesher::is_flip_in_vain(vertex_index t, std::size_t edge, vertex_index s) {
+  return remembers_flips() && in_vain_at(t)[edge] == state_of(s).change;
+}
+
+// Notes a test in vain of this edge of t, which is the edge `beyond` of s.
+void unit_mesh_remesher::note_flip_in_vain(vertex_index t, std::size_t edge, vertex_index s,
+                                           std::size_t beyond) {
+  if (!remembers_flips()) return;
+  in_vain_at(t)[edge] = state_of(s).change;
+  in_vain_at(s)[beyond] = state_of(t).change;
 }
 
 bool unit_mesh_remesher::flip_if_better(vertex_index t, std::size_t edge) {
   const face& f = m_.faces()[t];
   const vertex_index s = f.next[edge];
   if (s == none || f.segment[edge] != none) return false;
-  face_state &of_t = state_of(t), &of_s = state_of(s);
-  if (of_t.in_vain[edge] == of_s.change) return false;
+  if (is_flip_in_vain(t, edge, s)) return false;
   const double now = shape_of(t) + shape_of(s);
   // Least energy of two triangles at which a flip is tried. Two equilateral triangles have the
   // least possible energy, 2, so a flip can gain little below this.
@@ -194,8 +213,7 @@ bool unit_mesh_remesher::flip_if_better(vertex_index t, std::size_t edge) {
   if (now < good) return false;
   const face& g = m_.faces()[s];
   const std::size_t j = after(g.corner_of(f.v[after(edge)]));
-  of_t.in_vain[edge] = of_s.change;
-  of_s.in_vain[j] = of_t.change;
+  note_flip_in_vain(t, edge, s, j);
   const node &c = m_.at(f.v[edge]), &a = m_.at(f.v[after(edge)]), &b = m_.at(f.v[before(edge)]);
   const node& d = m_.at(g.v[j]);
   // Least part of the energy that a flip must gain. Far above rounding errors of an energy, unless
