@@ -226,7 +226,6 @@ class local_adaptation {
     auto built = editable_mesh::build(domain_, start);
     if (!built) return false;
     editable_mesh m = std::move(built).value();
-    const background_metric background = goal_.graded(how.background, options_.stop);
     unit_mesh_options making;
     making.count = goal_.count();
     // Limits the number of nodes that splitting may reach: if edges are still too long with that
@@ -236,7 +235,7 @@ class local_adaptation {
                                  times_as_many * goal_.count() + at_least + start_.sites.size());
     making.stop = options_.stop;
     unit_mesh_remesher maker(m, making);
-    maker.run(field_by(background, m), seeds_);
+    make_first(m, maker, how.background);
     // Merges the shortest edges, measured in the metric of the nodes, where splits have added too
     // many nodes: a metric that turns fast needs more splits. Skipped where many nodes are given,
     // as ends of chords are: given nodes may be nearer to each other than the metric wants, and
@@ -256,6 +255,13 @@ class local_adaptation {
     if (is_overworked()) return false;
     deliver(m, maker);
     return made_.report() != nullptr;
+  }
+
+  // Makes the first mesh, in the metric graded on the background. That is not kept: the mesher gets
+  // another metric before it changes the mesh again.
+  void make_first(const editable_mesh& m, unit_mesh_remesher& maker, double distortion) const {
+    const background_metric background = goal_.graded(distortion, options_.stop);
+    maker.run(field_by(background, m), seeds_);
   }
 
   // True if at least a quarter of the nodes are vertices of the domain, which stay where they are.
