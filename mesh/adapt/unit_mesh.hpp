@@ -164,8 +164,14 @@ class unit_mesh_remesher {
   std::size_t merge_where_better();
 
   // Functions defined in unit_mesh_changes.cpp.
+  // Faces that have changed since a change with this number, ascending; those that are gone may be
+  // among them.
+  struct changed_faces {
+    std::uint32_t after = 0;
+    std::vector<vertex_index> faces;
+  };
   std::size_t split_long(double longest, std::size_t most = no_limit,
-                         std::uint32_t changed_after = 0);
+                         const changed_faces* looked_at = nullptr);
   std::size_t merge_short(double shortest, std::size_t most = no_limit);
   bool is_known_in_vain(const measured_edge& e, std::vector<measured_edge>::const_iterator& next);
   bool merge_if_good(vertex_index v, vertex_index w, double longest);
@@ -227,6 +233,9 @@ class unit_mesh_remesher {
   std::vector<std::array<std::uint32_t, 3>> flips_in_vain_;
   std::uint32_t changes_ = 0;      // of faces, so far
   std::vector<vertex_index> due_;  // faces that are, in order
+  // Faces changed since the list was made, in the order of the changes; none where it is not
+  // wanted.
+  std::optional<std::vector<vertex_index>> changed_;
   // Edges that merge_short() tested in vain, shortest first, the number of changes when that call
   // began, and its unit.
   std::vector<measured_edge> merges_in_vain_;

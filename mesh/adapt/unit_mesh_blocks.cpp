@@ -11,6 +11,7 @@
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/resize_to_overwrite.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -157,16 +158,21 @@ bool unit_mesh_remesher::split_all_long(double longest) {
   };
   // Looks again only at edges of faces that changed since the last time: the others were tested in
   // vain.
-  std::uint32_t looked_at = 0;
+  std::optional<changed_faces> last;
   for (int i = 0; i < most_splits && !is_stopped(); ++i) {
     if (!is_little && mesh_blocks::are_worth_it(m_)) {
       const std::size_t done = in_blocks(split);
+      last.reset();  // faces have other numbers now
       is_any = is_any || done > 0;
       is_little = few * done < m_.count();
       continue;
     }
-    const std::uint32_t now = changes_;
-    if (split_long(longest, no_limit, std::exchange(looked_at, now)) == 0) break;
+    const std::uint32_t before = changes_;
+    changed_.emplace();
+    const std::size_t done = split_long(longest, no_limit, last ? &*last : nullptr);
+    last = {before, *std::exchange(changed_, std::nullopt)};
+    sort_unique(last->faces);
+    if (done == 0) break;
     is_any = true;
   }
   is_inside_.clear();

@@ -25,14 +25,31 @@ bool longer(const measured_edge& p, const measured_edge& q) {
 
 enum class than { longer, shorter };
 
-bool every_face(vertex_index) { return true; }
+// All faces of a mesh, as a list.
+struct all_faces {
+  std::size_t count;
 
-// Returns the edges that are longer, or shorter, than this, longest first: of the faces that are to
-// be looked at.
-template <than Sought, class Faces = decltype(every_face)>
-std::vector<measured_edge> edges_where(const editable_mesh& m, double limit,
-                                       const Faces& is_looked_at = every_face) {
-  m.note_looked_at(m.faces().size());
+  std::size_t size() const { return count; }
+  vertex_index operator[](std::size_t i) const { return static_cast<vertex_index>(i); }
+  bool has(vertex_index) const { return true; }
+};
+
+// Some of its faces.
+template <class Has>
+struct listed_faces {
+  const std::vector<vertex_index>& faces;
+  Has has;
+
+  std::size_t size() const { return faces.size(); }
+  vertex_index operator[](std::size_t i) const { return faces[i]; }
+};
+template <class Has>
+listed_faces(const std::vector<vertex_index>&, Has) -> listed_faces<Has>;
+
+// Returns the edges of these faces that are longer, or shorter, than this, longest first.
+template <than Sought, class Faces>
+std::vector<measured_edge> edges_where(const editable_mesh& m, double limit, const Faces& faces) {
+  m.note_looked_at(faces.size());
   // The length of an edge is between the lengths in the metrics of its ends. So the squares of
   // these alone exclude most edges. Roundings of the squares and of the length are some 1e-16.
   constexpr double roundings = 1e-12;
@@ -44,23 +61,24 @@ std::vector<measured_edge> edges_where(const editable_mesh& m, double limit,
       return std::min(at_a, at_b) < square * (1 + roundings);
   };
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<measured_edge>& found) {
-    for (std::size_t t = begin; t < end; ++t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const vertex_index t = faces[k];
       const face& f = m.faces()[t];
-      if (!f.exists() || !is_looked_at(static_cast<vertex_index>(t))) continue;
+      if (!f.exists()) continue;
       for (std::size_t i = 0; i < 3; ++i) {
         const vertex_index a = f.v[after(i)], b = f.v[before(i)];
-        if (a > b && f.next[i] != none && is_looked_at(f.next[i])) continue;
+        if (a > b && f.next[i] != none && faces.has(f.next[i])) continue;
         const node &p = m.at(a), &q = m.at(b);
         const double x = q.position.x - p.position.x, y = q.position.y - p.position.y;
         if (!may_be_sought(squared(p.metric, x, y), squared(q.metric, x, y))) continue;
         const double length = length_between(p, q);
         if (Sought == than::longer ? length > limit : length < limit)
-          found.push_back({length, std::min(a, b), std::max(a, b), static_cast<vertex_index>(t)});
+          found.push_back({length, std::min(a, b), std::max(a, b), t});
       }
     }
   };
   constexpr std::size_t chunk = 4096;
-  std::vector<measured_edge> found = collect_chunks<measured_edge>(m.faces().size(), chunk, append);
+  std::vector<measured_edge> found = collect_chunks<measured_edge>(faces.size(), chunk, append);
   parallel_sort(found.begin(), found.end(), longer);
   return found;
 }
@@ -135,7 +153,8 @@ std::vector<vertex_index> unit_mesh_remesher::split_longer(metric_at wanted,
   const std::uint32_t before = changes_;
   field_ = std::move(wanted);
   forget_shapes();
-  std::vector<measured_edge> found = edges_where<than::longer>(m_, limits.own);
+  std::vector<measured_edge> found =
+      edges_where<than::longer>(m_, limits.own, all_faces{m_.faces().size()});
   if (mesh_blocks::are_worth_it(m_)) found = longer_in_field(m_, field_, found, limits.wanted);
   for (const measured_edge& e : found) {
     if (m_.count() >= most_nodes) break;
@@ -180,6 +199,7 @@ void unit_mesh_remesher::note_change(vertex_index t) {
   state.is_due = true;
   if (t < flips_in_vain_.size()) flips_in_vain_[t] = {never, never, never};
   if (!was_due) due_.push_back(t);
+  if (changed_) changed_->push_back(t);
 }
 
 std::array<std::uint32_t, 3>& unit_mesh_remesher::in_vain_at(vertex_index t) {
@@ -254,17 +274,21 @@ void unit_mesh_remesher::settle_around(vertex_index v) {
   }
 }
 
-// Splits edges longer than this, of faces whose last change has a number above `changed_after`; 0
-// stands for all faces.
+// Splits edges longer than this, of the faces that are looked at; null stands for all faces.
 std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most,
-                                           std::uint32_t changed_after) {
+                                           const changed_faces* looked_at) {
   std::size_t done = 0;
   const double shortest = 0.55 * unit_;
-  if (face_states_.size() < m_.faces().size()) face_states_.resize(m_.faces().size());
-  const auto is_looked_at = [&](vertex_index t) {
-    return changed_after == 0 || face_states_[t].change > changed_after;
+  const auto found = [&] {
+    if (looked_at == nullptr)
+      return edges_where<than::longer>(m_, longest, all_faces{m_.faces().size()});
+    make_states();
+    const listed_faces some{looked_at->faces, [&](vertex_index t) {
+                              return face_states_[t].change > looked_at->after;
+                            }};
+    return edges_where<than::longer>(m_, longest, some);
   };
-  for (const measured_edge& e : edges_where<than::longer>(m_, longest, is_looked_at)) {
+  for (const measured_edge& e : found()) {
     if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
@@ -343,7 +367,9 @@ bool unit_mesh_remesher::is_known_in_vain(const measured_edge& e,
 std::size_t unit_mesh_remesher::merge_short(double shortest, std::size_t most) {
   std::size_t done = 0;
   if (shortest <= 0) return done;  // no edge is: looks at none
-  std::vector<measured_edge> found = edges_where<than::shorter>(m_, shortest), in_vain;
+  std::vector<measured_edge> found = edges_where<than::shorter>(m_, shortest,
+                                                                all_faces{m_.faces().size()}),
+                             in_vain;
   std::reverse(found.begin(), found.end());
   if (merges_tested_by_ != unit_) merges_in_vain_.clear();
   const std::uint32_t begun_at = changes_;
