@@ -366,6 +366,7 @@ bool consistency_repair::merge_away(vertex_index t) {
   vertex_index from = none, into = none;
   face_list at, ring;
   for (const vertex_index v : m_.faces()[t].v) {
+    if (!may_move(v)) continue;
     m_.around(v, at);
     const double now = defect_at(at, infinity);
     m_.neighbours(v, ring);
@@ -448,10 +449,16 @@ double consistency_repair::longest_around(vertex_index v) const {
   return longest;
 }
 
+// True if the node may be moved, or merged into another one.
+bool consistency_repair::may_move(vertex_index v) const {
+  const node_kind kind = m_.at(v).kind;
+  return kind == node_kind::free || (kind == node_kind::sliding && !holds_boundary_);
+}
+
 // Moves v to the place with the least defect, of several tried around it.
 void consistency_repair::move_away(vertex_index v) {
+  if (!may_move(v)) return;
   const node here = m_.at(v);
-  if (here.kind != node_kind::free && here.kind != node_kind::sliding) return;
   face_list at;
   m_.around(v, at);
   double least = defect_at(at, infinity);

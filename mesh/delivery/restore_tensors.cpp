@@ -19,8 +19,9 @@ namespace {
 // Largest number of audits of a mesh in which only tensors change: those after the first cost
 // little.
 constexpr int most_audits = 40;
-// Largest number of repairs of the mesh while the tensors of one mesh are restored.
-constexpr int most_mended = 8;
+// Largest number of repairs of the mesh while the tensors of one mesh are restored. The first of
+// them leave the boundary as it is: a change of it would need a whole audit.
+constexpr int most_mended = 8, most_with_boundary_held = 4;
 
 // True if the reach of the gap at corner i of the face is unknown: an audit would test the star
 // against all sites. As in an audit, a bound that takes few operations is tried first; it suffices
@@ -148,7 +149,9 @@ class giver {
     least_found_ = found.size();
     agreeing_.restart(others_pass_);
     for (const node_list& nodes : found) agreeing_.disagreed_at(nodes);
+    agreeing_.hold_boundary(times_mended_ <= most_with_boundary_held);
     agreeing_.run();
+    agreeing_.hold_boundary(false);
     const mesh_changes changes = audited_.changes(m_);
     if (changes.nodes.empty()) return false;
     giving_.keep(changes.nodes);
