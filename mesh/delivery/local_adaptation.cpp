@@ -449,6 +449,7 @@ class local_adaptation {
       tensors[v] = *there;
     });
     if (!is_known) return false;
+    std::vector<std::optional<site>>().swap(looked_up_);  // audits need the room
     return internal::give_back(m, std::move(tensors), options_, agreeing, all_pass, made_);
   }
 
