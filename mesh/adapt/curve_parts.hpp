@@ -22,6 +22,8 @@ class curve_parts {
   std::size_t count() const { return bounds_.size() + 1; }
   // Returns the part of a face; count() for one that does not exist.
   std::uint32_t of(vertex_index t) const { return part_[t]; }
+  // Frees the parts of faces, 4 bytes each; of() must not be called any more.
+  void forget_faces() { std::vector<std::uint32_t>().swap(part_); }
   // Returns the part that contains the point's place on the curve. Near the edges between parts the
   // face at the point may be in another part.
   std::uint32_t near(const point& q) const;

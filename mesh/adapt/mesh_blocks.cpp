@@ -70,6 +70,7 @@ mesh_blocks::mesh_blocks(editable_mesh& whole, unsigned cut)
              given_.faces.size() / faces_in_block) {
   list_blocks();
   mark_frame();
+  parts_.forget_faces();
   blocks_.resize(count());
   has_.resize(count());
 }
@@ -96,11 +97,16 @@ void mesh_blocks::mark_frame() {
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<frame_edge>& found) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto t = static_cast<vertex_index>(i);
-      for (std::uint32_t e = 0; e < 3 && faces[t].exists(); ++e) {
-        const vertex_index s = faces[t].next[e];
-        // Compares parts first, which are nearly always the same: a processor would predict every
-        // second comparison of numbers wrong.
-        if (s == none || parts_.of(s) == parts_.of(t) || s < t) continue;
+      // Compares the parts of all three neighbours at once, which are nearly always the same. A
+      // face that is gone has no neighbours.
+      const auto& next = faces[t].next;
+      const auto is_elsewhere = [&](vertex_index s) {
+        return static_cast<int>(parts_.of(s == none ? t : s) != parts_.of(t));
+      };
+      if ((is_elsewhere(next[0]) | is_elsewhere(next[1]) | is_elsewhere(next[2])) == 0) continue;
+      for (std::uint32_t e = 0; e < 3; ++e) {
+        const vertex_index s = next[e];
+        if (s == none || s < t || parts_.of(s) == parts_.of(t)) continue;
         const std::size_t beyond = after(faces[s].corner_of(faces[t].v[after(e)]));
         found.push_back({{t, e, parts_.of(t)},
                          {s, static_cast<std::uint32_t>(beyond), parts_.of(s)},
@@ -134,7 +140,7 @@ void mesh_blocks::prefetch_nodes(vertex_index t) const {
 }
 
 // Returns the number of corners of a block's faces whose nodes other blocks may have, too.
-std::size_t mesh_blocks::shared_corners(const std::vector<vertex_index>& faces) const {
+std::size_t mesh_blocks::shared_corners(std::span<const vertex_index> faces) const {
   std::size_t corners = 0;
   for (const vertex_index t : faces)
     for (const vertex_index v : given_.faces[t].v) corners += is_shared_[v] != 0 ? 1 : 0;
@@ -143,8 +149,7 @@ std::size_t mesh_blocks::shared_corners(const std::vector<vertex_index>& faces) 
 
 mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
   block made{whole_.like({}), {}, {}, {}, {}, {}};
-  made.faces.assign(listed_.begin() + static_cast<std::ptrdiff_t>(first_[b]),
-                    listed_.begin() + static_cast<std::ptrdiff_t>(first_[b + 1]));
+  made.faces = std::span(listed_).subspan(first_[b], first_[b + 1] - first_[b]);
   editable_mesh::parts parts;
   parts.faces.reserve(made.faces.size());
   parts.nodes.reserve(made.faces.size());

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "asterism/mesh/adapt/curve_parts.hpp"
@@ -28,9 +29,10 @@ class mesh_blocks {
   // later follow these.
   struct block {
     editable_mesh part;
-    std::vector<vertex_index> nodes, faces;
-    std::vector<char> is_frame;       // of these nodes
-    std::vector<vertex_index> frame;  // the nodes that are
+    std::vector<vertex_index> nodes;
+    std::span<const vertex_index> faces;  // in the memory of the object that made the block
+    std::vector<char> is_frame;           // of these nodes
+    std::vector<vertex_index> frame;      // the nodes that are
     // Kinds that these have in the whole; in the block they are given, so that nothing moves them.
     std::vector<node_kind> frame_kinds;
 
@@ -98,7 +100,7 @@ class mesh_blocks {
   void list_blocks();
   void mark_frame();
   void prefetch_nodes(vertex_index t) const;
-  std::size_t shared_corners(const std::vector<vertex_index>& faces) const;
+  std::size_t shared_corners(std::span<const vertex_index> faces) const;
   size count_in(const block& now) const;
   size number();
   numbers number_block(std::size_t b) const;

@@ -223,7 +223,10 @@ class unit_mesh_remesher {
   // where most flips are tested in blocks, the list would take longer to make than it saves.
   bool remembers_flips() const { return !mesh_blocks::are_worth_it(m_); }
   // Returns the numbers of changes at which flips of a face's edges were tested in vain.
-  std::array<std::uint32_t, 3>& in_vain_at(vertex_index t);
+  std::array<std::uint32_t, 3>& in_vain_at(vertex_index t) {
+    if (flips_in_vain_.size() <= t) flips_in_vain_.resize(m_.faces().size(), {never, never, never});
+    return flips_in_vain_[t];
+  }
   bool is_flip_in_vain(vertex_index t, std::size_t edge, vertex_index s);
   void note_flip_in_vain(vertex_index t, std::size_t edge, vertex_index s, std::size_t beyond);
   std::vector<face_state> face_states_;

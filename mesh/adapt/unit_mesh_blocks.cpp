@@ -121,6 +121,7 @@ std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
                                           const block_preparation& prepare) {
   const std::size_t count = m_.count();
   mesh_blocks blocks(m_, cuts_++);
+  std::vector<vertex_index>().swap(due_);  // flags say the same; joining lists them anew
   std::vector<std::size_t> order(blocks.count());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (prepare) {

@@ -202,11 +202,6 @@ void unit_mesh_remesher::note_change(vertex_index t) {
   if (changed_) changed_->push_back(t);
 }
 
-std::array<std::uint32_t, 3>& unit_mesh_remesher::in_vain_at(vertex_index t) {
-  if (flips_in_vain_.size() <= t) flips_in_vain_.resize(m_.faces().size(), {never, never, never});
-  return flips_in_vain_[t];
-}
-
 // True if a flip of this edge of t was tested in vain, and neither t nor the face across, s, has
 // changed since.
 bool unit_mesh_remesher::is_flip_in_vain(vertex_index t, std::size_t edge, vertex_index s) {
