@@ -107,3 +107,32 @@ TEST_CASE("where others pass, edges are tested at the nodes that disagreed alone
     CHECK((is_near || is_in_grid));
   }
 }
+
+TEST_CASE("a repair that holds the boundary moves and merges no node on it") {
+  const domain d = square_of_cells();
+  const metric_tensor metric{1, 0, 1};
+  repair_options options;
+  options.angle_bound = 25;
+  options.wanted = [&metric](const point&) { return metric; };
+  for (const bool holds : {false, true}) {
+    auto built = editable_mesh::build(d, grid(metric));
+    REQUIRE(built.ok());
+    editable_mesh m = std::move(built).value();
+    // Brings the nodes of the first row near the side below: the triangles between have low angles.
+    for (vertex_index v = 0; v < m.nodes().size(); ++v)
+      if (m.at(v).kind == node_kind::free && m.at(v).position.y == 1)
+        m.move(v, {m.at(v).position.x + 0.3, 0.2});
+    const std::vector<node> before = m.nodes();
+    consistency_repair agreeing(m, options);
+    agreeing.hold_boundary(holds);
+    agreeing.run();
+    std::size_t changed = 0;
+    for (vertex_index v = 0; v < before.size(); ++v)
+      if (before[v].kind == node_kind::sliding &&
+          (m.at(v).kind != node_kind::sliding || !(m.at(v).position == before[v].position)))
+        ++changed;
+    INFO(agreeing.report().moves << " moves, " << agreeing.report().merges << " merges");
+    CHECK(agreeing.report().moves > 0);
+    CHECK((changed == 0) == holds);
+  }
+}

@@ -8,6 +8,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -99,6 +100,51 @@ TEST_CASE("a mesh cut into blocks and put together is the same one") {
     CHECK(is_linked(m));
     CHECK(placed_faces(m) == before);
     CHECK(triangulation_of(m).boundary.size() == pieces);
+  }
+}
+
+TEST_CASE("a join tells the numbers of each block's nodes and faces in the whole") {
+  const domain d = halved_square();
+  editable_mesh m = fitted(d, 6000);
+  mesh_blocks blocks(m, 5);
+  std::vector<std::vector<point>> places(blocks.count());  // of each block's nodes
+  std::size_t faces = 0;
+  for (std::size_t b = 0; b < blocks.count(); ++b) {
+    mesh_blocks::block taken = blocks.take_out(b);
+    for (const node& n : taken.part.nodes()) places[b].push_back(n.position);
+    faces += taken.part.faces().size();
+    blocks.put_back(b, std::move(taken));
+  }
+  std::optional<mesh_blocks::size> whole;
+  std::vector<mesh_blocks::numbers> all(blocks.count());
+  const auto make_room = [&](const mesh_blocks::size& size) { whole = size; };
+  blocks.join(0,
+              {make_room, [&](std::size_t b, const mesh_blocks::numbers& now) { all[b] = now; }});
+  REQUIRE(whole);
+  CHECK(whole->nodes == m.nodes().size());
+  CHECK(whole->faces == m.faces().size());
+  CHECK(whole->faces == faces);
+  std::vector<int> times(whole->faces, 0);
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    REQUIRE(all[b].nodes.size() == places[b].size());
+    for (std::size_t v = 0; v < places[b].size(); ++v)
+      CHECK(m.at(all[b].nodes[v]).position == places[b][v]);
+    for (const vertex_index t : all[b].faces) ++times[t];
+    for (const vertex_index v : blocks.nodes_at_frame(b))
+      CHECK(blocks.frame_node_now(b, v) == all[b].nodes[v]);
+  }
+  CHECK(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
+}
+
+TEST_CASE("a face that is gone is in no part of the curve") {
+  const domain d = square();
+  const editable_mesh m = coarse_mesh(d);
+  std::vector<face> faces = m.faces();
+  faces.insert(faces.begin(), face{});
+  for (const std::size_t parts : {std::size_t{1}, std::size_t{2}}) {
+    const curve_parts divided(m.nodes(), faces, d.box(), parts);
+    CHECK(divided.of(0) == divided.count());
+    for (vertex_index t = 1; t < faces.size(); ++t) CHECK(divided.of(t) < divided.count());
   }
 }
 
