@@ -248,7 +248,7 @@ mesh_blocks::numbers mesh_blocks::number_block(std::size_t b) const {
 void mesh_blocks::write_block(std::size_t b, const numbers& now_in_whole,
                               editable_mesh::parts& made) {
   const block& now = *blocks_[b];
-  const auto& [node_now, face_now] = now_in_whole;
+  const std::vector<vertex_index>&node_now = now_in_whole.nodes, &face_now = now_in_whole.faces;
   const auto write_node = [&](vertex_index v) -> node& {
     node& written = made.nodes[node_now[v]];
     written = now.part.at(v);
