@@ -164,41 +164,53 @@ void consistency_repair::visit(const std::vector<char>& flags, std::size_t begin
 }
 
 // Marks the edges that agree, which are nearly all edges and take most of a round's time, and puts
-// the faces with other ones in question. Works in several threads, as no node or face changes
-// meanwhile.
+// the faces with other ones in question. Takes one stretch of faces after the other, so that their
+// Voronoi vertices stay in the cache.
 void consistency_repair::find_clear_edges() {
-  clear_edges_.assign(m_.faces().size(), 0);
-  parallel_chunks(m_.faces().size(), faces_checked_at_once,
-                  [&](std::size_t, std::size_t begin, std::size_t end) {
-                    if (next_set(is_due_, begin, end) < end) find_clear_edges(begin, end);
-                  });
+  constexpr std::size_t stretch = 65536;  // faces
+  const std::size_t faces = m_.faces().size();
+  clear_edges_.assign(faces, 0);
+  centres_.resize(std::min(stretch, faces));
+  for (std::size_t begin = 0; begin < faces; begin += stretch) {
+    const std::size_t end = std::min(faces, begin + stretch);
+    if (next_set(is_due_, begin, end) < end) find_clear_edges(begin, end);
+  }
 }
 
-// Does so for the faces from `begin` to before `end`. Computes their Voronoi vertices once; those
-// of faces across that are elsewhere, which are few, at each edge.
+// Does so for the faces from `begin` to before `end`, in several threads, as no node or face
+// changes meanwhile. Computes their Voronoi vertices once; those of faces across that are
+// elsewhere, which are few, at each edge.
 void consistency_repair::find_clear_edges(std::size_t begin, std::size_t end) {
-  std::vector<face_centre> centres(end - begin);
-  visit(is_due_, begin, end, [&](vertex_index t) { centres[t - begin] = tests_.centre_of(t); });
+  const auto each = [&](const auto& act) {
+    parallel_chunks(
+        end - begin, faces_checked_at_once,
+        [&](std::size_t, std::size_t from, std::size_t to) { act(begin + from, begin + to); });
+  };
+  each([&](std::size_t from, std::size_t to) {
+    visit(is_due_, from, to, [&](vertex_index t) { centres_[t - begin] = tests_.centre_of(t); });
+  });
   const auto centre_of = [&](vertex_index t) {
-    return t >= begin && t < end ? centres[t - begin] : tests_.centre_of(t);
+    return t >= begin && t < end ? centres_[t - begin] : tests_.centre_of(t);
   };
   const auto agrees = [&](vertex_index t, std::size_t i) {
     const edge_quad q = tests_.quad_at(t, i);
-    return clearance(centres[t - begin], m_.at(q.d)) > least_clearance &&
+    return clearance(centres_[t - begin], m_.at(q.d)) > least_clearance &&
            clearance(centre_of(m_.faces()[t].next[i]), m_.at(q.c)) > least_clearance;
   };
-  std::size_t tested = 0;
-  visit(is_due_, begin, end, [&](vertex_index t) {
-    for (unsigned i = 0; i < 3; ++i) {
-      if (!is_to_test(t, i)) continue;
-      ++tested;
-      if (agrees(t, i))
-        clear_edges_[t] |= static_cast<unsigned char>(1U << i);
-      else
-        in_question_[t] = 1;
-    }
+  each([&](std::size_t from, std::size_t to) {
+    std::size_t tested = 0;
+    visit(is_due_, from, to, [&](vertex_index t) {
+      for (unsigned i = 0; i < 3; ++i) {
+        if (!is_to_test(t, i)) continue;
+        ++tested;
+        if (agrees(t, i))
+          clear_edges_[t] |= static_cast<unsigned char>(1U << i);
+        else
+          in_question_[t] = 1;
+      }
+    });
+    m_.note_looked_at(work_weights::faces_for_edge_test * tested);
   });
-  m_.note_looked_at(work_weights::faces_for_edge_test * tested);
 }
 
 // Puts the faces with an angle below the bound in question, with several threads.

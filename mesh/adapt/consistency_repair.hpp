@@ -112,6 +112,8 @@ class consistency_repair {
   // Flags of those of them that have an edge or an angle in question: one that failed its test when
   // the round began, or whose nodes have been touched since.
   std::vector<char> in_question_;
+  // Voronoi vertices of the due faces of a stretch, while its edges are tested.
+  std::vector<face_centre> centres_;
   // One bit for each edge of a face that agreed before the round changed it.
   std::vector<unsigned char> clear_edges_;
   repair_report report_;
