@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "asterism/mesh/adapt/editable_mesh.hpp"
+#include "asterism/mesh/support/free_memory.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -23,7 +24,7 @@ class curve_parts {
   // Returns the part of a face; count() for one that does not exist.
   std::uint32_t of(vertex_index t) const { return part_[t]; }
   // Frees the parts of faces, 4 bytes each; of() must not be called any more.
-  void forget_faces() { std::vector<std::uint32_t>().swap(part_); }
+  void forget_faces() { free_memory(part_); }
   // Returns the part that contains the point's place on the curve. Near the edges between parts the
   // face at the point may be in another part.
   std::uint32_t near(const point& q) const;

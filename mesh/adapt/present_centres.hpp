@@ -10,6 +10,7 @@
 
 #include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/adapt/local_tests.hpp"
+#include "asterism/mesh/support/free_memory.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
@@ -53,10 +54,7 @@ class present_centres {
     is_known_.assign(m_.faces().size(), 0);
   }
   // Frees the lists, 25 bytes a face; forget_all() makes them anew.
-  void release() {
-    std::vector<face_centre>().swap(centres_);
-    std::vector<char>().swap(is_known_);
-  }
+  void release() { free_memory(centres_, is_known_); }
 
  private:
   const editable_mesh& m_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
+#include "asterism/mesh/support/free_memory.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
@@ -165,13 +166,8 @@ void unit_mesh_remesher::make_states() {
   node_states_.resize(m_.nodes().size());
 }
 
-// Swaps with empty lists: an assignment of {} would keep the memory of a vector.
 void unit_mesh_remesher::release() {
-  std::vector<face_state>().swap(face_states_);
-  std::vector<node_state>().swap(node_states_);
-  std::vector<std::array<std::uint32_t, 3>>().swap(flips_in_vain_);
-  std::vector<vertex_index>().swap(due_);
-  std::vector<measured_edge>().swap(merges_in_vain_);
+  free_memory(face_states_, node_states_, flips_in_vain_, due_, merges_in_vain_);
 }
 
 void unit_mesh_remesher::forget_shapes() {

@@ -9,6 +9,7 @@
 
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
 #include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/support/free_memory.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/resize_to_overwrite.hpp"
 #include "asterism/mesh/support/sort_unique.hpp"
@@ -121,7 +122,7 @@ std::size_t unit_mesh_remesher::in_blocks(const block_work& work,
                                           const block_preparation& prepare) {
   const std::size_t count = m_.count();
   mesh_blocks blocks(m_, cuts_++);
-  std::vector<vertex_index>().swap(due_);  // flags say the same; joining lists them anew
+  free_memory(due_);  // flags say the same; joining lists them anew
   std::vector<std::size_t> order(blocks.count());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (prepare) {

@@ -24,6 +24,7 @@
 #include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
+#include "asterism/mesh/support/free_memory.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -449,7 +450,7 @@ class local_adaptation {
       tensors[v] = *there;
     });
     if (!is_known) return false;
-    std::vector<std::optional<site>>().swap(looked_up_);  // audits need the room
+    free_memory(looked_up_);  // audits need the room
     return internal::give_back(m, std::move(tensors), options_, agreeing, all_pass, made_);
   }
 
