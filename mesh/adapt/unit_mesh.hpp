@@ -164,14 +164,9 @@ class unit_mesh_remesher {
   std::size_t merge_where_better();
 
   // Functions defined in unit_mesh_changes.cpp.
-  // Faces that have changed since a change with this number, ascending; those that are gone may be
-  // among them.
-  struct changed_faces {
-    std::uint32_t after = 0;
-    std::vector<vertex_index> faces;
-  };
+  using face_numbers = std::vector<vertex_index>;
   std::size_t split_long(double longest, std::size_t most = no_limit,
-                         const changed_faces* looked_at = nullptr);
+                         const face_numbers* looked_at = nullptr);
   std::size_t merge_short(double shortest, std::size_t most = no_limit);
   bool is_known_in_vain(const measured_edge& e, std::vector<measured_edge>::const_iterator& next);
   bool merge_if_good(vertex_index v, vertex_index w, double longest);
@@ -238,7 +233,7 @@ class unit_mesh_remesher {
   std::vector<vertex_index> due_;  // faces that are, in order
   // Faces changed since the list was made, in the order of the changes; none where it is not
   // wanted.
-  std::optional<std::vector<vertex_index>> changed_;
+  std::optional<face_numbers> changed_;
   // Edges that merge_short() tested in vain, shortest first, the number of changes when that call
   // began, and its unit.
   std::vector<measured_edge> merges_in_vain_;

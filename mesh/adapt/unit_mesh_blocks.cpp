@@ -78,7 +78,7 @@ std::size_t unit_mesh_remesher::join(mesh_blocks& blocks, const std::vector<bloc
   const auto make_room = [this](const mesh_blocks::size& whole) {
     node_states_.assign(whole.nodes, {});
     is_inside_.assign(whole.nodes, 0);
-    // Every state is written below, as each face is in one block.
+    // Every state is written when its block is taken, as each face is in one block.
     resize_to_overwrite(face_states_, whole.faces, 2 * options_.count);
   };
   const auto take_node = [&](std::size_t b, vertex_index v, vertex_index now) {
@@ -160,7 +160,7 @@ bool unit_mesh_remesher::split_all_long(double longest) {
   };
   // Looks again only at edges of faces that changed since the last time: the others were tested in
   // vain.
-  std::optional<changed_faces> last;
+  std::optional<face_numbers> last;
   for (int i = 0; i < most_splits && !is_stopped(); ++i) {
     if (!is_little && mesh_blocks::are_worth_it(m_)) {
       const std::size_t done = in_blocks(split);
@@ -169,11 +169,10 @@ bool unit_mesh_remesher::split_all_long(double longest) {
       is_little = few * done < m_.count();
       continue;
     }
-    const std::uint32_t before = changes_;
     changed_.emplace();
     const std::size_t done = split_long(longest, no_limit, last ? &*last : nullptr);
-    last = {before, *std::exchange(changed_, std::nullopt)};
-    sort_unique(last->faces);
+    last = std::exchange(changed_, std::nullopt);
+    sort_unique(*last);
     if (done == 0) break;
     is_any = true;
   }

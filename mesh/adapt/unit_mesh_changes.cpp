@@ -27,24 +27,23 @@ enum class than { longer, shorter };
 
 // All faces of a mesh, as a list.
 struct all_faces {
-  std::size_t count;
+  explicit all_faces(const editable_mesh& m) : count(m.faces().size()) {}
 
   std::size_t size() const { return count; }
   vertex_index operator[](std::size_t i) const { return static_cast<vertex_index>(i); }
   bool has(vertex_index) const { return true; }
+
+  std::size_t count;
 };
 
-// Some of its faces.
-template <class Has>
-struct listed_faces {
-  const std::vector<vertex_index>& faces;
-  Has has;
+// Some of its faces, listed in ascending order; those that are gone may be among them.
+struct some_faces {
+  std::size_t size() const { return listed.size(); }
+  vertex_index operator[](std::size_t i) const { return listed[i]; }
+  bool has(vertex_index t) const { return std::binary_search(listed.begin(), listed.end(), t); }
 
-  std::size_t size() const { return faces.size(); }
-  vertex_index operator[](std::size_t i) const { return faces[i]; }
+  const std::vector<vertex_index>& listed;
 };
-template <class Has>
-listed_faces(const std::vector<vertex_index>&, Has) -> listed_faces<Has>;
 
 // Returns the edges of these faces that are longer, or shorter, than this, longest first.
 template <than Sought, class Faces>
@@ -153,8 +152,7 @@ std::vector<vertex_index> unit_mesh_remesher::split_longer(metric_at wanted,
   const std::uint32_t before = changes_;
   field_ = std::move(wanted);
   forget_shapes();
-  std::vector<measured_edge> found =
-      edges_where<than::longer>(m_, limits.own, all_faces{m_.faces().size()});
+  std::vector<measured_edge> found = edges_where<than::longer>(m_, limits.own, all_faces(m_));
   if (mesh_blocks::are_worth_it(m_)) found = longer_in_field(m_, field_, found, limits.wanted);
   for (const measured_edge& e : found) {
     if (m_.count() >= most_nodes) break;
@@ -271,19 +269,13 @@ void unit_mesh_remesher::settle_around(vertex_index v) {
 
 // Splits edges longer than this, of the faces that are looked at; null stands for all faces.
 std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most,
-                                           const changed_faces* looked_at) {
+                                           const face_numbers* looked_at) {
   std::size_t done = 0;
   const double shortest = 0.55 * unit_;
-  const auto found = [&] {
-    if (looked_at == nullptr)
-      return edges_where<than::longer>(m_, longest, all_faces{m_.faces().size()});
-    make_states();
-    const listed_faces some{looked_at->faces, [&](vertex_index t) {
-                              return face_states_[t].change > looked_at->after;
-                            }};
-    return edges_where<than::longer>(m_, longest, some);
-  };
-  for (const measured_edge& e : found()) {
+  const std::vector<measured_edge> found =
+      looked_at == nullptr ? edges_where<than::longer>(m_, longest, all_faces(m_))
+                           : edges_where<than::longer>(m_, longest, some_faces{*looked_at});
+  for (const measured_edge& e : found) {
     if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
     const auto [t, edge] = find_edge(m_, e.a, e.b);
@@ -362,8 +354,7 @@ bool unit_mesh_remesher::is_known_in_vain(const measured_edge& e,
 std::size_t unit_mesh_remesher::merge_short(double shortest, std::size_t most) {
   std::size_t done = 0;
   if (shortest <= 0) return done;  // no edge is: looks at none
-  std::vector<measured_edge> found = edges_where<than::shorter>(m_, shortest,
-                                                                all_faces{m_.faces().size()}),
+  std::vector<measured_edge> found = edges_where<than::shorter>(m_, shortest, all_faces(m_)),
                              in_vain;
   std::reverse(found.begin(), found.end());
   if (merges_tested_by_ != unit_) merges_in_vain_.clear();
