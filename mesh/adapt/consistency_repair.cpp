@@ -177,9 +177,9 @@ void consistency_repair::find_clear_edges() {
   }
 }
 
-// Does so for the faces from `begin` to before `end`, in several threads, as no node or face
-// changes meanwhile. Computes their Voronoi vertices once; those of faces across that are
-// elsewhere, which are few, at each edge.
+// Marks the edges that agree of the faces from `begin` to before `end`, in several threads, as no
+// node or face changes meanwhile. Computes the Voronoi vertices of these faces once; those of faces
+// across that are elsewhere, which are few, at each edge.
 void consistency_repair::find_clear_edges(std::size_t begin, std::size_t end) {
   const auto each = [&](const auto& act) {
     parallel_chunks(

@@ -267,7 +267,7 @@ void unit_mesh_remesher::settle_around(vertex_index v) {
   }
 }
 
-// Splits edges longer than this, of the faces that are looked at; null stands for all faces.
+// Splits edges of the listed faces that are longer than `longest`; null stands for all faces.
 std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most,
                                            const face_numbers* looked_at) {
   std::size_t done = 0;

@@ -101,7 +101,7 @@ class auditor {
   const audit_report& report() const { return report_; }
   const std::vector<open_question>& open() const { return memory_.open; }
   const audit_memory& memory() const { return memory_; }
-  // Returns it, and keeps none: it has some 24 bytes a site.
+  // Moves the memory, some 24 bytes a site, to the caller; no question is open here then.
   audit_memory take_memory() { return std::exchange(memory_, {}); }
 
   // Makes the certificate of the mesh as it was audited last. Charges the work to `account`.
