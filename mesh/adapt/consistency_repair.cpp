@@ -384,7 +384,7 @@ bool consistency_repair::merge_away(vertex_index t) {
     m_.neighbours(v, ring);
     if (ring.size() > most_neighbours) continue;
     for (const vertex_index w : ring) {
-      if (!m_.can_merge(v, w)) continue;
+      if (!m_.can_merge(v, w, at)) continue;
       if (std::any_of(ring.begin(), ring.end(),
                       [&](vertex_index u) { return u != w && m_.length(w, u) > longest; }))
         continue;

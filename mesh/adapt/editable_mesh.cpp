@@ -171,12 +171,10 @@ void editable_mesh::flip(vertex_index t, std::size_t edge) {
 
 // True if the merge removes no given node and no segment: a sliding node may only be merged along
 // its segment.
-bool editable_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
+bool editable_mesh::merge_is_allowed(vertex_index v, vertex_index w, const face_list& at) const {
   const node& from = nodes_[v];
   if (from.kind == node_kind::free) return true;
   if (from.kind != node_kind::sliding) return false;
-  face_list at;
-  around(v, at);
   return std::any_of(at.begin(), at.end(), [&](vertex_index t) {
     const face& f = faces_[t];
     for (std::size_t i = 0; i < 3; ++i)
@@ -188,9 +186,13 @@ bool editable_mesh::merge_is_allowed(vertex_index v, vertex_index w) const {
 }
 
 bool editable_mesh::can_merge(vertex_index v, vertex_index w) const {
-  if (!merge_is_allowed(v, w)) return false;
   face_list at;
   around(v, at);
+  return can_merge(v, w, at);
+}
+
+bool editable_mesh::can_merge(vertex_index v, vertex_index w, const face_list& at) const {
+  if (!merge_is_allowed(v, w, at)) return false;
   std::size_t stay = 0;
   for (const vertex_index t : at) {
     const face& f = faces_[t];

@@ -169,8 +169,9 @@ class editable_mesh {
   bool can_flip(vertex_index t, std::size_t edge) const;
   // Flips the edge to the other diagonal. Requires can_flip().
   void flip(vertex_index t, std::size_t edge);
-  // True if v may be merged into its neighbour w.
+  // True if v may be merged into its neighbour w; `at` are the faces at v, where they are known.
   bool can_merge(vertex_index v, vertex_index w) const;
+  bool can_merge(vertex_index v, vertex_index w, const face_list& at) const;
   // Merges v into its neighbour w. Requires can_merge().
   void merge(vertex_index v, vertex_index w);
   // True if all faces at v would turn left with v at that place.
@@ -217,7 +218,7 @@ class editable_mesh {
   void set(vertex_index t, const std::array<vertex_index, 3>& v,
            const std::array<vertex_index, 3>& next, const std::array<vertex_index, 3>& segment);
   void replace_neighbour(vertex_index t, vertex_index old, vertex_index now);
-  bool merge_is_allowed(vertex_index v, vertex_index w) const;
+  bool merge_is_allowed(vertex_index v, vertex_index w, const face_list& at) const;
 
   const domain* domain_;
   std::shared_ptr<const curve_chords> curves_;  // of the domain; copies share them

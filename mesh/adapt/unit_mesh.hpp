@@ -124,6 +124,11 @@ class unit_mesh_remesher {
   }
   // Returns the energy of a face, size included.
   double energy(vertex_index t) { return with_size(m_.faces()[t], shape_of(t)); }
+  // Returns the energy of a face without keeping that of its shape, for tests by several threads.
+  double present_energy(vertex_index t) const {
+    const double known = t < face_states_.size() ? face_states_[t].shape : shape_not_known;
+    return with_size(m_.faces()[t], known < 0 ? computed_shape(m_.faces()[t]) : known);
+  }
   // Returns the energy of a face whose shape has this energy.
   double with_size(const face& f, double shape) const {
     return unit_ <= 0 ? shape
@@ -167,9 +172,28 @@ class unit_mesh_remesher {
   using face_numbers = std::vector<vertex_index>;
   std::size_t split_long(double longest, std::size_t most = no_limit,
                          const face_numbers* looked_at = nullptr);
+  std::optional<node> node_on_edge(const measured_edge& e, vertex_index t, std::size_t edge) const;
+  std::vector<std::optional<node>> nodes_on_edges(std::span<const measured_edge> edges) const;
+  bool is_crowded_on_edge(const measured_edge& e, vertex_index t, std::size_t edge,
+                          const node& there) const;
   std::size_t merge_short(double shortest, std::size_t most = no_limit);
+  // Outcome of the test of an edge: which end is to be merged into which. No merge is wanted where
+  // the edge is not short, or an end of it is gone or was inside a block.
+  enum class merging : unsigned char { not_wanted, in_vain, first_into_second, second_into_first };
+  // True if both ends of the edge are there, and may be merged by the present cut into blocks.
+  bool is_mergeable(const measured_edge& e) const {
+    return m_.at(e.a).kind != node_kind::gone && m_.at(e.b).kind != node_kind::gone &&
+           !was_inside(e.a) && !was_inside(e.b);
+  }
+  // True if no face at the ends of the edge has changed since this change.
+  bool is_unchanged(const measured_edge& e, std::uint32_t since) {
+    return node_state_of(e.a).change <= since && node_state_of(e.b).change <= since;
+  }
   bool is_known_in_vain(const measured_edge& e, std::vector<measured_edge>::const_iterator& next);
-  bool merge_if_good(vertex_index v, vertex_index w, double longest);
+  bool is_merge_good(vertex_index v, vertex_index w, double longest) const;
+  merging test_merge(const measured_edge& e, double shortest) const;
+  std::vector<merging> test_merges(std::span<const measured_edge> edges, double shortest) const;
+  void merge(vertex_index v, vertex_index w);
   void flip_all();
   void smooth();
   void settle_around(vertex_index v);

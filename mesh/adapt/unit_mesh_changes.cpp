@@ -82,6 +82,30 @@ std::vector<measured_edge> edges_where(const editable_mesh& m, double limit, con
   return found;
 }
 
+// A list of edges in stretches, which several threads examine ahead of the changes of each. Every
+// stretch is twice as long as the one before, as in many lists the first few changes are enough.
+class stretches {
+ public:
+  explicit stretches(std::span<const measured_edge> edges) : edges_(edges) {}
+
+  // True if a stretch begins at edge i; moves on to it. Edges must come one after the other.
+  bool begins_at(std::size_t i) {
+    if (i != begin_ + length_) return false;
+    begin_ = i;
+    length_ = std::min(next_length_, edges_.size() - i);
+    next_length_ *= 2;
+    return true;
+  }
+  std::span<const measured_edge> present() const { return edges_.subspan(begin_, length_); }
+  // Returns the place of edge i in the present stretch.
+  std::size_t place_of(std::size_t i) const { return i - begin_; }
+
+ private:
+  std::span<const measured_edge> edges_;
+  std::size_t begin_ = 0, length_ = 0;
+  std::size_t next_length_ = 1024;
+};
+
 // Returns the face with the edge from a to b, and the number of the edge in it.
 std::pair<vertex_index, std::size_t> find_edge(const editable_mesh& m, vertex_index a,
                                                vertex_index b) {
@@ -96,11 +120,19 @@ std::pair<vertex_index, std::size_t> find_edge(const editable_mesh& m, vertex_in
   return {none, 0};
 }
 
+// Returns the number of the edge in the face in which it was found, none if that has changed.
+std::optional<std::size_t> edge_of_its_face(const editable_mesh& m, const measured_edge& e) {
+  const auto& v = m.faces()[e.face].v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const vertex_index a = v[after(i)], b = v[before(i)];
+    if ((a == e.a && b == e.b) || (a == e.b && b == e.a)) return i;
+  }
+  return std::nullopt;
+}
+
 // True if the mesh still has the edge.
 bool is_edge(const editable_mesh& m, const measured_edge& e) {
-  const auto& v = m.faces()[e.face].v;
-  const auto has = [&v](vertex_index u) { return v[0] == u || v[1] == u || v[2] == u; };
-  return (has(e.a) && has(e.b)) || find_edge(m, e.a, e.b).first != none;
+  return edge_of_its_face(m, e) || find_edge(m, e.a, e.b).first != none;
 }
 
 // Returns the place half way from a to b in a metric that changes geometrically between them.
@@ -267,53 +299,92 @@ void unit_mesh_remesher::settle_around(vertex_index v) {
   }
 }
 
-// Splits edges of the listed faces that are longer than `longest`; null stands for all faces.
+// Returns a node for the place at which an edge is split, with the metric there. Returns none where
+// the curve that the edge is a chord of has no place for it.
+std::optional<node> unit_mesh_remesher::node_on_edge(const measured_edge& e, vertex_index t,
+                                                     std::size_t edge) const {
+  const auto place = m_.place_on_edge(t, edge, middle(m_.at(e.a), m_.at(e.b)));
+  if (!place) return std::nullopt;
+  node there;
+  there.position = *place;
+  there.hint = m_.at(e.a).hint;
+  there.metric = field_(*place, there.hint);
+  return there;
+}
+
+// Returns these nodes for a stretch of edges, found by several threads: none for an edge that is no
+// longer one of the face in which it was found. In a block the list is empty.
+std::vector<std::optional<node>> unit_mesh_remesher::nodes_on_edges(
+    std::span<const measured_edge> edges) const {
+  if (!mesh_blocks::are_worth_it(m_)) return {};
+  constexpr std::size_t edges_at_once = 64;
+  std::vector<std::optional<node>> nodes(edges.size());
+  parallel_chunks(edges.size(), edges_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                      if (const auto edge = edge_of_its_face(m_, edges[i]))
+                        nodes[i] = node_on_edge(edges[i], edges[i].face, *edge);
+                  });
+  return nodes;
+}
+
+// True if the node that splits the edge of t would be so near to the nodes across that it would be
+// merged again.
+bool unit_mesh_remesher::is_crowded_on_edge(const measured_edge& e, vertex_index t,
+                                            std::size_t edge, const node& there) const {
+  constexpr double room = 0.55;  // units
+  const double least = room * room * unit_ * unit_;
+  for (const vertex_index s : {t, m_.faces()[t].next[edge]}) {
+    if (s == none) continue;
+    const face& g = m_.faces()[s];
+    const std::size_t across = g.v[0] != e.a && g.v[0] != e.b   ? 0
+                               : g.v[1] != e.a && g.v[1] != e.b ? 1
+                                                                : 2;
+    const node& n = m_.at(g.v[across]);
+    const double x = n.position.x - there.position.x, y = n.position.y - there.position.y;
+    if (squared(there.metric, x, y) < least) return true;
+  }
+  return false;
+}
+
+// Splits edges of the listed faces that are longer than `longest`, longest first, until `most` are
+// split; null stands for all faces. In a large mesh the metrics at the new nodes are looked up
+// ahead, for one stretch of edges at a time.
 std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most,
                                            const face_numbers* looked_at) {
   std::size_t done = 0;
-  const double shortest = 0.55 * unit_;
   const std::vector<measured_edge> found =
       looked_at == nullptr ? edges_where<than::longer>(m_, longest, all_faces(m_))
                            : edges_where<than::longer>(m_, longest, some_faces{*looked_at});
-  for (const measured_edge& e : found) {
+  std::vector<std::optional<node>> nodes;
+  stretches ahead(found);
+  for (std::size_t i = 0; i < found.size(); ++i) {
     if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
+    if (ahead.begins_at(i)) nodes = nodes_on_edges(ahead.present());
+    const measured_edge& e = found[i];
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none || !(m_.length(e.a, e.b) > longest)) continue;
-    const face& f = m_.faces()[t];
-    if (is_of_frame(f.segment[edge])) continue;
-    const auto place = m_.place_on_edge(t, edge, middle(m_.at(e.a), m_.at(e.b)));
-    if (!place) continue;
-    const point& q = *place;
-    node there;
-    there.position = q;
-    there.hint = m_.at(e.a).hint;
-    there.metric = field_(q, there.hint);
-    // Rejects a place so near to the nodes across that it would be merged again.
-    bool crowded = false;
-    for (const vertex_index s : {t, f.next[edge]}) {
-      if (s == none) continue;
-      const face& g = m_.faces()[s];
-      const std::size_t across = g.v[0] != e.a && g.v[0] != e.b   ? 0
-                                 : g.v[1] != e.a && g.v[1] != e.b ? 1
-                                                                  : 2;
-      const node& n = m_.at(g.v[across]);
-      const double x = n.position.x - q.x, y = n.position.y - q.y;
-      crowded = crowded || (squared(there.metric, x, y) < shortest * shortest &&
-                            e.length < 2 * longest && f.segment[edge] == none);
-    }
-    if (crowded) continue;
-    const auto made = m_.split(t, edge, q);
+    const vertex_index segment = m_.faces()[t].segment[edge];
+    if (is_of_frame(segment)) continue;
+    const bool is_known = !nodes.empty() && nodes[ahead.place_of(i)];
+    const auto there = is_known ? nodes[ahead.place_of(i)] : node_on_edge(e, t, edge);
+    if (!there) continue;
+    if (e.length < 2 * longest && segment == none && is_crowded_on_edge(e, t, edge, *there))
+      continue;
+    const auto made = m_.split(t, edge, there->position);
     if (!made) continue;
-    m_.at(*made).hint = there.hint;
-    m_.set_metric(*made, there.metric);
+    m_.at(*made).hint = there->hint;
+    m_.set_metric(*made, there->metric);
     settle_around(*made);
     ++done;
   }
   return done;
 }
 
-bool unit_mesh_remesher::merge_if_good(vertex_index v, vertex_index w, double longest) {
+// True if v may be merged into its neighbour w: no edge that this makes is longer than `longest`,
+// and no face has a higher energy than is acceptable or than those at v have now.
+bool unit_mesh_remesher::is_merge_good(vertex_index v, vertex_index w, double longest) const {
   if (m_.at(v).kind == node_kind::given) return false;
   face_list at;
   m_.around(v, at);
@@ -325,18 +396,16 @@ bool unit_mesh_remesher::merge_if_good(vertex_index v, vertex_index w, double lo
   // Adds one more neighbour for the last face at the boundary.
   const face& last = m_.faces()[at.back()];
   if (is_far(last.v[before(last.corner_of(v))])) return false;
-  if (!m_.can_merge(v, w)) return false;
+  if (!m_.can_merge(v, w, at)) return false;
   constexpr double acceptable = 2.5;
   double most = acceptable;
-  for (const vertex_index t : at) most = std::max(most, energy(t));
+  for (const vertex_index t : at) most = std::max(most, present_energy(t));
   for (const vertex_index t : at) {
     const face& f = m_.faces()[t];
     const std::size_t i = f.corner_of(v);
     const vertex_index a = f.v[after(i)], b = f.v[before(i)];
     if (a != w && b != w && shape_energy(m_.at(w), m_.at(a), m_.at(b), unit_) > most) return false;
   }
-  m_.merge(v, w);
-  settle_around(w);
   return true;
 }
 
@@ -346,11 +415,43 @@ bool unit_mesh_remesher::merge_if_good(vertex_index v, vertex_index w, double lo
 bool unit_mesh_remesher::is_known_in_vain(const measured_edge& e,
                                           std::vector<measured_edge>::const_iterator& next) {
   while (next != merges_in_vain_.end() && longer(e, *next)) ++next;
-  return next != merges_in_vain_.end() && !longer(*next, e) &&
-         node_state_of(e.a).change <= merges_tested_at_ &&
-         node_state_of(e.b).change <= merges_tested_at_;
+  return next != merges_in_vain_.end() && !longer(*next, e) && is_unchanged(e, merges_tested_at_);
 }
 
+// Tests whether the ends of an edge shorter than `shortest` are to be merged, and which into which.
+unit_mesh_remesher::merging unit_mesh_remesher::test_merge(const measured_edge& e,
+                                                           double shortest) const {
+  if (!is_edge(m_, e) || !(m_.length(e.a, e.b) < shortest)) return merging::not_wanted;
+  const double longest = std::numbers::sqrt2 * unit_;
+  if (is_merge_good(e.b, e.a, longest)) return merging::second_into_first;
+  if (is_merge_good(e.a, e.b, longest)) return merging::first_into_second;
+  return merging::in_vain;
+}
+
+// Merges v into its neighbour w. Notes a change at v, too: no test of an edge there holds any more.
+void unit_mesh_remesher::merge(vertex_index v, vertex_index w) {
+  m_.merge(v, w);
+  settle_around(w);
+  node_state_of(v).change = changes_;
+}
+
+// Tests these edges as the mesh is now, by several threads. In a block the list is empty: there a
+// merge changes the outcome of many tests that follow it.
+std::vector<unit_mesh_remesher::merging> unit_mesh_remesher::test_merges(
+    std::span<const measured_edge> edges, double shortest) const {
+  if (!mesh_blocks::are_worth_it(m_)) return {};
+  constexpr std::size_t edges_at_once = 256;
+  std::vector<merging> tested(edges.size(), merging::not_wanted);
+  parallel_chunks(edges.size(), edges_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                      if (is_mergeable(edges[i])) tested[i] = test_merge(edges[i], shortest);
+                  });
+  return tested;
+}
+
+// Merges edges shorter than this, shortest first, until `most` are merged. In a large mesh they are
+// tested ahead, for one stretch of edges at a time.
 std::size_t unit_mesh_remesher::merge_short(double shortest, std::size_t most) {
   std::size_t done = 0;
   if (shortest <= 0) return done;  // no edge is: looks at none
@@ -360,19 +461,25 @@ std::size_t unit_mesh_remesher::merge_short(double shortest, std::size_t most) {
   if (merges_tested_by_ != unit_) merges_in_vain_.clear();
   const std::uint32_t begun_at = changes_;
   auto known = merges_in_vain_.cbegin();
-  for (const measured_edge& e : found) {
-    if (done >= most) break;
-    if (m_.at(e.a).kind == node_kind::gone || m_.at(e.b).kind == node_kind::gone) continue;
-    if (was_inside(e.a) || was_inside(e.b)) continue;
-    if (!is_known_in_vain(e, known)) {
-      if (!is_edge(m_, e) || !(m_.length(e.a, e.b) < shortest)) continue;
-      const double longest = std::numbers::sqrt2 * unit_;
-      if (merge_if_good(e.b, e.a, longest) || merge_if_good(e.a, e.b, longest)) {
-        ++done;
-        continue;
-      }
+  std::vector<merging> tested;
+  std::uint32_t tested_at = changes_;
+  stretches ahead(found);
+  for (std::size_t i = 0; i < found.size() && done < most; ++i) {
+    if (ahead.begins_at(i)) {
+      tested = test_merges(ahead.present(), shortest);
+      tested_at = changes_;
     }
-    in_vain.push_back(e);
+    const measured_edge& e = found[i];
+    merging now = merging::not_wanted;
+    if (!tested.empty() && is_unchanged(e, tested_at))
+      now = tested[ahead.place_of(i)];
+    else if (is_mergeable(e))
+      now = is_known_in_vain(e, known) ? merging::in_vain : test_merge(e, shortest);
+    if (now == merging::in_vain) in_vain.push_back(e);
+    if (now == merging::in_vain || now == merging::not_wanted) continue;
+    const bool is_first = now == merging::first_into_second;
+    merge(is_first ? e.a : e.b, is_first ? e.b : e.a);
+    ++done;
   }
   merges_in_vain_ = std::move(in_vain);
   merges_tested_at_ = begun_at;

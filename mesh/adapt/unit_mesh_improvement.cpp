@@ -49,7 +49,7 @@ std::optional<unit_mesh_remesher::worthwhile_merge> unit_mesh_remesher::best_mer
       gain -= shape_energy(m_.at(w), m_.at(a), m_.at(b), unit_);
       is_allowed_there = gain > best.gain && is_allowed(m_.at(w), m_.at(a), m_.at(b));
     }
-    if (is_allowed_there && gain > best.gain && m_.can_merge(v, w)) best = {gain, v, w};
+    if (is_allowed_there && gain > best.gain && m_.can_merge(v, w, at)) best = {gain, v, w};
   }
   return best.v == none ? std::nullopt : std::optional(best);
 }
