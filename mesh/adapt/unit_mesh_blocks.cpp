@@ -181,17 +181,16 @@ bool unit_mesh_remesher::split_all_long(double longest) {
 }
 
 // Merges edges shorter than this, flips and moves: in the blocks of two cuts where the mesh is
-// large, then at the nodes that are on the frames of both. Where nothing is to be merged and few
-// faces have changed there are no blocks: cutting the mesh and joining it would take longer.
+// large, then at the nodes that are on the frames of both. One cut where nothing is to be merged:
+// there most nodes have been moved before, and those on its frames are few.
 void unit_mesh_remesher::merge_and_move(double shortest, int sweeps) {
-  constexpr std::size_t few = 8;  // one face in this number
-  const bool is_little = shortest <= 0 && few * due_.size() < m_.faces().size();
-  if (is_little || !mesh_blocks::are_worth_it(m_)) {
+  const int cuts = shortest > 0 ? 2 : 1;
+  if (!mesh_blocks::are_worth_it(m_)) {
     merge_short(shortest);
     return move_all(sweeps);
   }
   is_inside_.clear();
-  for (int cut = 0; cut < 2 && !is_stopped(); ++cut)
+  for (int cut = 0; cut < cuts && !is_stopped(); ++cut)
     in_blocks([shortest](unit_mesh_remesher& part, std::size_t) {
       const std::size_t done = part.merge_short(shortest);
       part.move_all(1);
