@@ -3,6 +3,7 @@
 // Counts work from several threads. The sum does not depend on their order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -23,8 +24,9 @@ inline bool is_single_threaded() {
 }
 
 // A count that several threads add to. Each thread adds to a part of its own, in a cache line of
-// its own: additions of two threads to one number take longer than the work that they count. A copy
-// starts from the present count, and counts separately.
+// its own: additions of two threads to one number take longer than the work that they count. The
+// last part is shared by all threads for which there is none. A copy starts from the present count,
+// and counts separately. No thread may add while another one copies or takes the count.
 class shared_count {
  public:
   shared_count() = default;
@@ -38,13 +40,14 @@ class shared_count {
   ~shared_count() = default;
 
   void add(std::size_t more) {
-    // A process with one thread needs no locked addition, which takes as long as visiting a face.
-    if (is_single_threaded()) {
-      std::atomic<std::size_t>& only = parts_[0].count;
-      only.store(only.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
-    } else if (more > 0) {
-      parts_[part_of_thread()].count.fetch_add(more, std::memory_order_relaxed);
-    }
+    // A process with one thread is spared the look-up of its part.
+    const std::size_t own = is_single_threaded() ? 0 : part_of_thread();
+    std::atomic<std::size_t>& count = parts_[own].count;
+    // An addition to a part of one thread needs no lock, which takes as long as visiting a face.
+    if (own < last)
+      count.store(count.load(std::memory_order_relaxed) + more, std::memory_order_relaxed);
+    else
+      count.fetch_add(more, std::memory_order_relaxed);
   }
   // Returns the count and resets it to 0.
   std::size_t take() {
@@ -58,7 +61,7 @@ class shared_count {
   }
 
  private:
-  static constexpr std::size_t parts = 8;  // with more threads some share a part
+  static constexpr std::size_t parts = 8, last = parts - 1;
   static constexpr std::size_t cache_line = 64;
 
   struct alignas(cache_line) part {
@@ -67,7 +70,8 @@ class shared_count {
 
   static std::size_t part_of_thread() {
     static std::atomic<std::size_t> threads{0};
-    thread_local const std::size_t own = threads.fetch_add(1, std::memory_order_relaxed) % parts;
+    thread_local const std::size_t own =
+        std::min(last, threads.fetch_add(1, std::memory_order_relaxed));
     return own;
   }
 
