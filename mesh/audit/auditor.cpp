@@ -235,9 +235,11 @@ const audit_report& auditor::check_triangulation() {
 const audit_report& auditor::check_angles() {
   report_ = counts_of(*subject_);
   audit_context context(*subject_, asked_, report_);
-  const auto before = memory_.triangulation;
-  if (before != nullptr && before->has_lists_of(*subject_)) {
-    static_cast<triangulation_lists&>(context) = before->lists();
+  auto& lists = static_cast<triangulation_lists&>(context);
+  checked_triangulation* const before = memory_.triangulation.get();
+  const bool has_lists = before != nullptr && before->has_lists_of(*subject_);
+  if (has_lists) {
+    lists = before->lend_lists();  // until the angles are checked, which changes none of them
     check_sites(context);
   } else {
     check_values(context);
@@ -245,6 +247,7 @@ const audit_report& auditor::check_angles() {
     check_edges(context);
   }
   audit_detail::check_angles(context);
+  if (has_lists) before->take_back(std::move(lists));
   charge(context);
   return report_;
 }
