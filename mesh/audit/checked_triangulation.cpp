@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "asterism/mesh/support/parallel.hpp"
+
 namespace asterism::internal::audit_detail {
 namespace {
 
@@ -20,6 +22,8 @@ bool is_same(const boundary_edge& e, const boundary_edge& f) {
   return e.a == f.a && e.b == f.b && e.segment == f.segment && e.marker == f.marker &&
          e.internal == f.internal;
 }
+
+constexpr std::size_t items_at_once = 8192;  // sites or triangles, for a thread
 
 }  // namespace
 
@@ -57,13 +61,16 @@ bool checked_triangulation::is_inside(vertex_index v) const {
 // Lists the sites with another position; nothing where one is not inside.
 std::optional<std::vector<vertex_index>> checked_triangulation::moved_in(
     const mesh& subject) const {
-  std::vector<vertex_index> moved;
-  for (vertex_index v = 0; v < places_.size(); ++v) {
-    if (has_place(subject.sites[v], places_[v])) continue;
-    if (!is_inside(v)) return std::nullopt;
-    moved.push_back(v);
-  }
-  return moved;
+  auto moved = collect_chunks<vertex_index>(
+      places_.size(), items_at_once,
+      [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
+        for (std::size_t v = begin; v < end; ++v)
+          if (!has_place(subject.sites[v], places_[v]))
+            found.push_back(static_cast<vertex_index>(v));
+      });
+  const bool are_inside =
+      std::all_of(moved.begin(), moved.end(), [this](vertex_index v) { return is_inside(v); });
+  return are_inside ? std::optional(std::move(moved)) : std::nullopt;
 }
 
 std::optional<triangulation_changes> checked_triangulation::changes_to(
@@ -78,14 +85,19 @@ std::optional<triangulation_changes> checked_triangulation::changes_to(
   triangulation_changes changes{std::move(*moved), {}, {}};
   std::vector<char> has_moved(places_.size(), 0);
   for (const vertex_index v : changes.moved) has_moved[v] = 1;
-  for (vertex_index t = 0; t < triangles_.size(); ++t) {
-    const triangle &was = triangles_[t], &is = subject.triangles[t];
-    if (was == is && (has_moved[was[0]] | has_moved[was[1]] | has_moved[was[2]]) == 0) continue;
-    changes.triangles.push_back(t);
-    if (few * changes.triangles.size() > triangles_.size()) return std::nullopt;
-    for (const triangle& c : {was, is})
+  changes.triangles = collect_chunks<vertex_index>(
+      triangles_.size(), items_at_once,
+      [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
+        for (std::size_t t = begin; t < end; ++t) {
+          const triangle& was = triangles_[t];
+          const bool moves = (has_moved[was[0]] | has_moved[was[1]] | has_moved[was[2]]) != 0;
+          if (moves || was != subject.triangles[t]) found.push_back(static_cast<vertex_index>(t));
+        }
+      });
+  if (few * changes.triangles.size() > triangles_.size()) return std::nullopt;
+  for (const vertex_index t : changes.triangles)
+    for (const triangle& c : {triangles_[t], subject.triangles[t]})
       changes.corners.insert(changes.corners.end(), c.begin(), c.end());
-  }
   std::sort(changes.corners.begin(), changes.corners.end());
   changes.corners.erase(std::unique(changes.corners.begin(), changes.corners.end()),
                         changes.corners.end());

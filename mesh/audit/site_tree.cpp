@@ -65,13 +65,20 @@ void site_tree::bound_roundings(const std::vector<site>& sites) {
 void site_tree::take_sites(const std::vector<site>& sites) {
   bound_roundings(sites);
   std::vector<char> has_changed(nodes_.size(), 0);
+  constexpr std::size_t nodes_at_once = 256;
+  parallel_chunks(nodes_.size(), nodes_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t self = begin; self < end; ++self) {
+                      node& n = nodes_[self];
+                      if (n.right != 0) continue;
+                      has_changed[self] = take_sites_of_leaf(n, sites);
+                      if (has_changed[self] != 0) bound_leaf(n);
+                    }
+                  });
+  // Bounds children before their parents.
   for (std::size_t self = nodes_.size(); self-- > 0;) {
     node& n = nodes_[self];
-    if (n.right == 0) {
-      has_changed[self] = take_sites_of_leaf(n, sites);
-      if (has_changed[self] != 0) bound_leaf(n);
-      continue;
-    }
+    if (n.right == 0) continue;
     has_changed[self] = has_changed[self + 1] | has_changed[n.right];
     if (has_changed[self] != 0) bound_parent(n, nodes_[self + 1], nodes_[n.right]);
   }
