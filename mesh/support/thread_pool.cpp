@@ -68,9 +68,9 @@ class thread_pool {
   }
 
  private:
-  // Number of polls before a thread sleeps, some hundreds of microseconds. Waking takes some tens,
-  // and a pass of an adaptation begins loops that often.
-  static constexpr int polls = 1000;
+  // Number of polls before a thread sleeps, one to two milliseconds. Waking takes some tens of
+  // microseconds, and a pass of an adaptation begins loops that often.
+  static constexpr int polls = 4000;
 
   void open(team_loop& l) {
     const std::lock_guard<std::mutex> alone(lock_);
