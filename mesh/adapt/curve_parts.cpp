@@ -5,6 +5,7 @@
 
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -21,12 +22,17 @@ curve_parts::curve_parts(const std::vector<node>& nodes, const std::vector<face>
                 &c = nodes[f.v[2]].position;
     return place_on_curve({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, box_);
   };
+  const auto prefetch_nodes = [&](const face& f) {
+    if (f.exists())
+      for (const vertex_index v : f.v) prefetch(&nodes[v].position);
+  };
   if (parts > 1) divide_curve(faces, place_of, parts);
   // Tries the part of the face before first, which is nearly always the part of the next one, too.
   parallel_chunks(faces.size(), faces_placed_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
                     std::uint32_t last = 0;
                     for (std::size_t t = begin; t < end; ++t) {
+                      if (t + triangles_ahead < end) prefetch_nodes(faces[t + triangles_ahead]);
                       if (!faces[t].exists()) {
                         part_[t] = static_cast<std::uint32_t>(count());
                       } else if (!bounds_.empty()) {
