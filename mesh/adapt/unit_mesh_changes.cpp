@@ -88,22 +88,24 @@ class stretches {
  public:
   explicit stretches(std::span<const measured_edge> edges) : edges_(edges) {}
 
-  // True if a stretch begins at edge i; moves on to it. Edges must come one after the other.
-  bool begins_at(std::size_t i) {
+  // Moves on to the next stretch if that begins at edge i, and returns whether it does. Must be
+  // called for each edge in turn.
+  bool moves_on_at(std::size_t i) {
     if (i != begin_ + length_) return false;
     begin_ = i;
     length_ = std::min(next_length_, edges_.size() - i);
     next_length_ *= 2;
     return true;
   }
+  // Returns the edges of the present stretch.
   std::span<const measured_edge> present() const { return edges_.subspan(begin_, length_); }
   // Returns the place of edge i in the present stretch.
   std::size_t place_of(std::size_t i) const { return i - begin_; }
 
  private:
   std::span<const measured_edge> edges_;
-  std::size_t begin_ = 0, length_ = 0;
-  std::size_t next_length_ = 1024;
+  std::size_t begin_ = 0, length_ = 0;  // of the present one; none before the first edge
+  std::size_t next_length_ = 1024;      // of the first one
 };
 
 // Returns the face with the edge from a to b, and the number of the edge in it.
@@ -361,7 +363,7 @@ std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most,
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
-    if (ahead.begins_at(i)) nodes = nodes_on_edges(ahead.present());
+    if (ahead.moves_on_at(i)) nodes = nodes_on_edges(ahead.present());
     const measured_edge& e = found[i];
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none || !(m_.length(e.a, e.b) > longest)) continue;
@@ -465,7 +467,7 @@ std::size_t unit_mesh_remesher::merge_short(double shortest, std::size_t most) {
   std::uint32_t tested_at = changes_;
   stretches ahead(found);
   for (std::size_t i = 0; i < found.size() && done < most; ++i) {
-    if (ahead.begins_at(i)) {
+    if (ahead.moves_on_at(i)) {
       tested = test_merges(ahead.present(), shortest);
       tested_at = changes_;
     }
