@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/sort_unique.hpp"
 
 namespace asterism::internal::audit_detail {
 namespace {
@@ -98,9 +99,7 @@ std::optional<triangulation_changes> checked_triangulation::changes_to(
   for (const vertex_index t : changes.triangles)
     for (const triangle& c : {triangles_[t], subject.triangles[t]})
       changes.corners.insert(changes.corners.end(), c.begin(), c.end());
-  std::sort(changes.corners.begin(), changes.corners.end());
-  changes.corners.erase(std::unique(changes.corners.begin(), changes.corners.end()),
-                        changes.corners.end());
+  sort_unique(changes.corners);
   return changes;
 }
 
