@@ -169,7 +169,8 @@ class editable_mesh {
   bool can_flip(vertex_index t, std::size_t edge) const;
   // Flips the edge to the other diagonal. Requires can_flip().
   void flip(vertex_index t, std::size_t edge);
-  // True if v may be merged into its neighbour w; `at` are the faces at v, where they are known.
+  // True if v may be merged into its neighbour w. `at` lists the faces at v; without it they are
+  // looked up.
   bool can_merge(vertex_index v, vertex_index w) const;
   bool can_merge(vertex_index v, vertex_index w, const face_list& at) const;
   // Merges v into its neighbour w. Requires can_merge().

@@ -36,7 +36,7 @@ struct all_faces {
   std::size_t count;
 };
 
-// Some of its faces, listed in ascending order; those that are gone may be among them.
+// Some faces of a mesh, listed in ascending order; those that are gone may be among them.
 struct some_faces {
   std::size_t size() const { return listed.size(); }
   vertex_index operator[](std::size_t i) const { return listed[i]; }
@@ -314,8 +314,9 @@ std::optional<node> unit_mesh_remesher::node_on_edge(const measured_edge& e, ver
   return there;
 }
 
-// Returns these nodes for a stretch of edges, found by several threads: none for an edge that is no
-// longer one of the face in which it was found. In a block the list is empty.
+// Finds the nodes that split a stretch of edges, and looks up the metrics there, by several
+// threads. Returns none for an edge that is no longer one of the face in which it was found.
+// Returns an empty list in a block, where other threads work on other blocks.
 std::vector<std::optional<node>> unit_mesh_remesher::nodes_on_edges(
     std::span<const measured_edge> edges) const {
   if (!mesh_blocks::are_worth_it(m_)) return {};
@@ -437,8 +438,8 @@ void unit_mesh_remesher::merge(vertex_index v, vertex_index w) {
   node_state_of(v).change = changes_;
 }
 
-// Tests these edges as the mesh is now, by several threads. In a block the list is empty: there a
-// merge changes the outcome of many tests that follow it.
+// Tests merges of a stretch of edges in the mesh as it is now, by several threads. Returns an empty
+// list in a block: there a merge changes the outcome of many tests that follow it.
 std::vector<unit_mesh_remesher::merging> unit_mesh_remesher::test_merges(
     std::span<const measured_edge> edges, double shortest) const {
   if (!mesh_blocks::are_worth_it(m_)) return {};
