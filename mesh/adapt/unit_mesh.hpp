@@ -168,7 +168,7 @@ class unit_mesh_remesher {
   double mean_energy();
   std::size_t merge_where_better();
 
-  // Functions defined in unit_mesh_changes.cpp.
+  // Functions defined in unit_mesh_lengths.cpp.
   using face_numbers = std::vector<vertex_index>;
   std::size_t split_long(double longest, std::size_t most = no_limit,
                          const face_numbers* looked_at = nullptr);
@@ -194,6 +194,8 @@ class unit_mesh_remesher {
   merging test_merge(const measured_edge& e, double shortest) const;
   std::vector<merging> test_merges(std::span<const measured_edge> edges, double shortest) const;
   void merge(vertex_index v, vertex_index w);
+
+  // Functions defined in unit_mesh_flips.cpp.
   void flip_all();
   void smooth();
   void settle_around(vertex_index v);
