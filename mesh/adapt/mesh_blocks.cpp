@@ -16,7 +16,8 @@ namespace {
 // Number of faces in a block. With half of this number a tenth of all nodes is on the frame; with
 // twice this number a mesh of 10,000 faces has too few blocks for two threads.
 constexpr std::size_t faces_in_block = 2048;
-constexpr std::size_t faces_at_once = 4096;  // for a thread
+// Numbers of items that a thread takes at once.
+constexpr std::size_t faces_at_once = 4096, nodes_at_once = 16384, frame_edges_at_once = 1024;
 
 // Returns the box through which the curve of a cut runs: the domain's box, enlarged to the left and
 // below by parts of its extent that differ from cut to cut. So the lines across which the curve
@@ -55,6 +56,13 @@ class local_numbers {
  private:
   std::vector<std::pair<vertex_index, vertex_index>> slots_;
 };
+
+// Notes the block where it precedes the one noted.
+void note_block(std::atomic<std::uint32_t>& first, std::uint32_t block) {
+  std::uint32_t before = first.load(std::memory_order_relaxed);
+  while (block < before && !first.compare_exchange_weak(before, block, std::memory_order_relaxed)) {
+  }
+}
 
 }  // namespace
 
@@ -115,19 +123,44 @@ void mesh_blocks::mark_frame() {
     }
   };
   frame_ = collect_chunks<frame_edge>(faces.size(), faces_at_once, append);
-  for (std::size_t i = 0; i < frame_.size(); ++i)
-    for (const frame_edge::side* side : {&frame_[i].left, &frame_[i].right})
+  clear_owners();
+  each_frame_edge(faces, [&](std::size_t i) {
+    const frame_edge& edge = frame_[i];
+    for (const frame_edge::side* side : {&edge.left, &edge.right})
       faces[side->face].segment[side->edge] = first_of_frame + static_cast<vertex_index>(i);
-  // Marks the nodes that several blocks may have. Around any other node, successive faces share
-  // edges of one block.
-  is_shared_.assign(given_.nodes.size(), 0);
-  const std::size_t given = whole_.shape().vertices.size();
-  std::fill_n(is_shared_.begin(), std::min(given, is_shared_.size()), char{1});
-  for (const frame_edge& edge : frame_) {
     const face& f = faces[edge.left.face];
-    is_shared_[f.v[after(edge.left.edge)]] = is_shared_[f.v[before(edge.left.edge)]] = 1;
-  }
+    const std::uint32_t first = std::min(edge.left.block, edge.right.block);
+    for (const vertex_index v : {f.v[after(edge.left.edge)], f.v[before(edge.left.edge)]})
+      note_block(owner_[v], first);
+  });
   number_.assign(given_.nodes.size(), none);
+}
+
+// Makes the list of the blocks that own the nodes of the frame, with none in it.
+void mesh_blocks::clear_owners() {
+  owner_ = std::vector<std::atomic<std::uint32_t>>(given_.nodes.size());
+  parallel_chunks(owner_.size(), nodes_at_once,
+                  [this](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t v = begin; v < end; ++v)
+                      owner_[v].store(no_block, std::memory_order_relaxed);
+                  });
+}
+
+// Calls act(i) for each edge of the frame, in several threads. Prefetches the faces beside the
+// edges, which are anywhere in memory.
+template <class Act>
+void mesh_blocks::each_frame_edge(const std::vector<face>& faces, const Act& act) const {
+  parallel_chunks(frame_.size(), frame_edges_at_once,
+                  [&](std::size_t, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                      if (i + triangles_ahead < end) {
+                        const frame_edge& soon = frame_[i + triangles_ahead];
+                        prefetch(&faces[soon.left.face]);
+                        prefetch(&faces[soon.right.face]);
+                      }
+                      act(i);
+                    }
+                  });
 }
 
 // Prefetches the nodes of a face that will be taken out soon.
@@ -135,7 +168,7 @@ void mesh_blocks::prefetch_nodes(vertex_index t) const {
   for (const vertex_index v : given_.faces[t].v) {
     prefetch(&given_.nodes[v]);
     prefetch(&number_[v]);
-    prefetch(&is_shared_[v]);
+    prefetch(&owner_[v]);
   }
 }
 
@@ -143,7 +176,7 @@ void mesh_blocks::prefetch_nodes(vertex_index t) const {
 std::size_t mesh_blocks::shared_corners(std::span<const vertex_index> faces) const {
   std::size_t corners = 0;
   for (const vertex_index t : faces)
-    for (const vertex_index v : given_.faces[t].v) corners += is_shared_[v] != 0 ? 1 : 0;
+    for (const vertex_index v : given_.faces[t].v) corners += is_shared(v) ? 1 : 0;
   return corners;
 }
 
@@ -159,7 +192,7 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
     if (i + triangles_ahead < made.faces.size()) prefetch_nodes(made.faces[i + triangles_ahead]);
     face f = given_.faces[made.faces[i]];
     for (vertex_index& v : f.v) {
-      vertex_index& number = is_shared_[v] != 0 ? numbers.at(v) : number_[v];
+      vertex_index& number = is_shared(v) ? numbers.at(v) : number_[v];
       if (number == none) {
         number = static_cast<vertex_index>(made.nodes.size());
         made.nodes.push_back(v);
@@ -205,24 +238,34 @@ mesh_blocks::size mesh_blocks::count_in(const block& now) const {
   return has;
 }
 
-// Numbers the nodes of the frame, block by block, each once and before those inside its block, and
+// Numbers the nodes of the frame, those of each block that owns them before those inside it, and
 // finds where the numbers of each block's other nodes and faces begin.
 mesh_blocks::size mesh_blocks::number() {
-  frame_now_.assign(given_.nodes.size(), none);
-  frame_owner_.assign(given_.nodes.size(), 0);
   const auto given = static_cast<vertex_index>(whole_.shape().vertices.size());
+  const auto is_numbered_by = [&](std::size_t b, vertex_index v) {
+    const vertex_index before = blocks_[b]->nodes[v];
+    return before >= given && is_owned_by(b, before);
+  };
+  std::vector<std::size_t> owned(count());
+  parallel_for(count(), [&](std::size_t b) {
+    const std::vector<vertex_index>& frame = blocks_[b]->frame;
+    owned[b] = static_cast<std::size_t>(std::count_if(
+        frame.begin(), frame.end(), [&](vertex_index v) { return is_numbered_by(b, v); }));
+  });
   size next{given, 0};
   for (std::size_t b = 0; b < count(); ++b) {
-    for (const vertex_index v : blocks_[b]->frame) {
-      const vertex_index before = blocks_[b]->nodes[v];
-      if (frame_now_[before] != none) continue;
-      frame_now_[before] = before < given ? before : next.nodes++;
-      frame_owner_[before] = static_cast<std::uint32_t>(b);
-    }
+    next.nodes += static_cast<vertex_index>(owned[b]);
     from_.push_back(next);
     next.nodes += has_[b].nodes;
     next.faces += has_[b].faces;
   }
+  parallel_for(count(), [&](std::size_t b) {
+    vertex_index number = from_[b].nodes - static_cast<vertex_index>(owned[b]);
+    for (const vertex_index v : blocks_[b]->frame) {
+      const vertex_index before = blocks_[b]->nodes[v];
+      if (is_owned_by(b, before)) number_[before] = before < given ? before : number++;
+    }
+  });
   return next;
 }
 
@@ -235,9 +278,7 @@ mesh_blocks::numbers mesh_blocks::number_block(std::size_t b) const {
   for (vertex_index v = 0; v < made.nodes.size(); ++v) {
     if (now.part.at(v).kind == node_kind::gone) continue;
     const vertex_index before = v < now.nodes.size() ? now.nodes[v] : none;
-    made.nodes[v] = now.is_at_frame(v) ? frame_now_[before]
-                    : before < given   ? before
-                                       : next.nodes++;
+    made.nodes[v] = now.is_at_frame(v) ? number_[before] : before < given ? before : next.nodes++;
   }
   made.faces.assign(now.part.faces().size(), none);
   for (vertex_index t = 0; t < made.faces.size(); ++t)
@@ -258,8 +299,7 @@ void mesh_blocks::write_block(std::size_t b, const numbers& now_in_whole,
   for (vertex_index v = 0; v < now.part.nodes().size(); ++v)
     if (node_now[v] != none && !now.is_at_frame(v)) write_node(v);
   for (std::size_t i = 0; i < now.frame.size(); ++i)
-    if (frame_owner_[now.nodes[now.frame[i]]] == b)
-      write_node(now.frame[i]).kind = now.frame_kinds[i];
+    if (is_owned_by(b, now.nodes[now.frame[i]])) write_node(now.frame[i]).kind = now.frame_kinds[i];
   for (vertex_index t = 0; t < now.part.faces().size(); ++t) {
     if (face_now[t] == none) continue;
     face f = now.part.faces()[t];
@@ -289,24 +329,16 @@ void mesh_blocks::join(std::size_t expected, const join_visitor& visitor) {
     write_block(b, now, made);
     if (visitor.take) visitor.take(b, now);
   });
-  for (const frame_edge& edge : frame_) {
+  each_frame_edge(made.faces, [&](std::size_t i) {
+    const frame_edge& edge = frame_[i];
     const auto &l = edge.left, &r = edge.right;
     made.faces[l.face].next[l.edge] = r.face;
     made.faces[r.face].next[r.edge] = l.face;
     made.faces[l.face].segment[l.edge] = made.faces[r.face].segment[r.edge] = edge.segment;
-  }
+  });
   for (std::size_t b = 0; b < count(); ++b)
     whole_.note_looked_at(blocks_[b]->part.take_looked_at());
   whole_.assign_all(std::move(made));
-}
-
-std::vector<vertex_index> mesh_blocks::faces_at_frame() const {
-  std::vector<vertex_index> found;
-  for (const frame_edge& edge : frame_) {
-    found.push_back(edge.left.face);
-    found.push_back(edge.right.face);
-  }
-  return found;
 }
 
 }  // namespace asterism::internal::adapting

@@ -11,6 +11,7 @@
 // in no block. Internal to mesh/adapt.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -78,11 +79,14 @@ class mesh_blocks {
   // of one of them in the whole.
   const std::vector<vertex_index>& nodes_at_frame(std::size_t b) const { return blocks_[b]->frame; }
   vertex_index frame_node_now(std::size_t b, vertex_index v) const {
-    return frame_now_[blocks_[b]->nodes[v]];
+    return number_[blocks_[b]->nodes[v]];
   }
   bool is_at_frame(std::size_t b, vertex_index v) const { return blocks_[b]->is_at_frame(v); }
-  // Returns the faces beside the frame, two for each of its edges.
-  std::vector<vertex_index> faces_at_frame() const;
+  // True if an edge of the face in the block is on the frame.
+  bool is_beside_frame(std::size_t b, vertex_index t) const {
+    const auto& segment = blocks_[b]->part.faces()[t].segment;
+    return is_of_frame(segment[0]) || is_of_frame(segment[1]) || is_of_frame(segment[2]);
+  }
 
  private:
   // An edge between two blocks: for each block the face beside the edge, and the edge's number in
@@ -99,6 +103,18 @@ class mesh_blocks {
 
   void list_blocks();
   void mark_frame();
+  void clear_owners();
+  template <class Act>
+  void each_frame_edge(const std::vector<face>& faces, const Act& act) const;
+  // True if several blocks may have the node: it is on the frame, or a vertex of the domain. Around
+  // any other node, successive faces share edges of one block.
+  bool is_shared(vertex_index v) const {
+    return v < whole_.shape().vertices.size() ||
+           owner_[v].load(std::memory_order_relaxed) != no_block;
+  }
+  bool is_owned_by(std::size_t b, vertex_index v) const {
+    return owner_[v].load(std::memory_order_relaxed) == b;
+  }
   void prefetch_nodes(vertex_index t) const;
   std::size_t shared_corners(std::span<const vertex_index> faces) const;
   size count_in(const block& now) const;
@@ -112,15 +128,17 @@ class mesh_blocks {
   std::vector<std::size_t> first_;    // of each block in listed_
   std::vector<vertex_index> listed_;  // the faces, block after block
   std::vector<vertex_index> local_;   // number of each face in its block
-  // Nodes that several blocks may have: ends of frame edges, and vertices of the domain.
-  std::vector<char> is_shared_;
-  std::vector<vertex_index> number_;  // of each other node, in its block; none before
+  static constexpr std::uint32_t no_block = ~std::uint32_t{0};
+  // The first block of those at each node of the frame, which writes it to the whole; no_block for
+  // other nodes.
+  std::vector<std::atomic<std::uint32_t>> owner_;
+  // The number of each node that no other block has, in its block, and once the blocks are joined
+  // that of each node of the frame, in the whole; none before.
+  std::vector<vertex_index> number_;
   std::vector<frame_edge> frame_;
   std::vector<std::optional<block>> blocks_;
-  std::vector<size> has_;                   // what each block adds to the whole
-  std::vector<size> from_;                  // first numbers of that in the whole
-  std::vector<vertex_index> frame_now_;     // numbers of the frame's nodes, by those they had
-  std::vector<std::uint32_t> frame_owner_;  // the block that writes them to the whole
+  std::vector<size> has_;   // what each block adds to the whole
+  std::vector<size> from_;  // first numbers of that in the whole
 };
 
 }  // namespace asterism::internal::adapting

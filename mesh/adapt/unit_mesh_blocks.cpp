@@ -92,7 +92,7 @@ std::size_t unit_mesh_remesher::join(mesh_blocks& blocks, const std::vector<bloc
     for (vertex_index t = 0; t < now.faces.size(); ++t) {
       if (now.faces[t] == none) continue;
       face_state& state = face_states_[now.faces[t]] = {};
-      state.is_due = left.is_due[t] != 0;
+      state.is_due = left.is_due[t] != 0 || blocks.is_beside_frame(b, t);
       state.shape = left.shapes[t];
     }
   };
@@ -104,7 +104,6 @@ std::size_t unit_mesh_remesher::join(mesh_blocks& blocks, const std::vector<bloc
     for (const vertex_index v : blocks.nodes_at_frame(b))
       take_node(b, v, blocks.frame_node_now(b, v));
   }
-  for (const vertex_index t : blocks.faces_at_frame()) face_states_[t].is_due = true;
   constexpr std::size_t faces_at_once = 16384;  // for a thread
   due_ = collect_chunks<vertex_index>(
       face_states_.size(), faces_at_once,
