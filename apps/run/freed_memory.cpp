@@ -36,10 +36,10 @@ void begin_large_page() {
   const std::uintptr_t start = (end + small + large - 1) / large * large;
   sbrk(static_cast<std::intptr_t>(start - small - end));
   constexpr std::size_t size = small + large;  // up to the header after it
-  void* const block = std::malloc(size);
+  auto* const block = static_cast<char*>(std::malloc(size));
   const auto from = reinterpret_cast<std::uintptr_t>(block);
-  if (from <= start && start + large <= from + size)
-    madvise(reinterpret_cast<void*>(start), large, MADV_HUGEPAGE);
+  if (block != nullptr && from <= start && start + large <= from + size)
+    madvise(block + (start - from), large, MADV_HUGEPAGE);
   std::free(block);
 #endif
 }
