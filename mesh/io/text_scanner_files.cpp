@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/io/similar_file.hpp"
 #include "asterism/mesh/io/text_scanner.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 
@@ -31,6 +32,7 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
   std::size_t part = status || stated == 0 ? least : static_cast<std::size_t>(stated) + 1;
   while (in) {
     const std::size_t before = text.size();
+    reserve_in_threads(text, before + part);
     text.resize(before + part);
     in.read(text.data() + before, static_cast<std::streamsize>(part));
     text.resize(before + static_cast<std::size_t>(in.gcount()));

@@ -23,7 +23,9 @@ class triangle_sides {
     vertex_index triangle;  // on the left
   };
 
-  explicit triangle_sides(const mesh& m) : sides_(3 * m.triangles.size()) {
+  explicit triangle_sides(const mesh& m) {
+    reserve_in_threads(sides_, 3 * m.triangles.size());
+    sides_.resize(3 * m.triangles.size());
     vertex_index most = 0;
     for (const triangle& t : m.triangles) most = std::max({most, t[0], t[1], t[2]});
     if (sides_.empty()) return;

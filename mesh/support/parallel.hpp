@@ -30,6 +30,26 @@ void parallel_chunks(std::size_t count, std::size_t chunk, const Work& work) {
                [&](std::size_t i) { work(i, i * chunk, std::min(count, (i + 1) * chunk)); });
 }
 
+// Writes to each page of new memory, in several threads: the system clears a page at its first
+// access, and one thread alone would wait for all of them. The bytes must not be in use.
+inline void access_pages(void* memory, std::size_t bytes) {
+  constexpr std::size_t page = 4096, parts = 16;
+  const std::size_t at_once =
+      std::clamp(bytes / parts, std::size_t{1} << 18U, std::size_t{1} << 21U);
+  auto* const first = static_cast<volatile unsigned char*>(memory);
+  parallel_chunks(bytes, at_once, [first](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; i += page) first[i] = 0;
+  });
+}
+
+// Reserves room in a list, and accesses what is new of it in several threads.
+template <class List>
+void reserve_in_threads(List& list, std::size_t size) {
+  if (size <= list.capacity()) return;
+  list.reserve(size);
+  access_pages(list.data() + list.size(), sizeof(list[0]) * (size - list.size()));
+}
+
 // Returns the concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.
 template <class Item, class Append>
 std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const Append& append) {
@@ -40,8 +60,10 @@ std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const App
   std::size_t total = 0;
   for (const auto& part : parts) total += part.size();
   std::vector<Item> all;
-  all.reserve(total);
-  for (auto& part : parts) std::move(part.begin(), part.end(), std::back_inserter(all));
+  reserve_in_threads(all, total);
+  for (auto& part : parts)
+    all.insert(all.end(), std::make_move_iterator(part.begin()),
+               std::make_move_iterator(part.end()));
   return all;
 }
 
