@@ -34,10 +34,8 @@ std::vector<graph_edge> edges_of(const editable_mesh& m) {
 void grade_mesh(editable_mesh& m, double distortion, double unit, const cancellation& stop) {
   std::vector<point> places;
   std::vector<metric_tensor> tensors;
-  reserve_in_threads(places, m.nodes().size());
-  reserve_in_threads(tensors, m.nodes().size());
-  places.resize(m.nodes().size());
-  tensors.resize(m.nodes().size());
+  resize_in_threads(places, m.nodes().size());
+  resize_in_threads(tensors, m.nodes().size());
   constexpr std::size_t nodes_at_once = 4096;  // for a thread
   parallel_chunks(places.size(), nodes_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {

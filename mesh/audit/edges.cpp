@@ -39,8 +39,7 @@ void list_edges(audit_context& context) {
   const auto& triangles = context.subject.triangles;
   const std::size_t sites = context.subject.sites.size();
   const auto& listed = context.triangles;
-  reserve_in_threads(context.edges, 3 * listed.size());
-  context.edges.resize(3 * listed.size());
+  resize_in_threads(context.edges, 3 * listed.size());
   auto& start = context.edge_start;
   start = sort_by_counting(
       context.edges.size(), sites,

@@ -44,8 +44,7 @@ double product_bound(double a, double b) {
 site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
   std::iota(order_.begin(), order_.end(), vertex_index{0});
   bound_roundings(sites);
-  reserve_in_threads(sites_, sites.size());
-  sites_.resize(sites.size());
+  resize_in_threads(sites_, sites.size());
   if (!sites.empty()) {
     nodes_.resize(node_count(sites.size()));
     build(sites, 0, 0, sites.size());

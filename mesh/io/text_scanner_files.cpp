@@ -32,8 +32,7 @@ result<std::string> read_text_file(const std::filesystem::path& path) {
   std::size_t part = status || stated == 0 ? least : static_cast<std::size_t>(stated) + 1;
   while (in) {
     const std::size_t before = text.size();
-    reserve_in_threads(text, before + part);
-    text.resize(before + part);
+    resize_in_threads(text, before + part);
     in.read(text.data() + before, static_cast<std::streamsize>(part));
     text.resize(before + static_cast<std::size_t>(in.gcount()));
     part = least;

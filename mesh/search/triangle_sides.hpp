@@ -24,8 +24,7 @@ class triangle_sides {
   };
 
   explicit triangle_sides(const mesh& m) {
-    reserve_in_threads(sides_, 3 * m.triangles.size());
-    sides_.resize(3 * m.triangles.size());
+    resize_in_threads(sides_, 3 * m.triangles.size());
     vertex_index most = 0;
     for (const triangle& t : m.triangles) most = std::max({most, t[0], t[1], t[2]});
     if (sides_.empty()) return;

@@ -50,6 +50,13 @@ void reserve_in_threads(List& list, std::size_t size) {
   access_pages(list.data() + list.size(), sizeof(list[0]) * (size - list.size()));
 }
 
+// Resizes a list whose new memory several threads access first.
+template <class List>
+void resize_in_threads(List& list, std::size_t size) {
+  reserve_in_threads(list, size);
+  list.resize(size);
+}
+
 // Returns the concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.
 template <class Item, class Append>
 std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const Append& append) {
