@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "asterism/mesh/support/parallel.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <vector>
+
+using namespace asterism::internal;
+
+TEST_CASE("a list resized in threads keeps its elements, and has none of what was in its memory") {
+  constexpr std::size_t before = 1000, after = 3'000'000;  // of several chunks of pages
+  std::vector<int> list(before);
+  std::iota(list.begin(), list.end(), 1);
+  resize_in_threads(list, after);
+  REQUIRE(list.size() == after);
+  for (std::size_t i = 0; i < before; ++i) REQUIRE(list[i] == static_cast<int>(i) + 1);
+  for (std::size_t i = before; i < after; ++i) REQUIRE(list[i] == 0);
+  resize_in_threads(list, before / 2);
+  CHECK(list.size() == before / 2);
+  std::string text = "kept";
+  resize_in_threads(text, after);
+  CHECK(text.substr(0, 5) == std::string("kept\0", 5));
+  CHECK(text.find_first_not_of('\0', 4) == std::string::npos);
+}
+
+TEST_CASE("what chunks append is joined in their order, also what can only be moved") {
+  constexpr std::size_t count = 10'000, chunk = 7;
+  const auto found = collect_chunks<std::unique_ptr<std::size_t>>(
+      count, chunk, [](std::size_t begin, std::size_t end, auto& out) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (i % 3 != 0) out.push_back(std::make_unique<std::size_t>(i));
+      });
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (i % 3 != 0) REQUIRE(*found.at(next++) == i);
+  CHECK(next == found.size());
+  CHECK(collect_chunks<int>(0, chunk, [](std::size_t, std::size_t, auto&) {}).empty());
+}
