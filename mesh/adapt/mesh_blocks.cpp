@@ -17,7 +17,7 @@ namespace {
 // twice this number a mesh of 10,000 faces has too few blocks for two threads.
 constexpr std::size_t faces_in_block = 2048;
 // Numbers of items that a thread takes at once.
-constexpr std::size_t faces_at_once = 4096, nodes_at_once = 16384, frame_edges_at_once = 1024;
+constexpr std::size_t faces_at_once = 4096, frame_edges_at_once = 1024;
 
 // Returns the box through which the curve of a cut runs: the domain's box, enlarged to the left and
 // below by parts of its extent that differ from cut to cut. So the lines across which the curve
@@ -57,10 +57,12 @@ class local_numbers {
   std::vector<std::pair<vertex_index, vertex_index>> slots_;
 };
 
-// Notes the block where it precedes the one noted.
-void note_block(std::atomic<std::uint32_t>& first, std::uint32_t block) {
-  std::uint32_t before = first.load(std::memory_order_relaxed);
-  while (block < before && !first.compare_exchange_weak(before, block, std::memory_order_relaxed)) {
+// Makes a block the owner of a node that has none, or one that follows it. Owners are the numbers
+// of blocks from 1 on; 0 is none.
+void take_node(std::atomic<std::uint32_t>& owner, std::uint32_t block) {
+  std::uint32_t before = owner.load(std::memory_order_relaxed);
+  while ((before == 0 || block + 1 < before) &&
+         !owner.compare_exchange_weak(before, block + 1, std::memory_order_relaxed)) {
   }
 }
 
@@ -123,7 +125,7 @@ void mesh_blocks::mark_frame() {
     }
   };
   frame_ = collect_chunks<frame_edge>(faces.size(), faces_at_once, append);
-  clear_owners();
+  owner_ = std::vector<std::atomic<std::uint32_t>>(given_.nodes.size());
   each_frame_edge(faces, [&](std::size_t i) {
     const frame_edge& edge = frame_[i];
     for (const frame_edge::side* side : {&edge.left, &edge.right})
@@ -131,19 +133,9 @@ void mesh_blocks::mark_frame() {
     const face& f = faces[edge.left.face];
     const std::uint32_t first = std::min(edge.left.block, edge.right.block);
     for (const vertex_index v : {f.v[after(edge.left.edge)], f.v[before(edge.left.edge)]})
-      note_block(owner_[v], first);
+      take_node(owner_[v], first);
   });
   number_.assign(given_.nodes.size(), none);
-}
-
-// Makes the list of the blocks that own the nodes of the frame, with none in it.
-void mesh_blocks::clear_owners() {
-  owner_ = std::vector<std::atomic<std::uint32_t>>(given_.nodes.size());
-  parallel_chunks(owner_.size(), nodes_at_once,
-                  [this](std::size_t, std::size_t begin, std::size_t end) {
-                    for (std::size_t v = begin; v < end; ++v)
-                      owner_[v].store(no_block, std::memory_order_relaxed);
-                  });
 }
 
 // Calls act(i) for each edge of the frame, in several threads. Prefetches the faces beside the

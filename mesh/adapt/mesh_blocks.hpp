@@ -103,17 +103,15 @@ class mesh_blocks {
 
   void list_blocks();
   void mark_frame();
-  void clear_owners();
   template <class Act>
   void each_frame_edge(const std::vector<face>& faces, const Act& act) const;
   // True if several blocks may have the node: it is on the frame, or a vertex of the domain. Around
   // any other node, successive faces share edges of one block.
   bool is_shared(vertex_index v) const {
-    return v < whole_.shape().vertices.size() ||
-           owner_[v].load(std::memory_order_relaxed) != no_block;
+    return v < whole_.shape().vertices.size() || owner_[v].load(std::memory_order_relaxed) != 0;
   }
   bool is_owned_by(std::size_t b, vertex_index v) const {
-    return owner_[v].load(std::memory_order_relaxed) == b;
+    return owner_[v].load(std::memory_order_relaxed) == b + 1;
   }
   void prefetch_nodes(vertex_index t) const;
   std::size_t shared_corners(std::span<const vertex_index> faces) const;
@@ -128,9 +126,8 @@ class mesh_blocks {
   std::vector<std::size_t> first_;    // of each block in listed_
   std::vector<vertex_index> listed_;  // the faces, block after block
   std::vector<vertex_index> local_;   // number of each face in its block
-  static constexpr std::uint32_t no_block = ~std::uint32_t{0};
-  // The first block of those at each node of the frame, which writes it to the whole; no_block for
-  // other nodes.
+  // The first block of those at each node of the frame, which writes it to the whole, numbered from
+  // 1 on; 0 for other nodes.
   std::vector<std::atomic<std::uint32_t>> owner_;
   // The number of each node that no other block has, in its block, and once the blocks are joined
   // that of each node of the frame, in the whole; none before.
