@@ -42,15 +42,16 @@ inline void access_pages(void* memory, std::size_t bytes) {
   });
 }
 
-// Reserves room in a list, and accesses what is new of it in several threads.
+// Reserves room for this many elements, and accesses the memory beyond the present ones in several
+// threads.
 template <class List>
 void reserve_in_threads(List& list, std::size_t size) {
-  if (size <= list.capacity()) return;
+  if (size <= list.size()) return;
   list.reserve(size);
   access_pages(list.data() + list.size(), sizeof(list[0]) * (size - list.size()));
 }
 
-// Resizes a list whose new memory several threads access first.
+// Resizes a list. Several threads access the memory of the new elements first.
 template <class List>
 void resize_in_threads(List& list, std::size_t size) {
   reserve_in_threads(list, size);

@@ -18,9 +18,7 @@ void resize_to_overwrite(List& list, std::size_t size, std::size_t expected) {
     list = List();
     list.reserve(std::max(size, static_cast<std::size_t>(times * static_cast<double>(expected))));
   }
-  if (list.size() < size)
-    access_pages(list.data() + list.size(), sizeof(list[0]) * (size - list.size()));
-  list.resize(size);
+  resize_in_threads(list, size);
 }
 
 }  // namespace asterism::internal
