@@ -97,6 +97,7 @@ void look_up_stretch(editable_mesh& m, const background_metric& field, vertex_in
   std::vector<char> is_reached(end - begin, 0);
   std::vector<vertex_index> waiting;
   face_list ring;
+  std::size_t looked_at = 0;  // triangles of the field
   for (vertex_index first = begin; first < end; ++first) {
     if (m.at(first).kind == node_kind::gone || is_reached[first - begin] != 0) continue;
     m.at(first).hint = none;
@@ -104,7 +105,7 @@ void look_up_stretch(editable_mesh& m, const background_metric& field, vertex_in
     waiting.assign(1, first);
     for (std::size_t next = 0; next < waiting.size(); ++next) {
       const vertex_index v = waiting[next];
-      m.at(v).hint = field.triangle_near(m.at(v).position, m.at(v).hint);
+      m.at(v).hint = field.triangle_near(m.at(v).position, m.at(v).hint, looked_at);
       m.neighbours(v, ring);
       for (const vertex_index w : ring) {
         if (w < begin || w >= end || is_reached[w - begin] != 0) continue;
@@ -114,6 +115,7 @@ void look_up_stretch(editable_mesh& m, const background_metric& field, vertex_in
       }
     }
   }
+  m.note_looked_at(looked_at);
 }
 
 }  // namespace

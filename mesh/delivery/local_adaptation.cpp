@@ -159,8 +159,9 @@ class local_adaptation {
   // Returns the field as a function that charges its searches to the mesh.
   static metric_at field_by(const background_metric& field, const editable_mesh& m) {
     return [&field, &m](const point& q, vertex_index& hint) {
-      const metric_tensor there = field.at(q, hint);
-      m.note_looked_at(field.take_looked_at());
+      std::size_t looked_at = 0;
+      const metric_tensor there = field.at(q, hint, looked_at);
+      m.note_looked_at(looked_at);
       return there;
     };
   }
@@ -194,15 +195,17 @@ class local_adaptation {
   // Sets the nodes' tensors to those interpolated on the background: the wanted metric except for
   // rounding, and computed faster.
   void take_interpolated(editable_mesh& m) const {
-    m.each_node([&](vertex_index v) {
-      m.set_metric(v, goal_.metric().at(m.at(v).position, m.at(v).hint));
-    });
+    const metric_at fitted = field_by(goal_.metric(), m);
+    m.each_node([&](vertex_index v) { m.set_metric(v, fitted(m.at(v).position, m.at(v).hint)); });
   }
 
   // Sets the node's tensor to that of the fitted metric where it differs from the wanted metric;
   // both are interpolated by the same operations.
   void take_other(editable_mesh& m, vertex_index v) const {
-    const auto without = goal_.metric().where_other(wanted_, m.at(v).position, m.at(v).hint);
+    std::size_t looked_at = 0;
+    const auto without =
+        goal_.metric().where_other(wanted_, m.at(v).position, m.at(v).hint, looked_at);
+    m.note_looked_at(looked_at);
     if (without) m.set_metric(v, *without);
   }
 
@@ -326,9 +329,7 @@ class local_adaptation {
     agree.most_rounds = 12;
     agree.angle_bound = 0;  // low angles are mended then, too
     constexpr int rounds = 3;
-    const metric_at wanted = [this](const point& q, vertex_index& hint) {
-      return wanted_.at(q, hint);
-    };
+    const metric_at wanted = field_by(wanted_, m);
     consistency_repair agreeing(m, agree);
     for (int i = 0; i < rounds && !stop_reason(); ++i) {
       agreeing.run();

@@ -76,28 +76,29 @@ metric_tensor background_metric::at_place(const point& q,
   return mean(where);
 }
 
-triangle_locator::located background_metric::nearby(const point& q, vertex_index hint) const {
+triangle_locator::located background_metric::nearby(const point& q, vertex_index hint,
+                                                    std::size_t& looked_at) const {
   const triangle_locator::located where = locator_->nearby(q, hint);
-  looked_at_.add(where.looked_at);
+  looked_at += where.looked_at;
   return where;
 }
 
-metric_tensor background_metric::at(const point& q, vertex_index& hint) const {
-  const triangle_locator::located where = nearby(q, hint);
+metric_tensor background_metric::at(const point& q, vertex_index& hint,
+                                    std::size_t& looked_at) const {
+  const triangle_locator::located where = nearby(q, hint, looked_at);
   hint = where.triangle;
   return quick_exponential(mean_logarithm(where));
 }
 
 triangle background_metric::nodes_around(const point& q, vertex_index& hint) const {
-  const triangle_locator::located where = nearby(q, hint);
-  hint = where.triangle;
+  hint = locator_->nearby(q, hint).triangle;
   return locator_->triangles()[hint];
 }
 
 std::optional<metric_tensor> background_metric::where_other(const background_metric& than,
-                                                            const point& q,
-                                                            vertex_index hint) const {
-  const triangle_locator::located where = nearby(q, hint);
+                                                            const point& q, vertex_index hint,
+                                                            std::size_t& looked_at) const {
+  const triangle_locator::located where = nearby(q, hint, looked_at);
   const triangle& t = locator_->triangles()[where.triangle];
   const auto is_same = [&](vertex_index v) { return identical(tensors()[v], than.tensors()[v]); };
   if (std::all_of(t.begin(), t.end(), is_same)) return std::nullopt;

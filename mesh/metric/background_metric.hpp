@@ -13,7 +13,6 @@
 #include "asterism/mesh/data/mesh.hpp"
 #include "asterism/mesh/numerics/metric_algebra.hpp"
 #include "asterism/mesh/search/triangle_locator.hpp"
-#include "asterism/mesh/support/shared_count.hpp"
 
 namespace asterism::internal {
 
@@ -39,23 +38,27 @@ class background_metric {
   // Returns the tensor of at(), or nothing if no triangle is within `reach` of the point.
   std::optional<metric_tensor> at_within(const point& q, double reach) const;
   // Returns the tensor of at() with relative errors of 1e-13, faster near the last place: the walk
-  // begins at `hint`, which is set to the triangle where it ends.
-  metric_tensor at(const point& q, vertex_index& hint) const;
+  // begins at `hint`, which is set to the triangle where it ends. Adds the number of triangles that
+  // the search has visited to `looked_at`: few, unless triangles are so thin that the box of each
+  // overlaps those of thousands.
+  metric_tensor at(const point& q, vertex_index& hint, std::size_t& looked_at) const;
+  // Does the same without a count.
+  metric_tensor at(const point& q, vertex_index& hint) const {
+    std::size_t looked_at = 0;
+    return at(q, hint, looked_at);
+  }
   // Lets the next search near q without a hint, also of a copy, begin at this triangle.
   void begin_near(const point& q, vertex_index hint) const { locator_->begin_near(q, hint); }
-  // Returns the triangle in which at() with this hint interpolates.
-  vertex_index triangle_near(const point& q, vertex_index hint) const {
-    return nearby(q, hint).triangle;
+  // Returns the triangle in which at() with this hint interpolates; counts as that does.
+  vertex_index triangle_near(const point& q, vertex_index hint, std::size_t& looked_at) const {
+    return nearby(q, hint, looked_at).triangle;
   }
   // Returns the tensor of at() with a hint, if it differs from that of another field on the same
-  // triangles.
+  // triangles; counts as that does.
   std::optional<metric_tensor> where_other(const background_metric& than, const point& q,
-                                           vertex_index hint) const;
+                                           vertex_index hint, std::size_t& looked_at) const;
   // Returns the corners of the triangle that at() with a hint interpolates in.
   triangle nodes_around(const point& q, vertex_index& hint) const;
-  // Returns the number of triangles that searches of at() with a hint have visited since the last
-  // call: few, unless triangles are so thin that the box of each overlaps those of thousands.
-  std::size_t take_looked_at() const { return looked_at_.take(); }
 
   // Returns the edges, each once.
   std::vector<graph_edge> edges() const { return locator_->edges(); }
@@ -64,7 +67,7 @@ class background_metric {
 
  private:
   metric_tensor at_place(const point& q, const triangle_locator::located& where) const;
-  triangle_locator::located nearby(const point& q, vertex_index hint) const;
+  triangle_locator::located nearby(const point& q, vertex_index hint, std::size_t& looked_at) const;
   tensor_logarithm mean_logarithm(const triangle_locator::located& where) const;
   metric_tensor mean(const triangle_locator::located& where) const {
     return exponential(mean_logarithm(where));
@@ -74,7 +77,6 @@ class background_metric {
   // Copies share the lists.
   std::shared_ptr<const std::vector<metric_tensor>> tensors_;
   std::shared_ptr<const std::vector<tensor_logarithm>> logarithms_;
-  mutable shared_count looked_at_;
 };
 
 }  // namespace asterism::internal

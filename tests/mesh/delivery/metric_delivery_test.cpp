@@ -16,6 +16,7 @@
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/metric/interpolated_field.hpp"
 #include "asterism/mesh/pipeline/outcome_text.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
 #include "fixtures/domain_kinds.hpp"
 
 using namespace asterism;
@@ -113,6 +114,25 @@ TEST_CASE("the same metric on a mesh gives the same mesh") {
   const auto field = make_interpolated_field(background(ring_front, 0.1), 1);
   const certified_mesh one = adapted(*field), other = adapted(*field);
   CHECK(mesh_fingerprint(one.outcome.result) == mesh_fingerprint(other.outcome.result));
+}
+
+TEST_CASE("the work counted is the same for any number of threads") {
+  const auto field = make_interpolated_field(background(ring_front, 0.04), 0.2);
+  const auto work_with = [&](std::size_t threads) {
+    const thread_limit limit(threads);
+    constexpr double ample = 1e12;
+    mesh_options options;
+    options.limit_size = true;
+    options.stop = options.stop.with_work(ample);
+    const auto made = make_certified_mesh(accepted(square()), *field, options);
+    REQUIRE(made.ok());
+    REQUIRE(made.value().certified());
+    REQUIRE(made.value().outcome.sites > 5000);  // enough for blocks
+    return ample - options.stop.units_left();
+  };
+  const double of_one = work_with(1);
+  CHECK(of_one > 1000);
+  for (const std::size_t threads : {2U, 3U, 4U}) CHECK(work_with(threads) == of_one);
 }
 
 TEST_CASE("what a certificate says of the metric delivered is measured again") {
