@@ -42,7 +42,8 @@ std::pair<double, std::size_t> unit_mesh_remesher::measured_area() const {
   constexpr std::size_t chunk = 8192;
   std::vector<std::pair<double, std::size_t>> parts(chunk_count(m_.faces().size(), chunk));
   const auto add = [&](std::size_t i, std::size_t begin, std::size_t end) {
-    auto& [area, faces] = parts[i];
+    std::pair<double, std::size_t> sum{0, 0};
+    auto& [area, faces] = sum;
     for (std::size_t t = begin; t < end; ++t) {
       const face& f = m_.faces()[t];
       if (!f.exists()) continue;
@@ -55,6 +56,7 @@ std::pair<double, std::size_t> unit_mesh_remesher::measured_area() const {
           twice / 2 * quick_exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
       ++faces;
     }
+    parts[i] = sum;
   };
   parallel_chunks(m_.faces().size(), chunk, add);
   std::pair<double, std::size_t> whole{0, 0};

@@ -25,6 +25,8 @@
 #include "asterism/mesh/metric/background_metric.hpp"
 #include "asterism/mesh/search/hilbert_order.hpp"
 #include "asterism/mesh/support/free_memory.hpp"
+#include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/shared_count.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -280,15 +282,15 @@ class local_adaptation {
   double grade_as_needed(editable_mesh& m, const strictness& how, double unit) const {
     constexpr double changed = 0.1;        // log distortion: lengths by a tenth
     constexpr std::size_t nearly_all = 4;  // one node in this number may be unlike
-    std::vector<metric_tensor> before(m.nodes().size());
+    std::vector<metric_tensor> before;
+    resize_in_threads(before, m.nodes().size());
     m.each_node([&](vertex_index v) { before[v] = m.at(v).metric; });
     grade_mesh(m, how.mesh, unit, options_.stop);
-    std::atomic<std::size_t> alike = 0;
+    shared_count alike;
     m.each_node([&](vertex_index v) {
-      if (!(log_distortion(before[v], m.at(v).metric) > changed))
-        alike.fetch_add(1, std::memory_order_relaxed);
+      if (!(log_distortion(before[v], m.at(v).metric) > changed)) alike.add(1);
     });
-    if (nearly_all * alike > m.count()) return how.mesh;
+    if (nearly_all * alike.take() > m.count()) return how.mesh;
     grade_mesh(m, how.turning, unit, options_.stop);
     return how.turning;
   }

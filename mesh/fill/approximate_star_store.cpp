@@ -40,7 +40,9 @@ template <class Append>
 void collect_claims(std::size_t count, claim_list& claims, const Append& append) {
   std::vector<claim_list> parts(chunk_count(count, stars_a_chunk));
   parallel_chunks(count, stars_a_chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
-    append(begin, end, parts[i]);
+    claim_list found;  // a thread's own: the lists of the parts share cache lines
+    append(begin, end, found);
+    parts[i] = std::move(found);
   });
   for (const claim_list& part : parts) claims.append(part);
 }

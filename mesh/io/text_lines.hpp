@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/support/parallel.hpp"
@@ -55,10 +56,13 @@ void make_lines(std::size_t count, const Line& line, const Take& take) {
     const std::size_t lines = std::min(at_a_time, count - first), parts = chunk_count(lines, chunk);
     parallel_for(1 + parts, [&](std::size_t item) {
       if (item == 0) return take_before();
-      std::string& part = made[item - 1];
+      // Appends to a string of this thread's own. Those of the list share cache lines, and each
+      // line of text changes the length of one.
+      std::string part = std::move(made[item - 1]);
       part.clear();
       const std::size_t begin = first + (item - 1) * chunk;
       for (std::size_t k = begin; k < std::min(begin + chunk, first + lines); ++k) line(k, part);
+      made[item - 1] = std::move(part);
     });
     made.swap(before);
     parts_before = parts;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/support/parallel_for.hpp"
@@ -63,7 +64,10 @@ template <class Item, class Append>
 std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const Append& append) {
   std::vector<std::vector<Item>> parts(chunk_count(count, chunk));
   parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
-    append(begin, end, parts[i]);
+    // Lists of the parts share cache lines, and each item that is added changes one.
+    std::vector<Item> found;
+    append(begin, end, found);
+    parts[i] = std::move(found);
   });
   std::size_t total = 0;
   for (const auto& part : parts) total += part.size();

@@ -41,8 +41,10 @@ class clipper {
                     [&](std::size_t i, std::size_t begin, std::size_t end) {
                       workspace w;
                       w.seen.assign(from_.triangles.size(), no_triangle);
+                      totals sums;
                       for (std::size_t t = begin; t < end; ++t)
-                        clip(static_cast<vertex_index>(t), w, parts[i]);
+                        clip(static_cast<vertex_index>(t), w, sums);
+                      parts[i] = sums;
                     });
     for (const totals& part : parts) {
       made_.common_area += part.area;
