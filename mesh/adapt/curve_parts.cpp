@@ -26,7 +26,7 @@ curve_parts::curve_parts(const std::vector<node>& nodes, const std::vector<face>
     if (f.exists())
       for (const vertex_index v : f.v) prefetch(&nodes[v].position);
   };
-  if (parts > 1) divide_curve(faces, place_of, parts);
+  if (parts > 1) divide_curve(faces, place_of, prefetch_nodes, parts);
   // Tries the part of the face before first, which is nearly always the part of the next one, too.
   parallel_chunks(faces.size(), faces_placed_at_once,
                   [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -44,13 +44,16 @@ curve_parts::curve_parts(const std::vector<node>& nodes, const std::vector<face>
 }
 
 // Finds the bounds between parts: quantiles of the places of a sample.
-template <class Place>
+template <class Place, class Prefetch>
 void curve_parts::divide_curve(const std::vector<face>& faces, const Place& place_of,
-                               std::size_t parts) {
+                               const Prefetch& prefetch_nodes, std::size_t parts) {
   constexpr std::size_t sampled = 16;  // one face in this number
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<std::uint64_t>& places) {
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
+      if (i + 2 * triangles_ahead < end) prefetch(&faces[sampled * (i + 2 * triangles_ahead)]);
+      if (i + triangles_ahead < end) prefetch_nodes(faces[sampled * (i + triangles_ahead)]);
       if (faces[sampled * i].exists()) places.push_back(place_of(faces[sampled * i]));
+    }
   };
   std::vector<std::uint64_t> sample = collect_chunks<std::uint64_t>(
       chunk_count(faces.size(), sampled), faces_placed_at_once, append);

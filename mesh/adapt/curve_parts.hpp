@@ -30,8 +30,9 @@ class curve_parts {
   std::uint32_t near(const point& q) const;
 
  private:
-  template <class Place>
-  void divide_curve(const std::vector<face>& faces, const Place& place_of, std::size_t parts);
+  template <class Place, class Prefetch>
+  void divide_curve(const std::vector<face>& faces, const Place& place_of,
+                    const Prefetch& prefetch_nodes, std::size_t parts);
   std::uint32_t at(std::uint64_t place) const;
   bool is_in(std::uint64_t place, std::uint32_t part) const;
 

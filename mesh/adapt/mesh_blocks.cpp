@@ -36,25 +36,43 @@ bounding_box box_of_cut(const bounding_box& box, unsigned cut) {
   return grown;
 }
 
-// Numbers of nodes in a block, by their numbers in the whole: a hash table with open addressing.
+// Numbers of nodes in a block, by their numbers in the whole: a hash table with open addressing,
+// which is at most half full.
 class local_numbers {
  public:
-  // `most` is the greatest number of nodes.
-  explicit local_numbers(std::size_t most)
-      : slots_(std::bit_ceil(std::max<std::size_t>(16, 2 * most)), {none, none}) {}
-
   // Returns the slot of a node's number in the block; it holds `none` if the node has no number
   // there yet.
   vertex_index& at(vertex_index v) {
-    constexpr std::uint64_t spread = 0x9e3779b97f4a7c15U;
-    std::size_t i = static_cast<std::size_t>((v * spread) >> 20U) & (slots_.size() - 1);
-    while (slots_[i].first != v && slots_[i].first != none) i = (i + 1) & (slots_.size() - 1);
-    slots_[i].first = v;
+    std::size_t i = place_of(v);
+    if (slots_[i].first == none) {
+      if (2 * ++used_ > slots_.size()) {
+        grow();
+        i = place_of(v);
+      }
+      slots_[i].first = v;
+    }
     return slots_[i].second;
   }
 
  private:
-  std::vector<std::pair<vertex_index, vertex_index>> slots_;
+  // Returns the place of a node, or the free one that it would have.
+  std::size_t place_of(vertex_index v) const {
+    constexpr std::uint64_t spread = 0x9e3779b97f4a7c15U;
+    std::size_t i = static_cast<std::size_t>((v * spread) >> 20U) & (slots_.size() - 1);
+    while (slots_[i].first != v && slots_[i].first != none) i = (i + 1) & (slots_.size() - 1);
+    return i;
+  }
+  void grow() {
+    auto before = std::exchange(slots_, slots(2 * slots_.size(), {none, none}));
+    for (const auto& slot : before)
+      if (slot.first != none) slots_[place_of(slot.first)] = slot;
+  }
+
+  using slots = std::vector<std::pair<vertex_index, vertex_index>>;
+  // Number of slots at first: a block's frame has some 250 nodes.
+  static constexpr std::size_t slots_at_first = 1024;
+  slots slots_ = slots(slots_at_first, {none, none});
+  std::size_t used_ = 0;
 };
 
 // Makes a block the owner of a node that has none, or one that follows it. Owners are the numbers
@@ -164,14 +182,6 @@ void mesh_blocks::prefetch_nodes(vertex_index t) const {
   }
 }
 
-// Returns the number of corners of a block's faces whose nodes other blocks may have, too.
-std::size_t mesh_blocks::shared_corners(std::span<const vertex_index> faces) const {
-  std::size_t corners = 0;
-  for (const vertex_index t : faces)
-    for (const vertex_index v : given_.faces[t].v) corners += is_shared(v) ? 1 : 0;
-  return corners;
-}
-
 mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
   block made{whole_.like({}), {}, {}, {}, {}, {}};
   made.faces = std::span(listed_).subspan(first_[b], first_[b + 1] - first_[b]);
@@ -179,7 +189,7 @@ mesh_blocks::block mesh_blocks::take_out(std::size_t b) {
   parts.faces.reserve(made.faces.size());
   parts.nodes.reserve(made.faces.size());
   made.nodes.reserve(made.faces.size());
-  local_numbers numbers(shared_corners(made.faces));
+  local_numbers numbers;
   for (std::size_t i = 0; i < made.faces.size(); ++i) {
     if (i + triangles_ahead < made.faces.size()) prefetch_nodes(made.faces[i + triangles_ahead]);
     face f = given_.faces[made.faces[i]];

@@ -114,7 +114,6 @@ class mesh_blocks {
     return owner_[v].load(std::memory_order_relaxed) == b + 1;
   }
   void prefetch_nodes(vertex_index t) const;
-  std::size_t shared_corners(std::span<const vertex_index> faces) const;
   size count_in(const block& now) const;
   size number();
   numbers number_block(std::size_t b) const;
