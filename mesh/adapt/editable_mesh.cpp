@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "asterism/mesh/support/number_present.hpp"
+
 namespace asterism::internal::adapting {
 
 void editable_mesh::around(vertex_index v, face_list& out) const {
@@ -295,32 +297,41 @@ editable_mesh editable_mesh::like(parts p) const {
 }
 
 mesh editable_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
+  const auto is_node = [this](std::size_t v) { return nodes_[v].kind != node_kind::gone; };
+  const auto is_face = [this](std::size_t t) { return faces_[t].exists(); };
+  present_numbers numbers = number_present(nodes_.size(), is_node);
+  const present_numbers triangles = number_present(faces_.size(), is_face);
+  renumbered = std::move(numbers.of);
   mesh made;
   made.given = static_cast<vertex_index>(domain_->vertices.size());
-  made.sites.reserve(count_);
-  made.triangles.reserve(faces_.size() - free_faces_.size());
-  renumbered.assign(nodes_.size(), none);
-  for (vertex_index v = 0; v < nodes_.size(); ++v) {
-    if (nodes_[v].kind == node_kind::gone) continue;
-    renumbered[v] = static_cast<vertex_index>(made.sites.size());
-    made.sites.push_back({nodes_[v].position, nodes_[v].metric});
-  }
-  std::vector<std::pair<double, boundary_edge>> subsegments;
-  for (const face& f : faces_) {
-    if (!f.exists()) continue;
-    made.triangles.push_back({renumbered[f.v[0]], renumbered[f.v[1]], renumbered[f.v[2]]});
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (f.segment[i] == none) continue;
-      const segment& s = domain_->segments[f.segment[i]];
-      const point &a = domain_->vertices[s.a], &b = domain_->vertices[s.b];
-      const vertex_index u = f.v[after(i)], w = f.v[before(i)];
-      const point &p = nodes_[u].position, &q = nodes_[w].position;
-      const double x = b.x - a.x, y = b.y - a.y;
-      if ((q.x - p.x) * x + (q.y - p.y) * y < 0) continue;  // its twin will do
-      subsegments.push_back({(p.x - a.x) * x + (p.y - a.y) * y,
-                             {renumbered[u], renumbered[w], f.segment[i], s.marker, s.internal}});
+  resize_in_threads(made.sites, numbers.count);
+  resize_in_threads(made.triangles, triangles.count);
+  each_node([&](vertex_index v) {
+    made.sites[renumbered[v]] = {nodes_[v].position, nodes_[v].metric};
+  });
+  using placed_edge = std::pair<double, boundary_edge>;  // with its place along the segment
+  const auto take = [&](std::size_t begin, std::size_t end, std::vector<placed_edge>& found) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const face& f = faces_[t];
+      if (!f.exists()) continue;
+      made.triangles[triangles.of[t]] = {renumbered[f.v[0]], renumbered[f.v[1]],
+                                         renumbered[f.v[2]]};
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (f.segment[i] == none) continue;
+        const segment& s = domain_->segments[f.segment[i]];
+        const point &a = domain_->vertices[s.a], &b = domain_->vertices[s.b];
+        const vertex_index u = f.v[after(i)], w = f.v[before(i)];
+        const point &p = nodes_[u].position, &q = nodes_[w].position;
+        const double x = b.x - a.x, y = b.y - a.y;
+        if ((q.x - p.x) * x + (q.y - p.y) * y < 0) continue;  // its twin will do
+        found.push_back({(p.x - a.x) * x + (p.y - a.y) * y,
+                         {renumbered[u], renumbered[w], f.segment[i], s.marker, s.internal}});
+      }
     }
-  }
+  };
+  constexpr std::size_t faces_at_once = 4096;  // for a thread
+  std::vector<placed_edge> subsegments =
+      collect_chunks<placed_edge>(faces_.size(), faces_at_once, take);
   std::sort(subsegments.begin(), subsegments.end(), [](const auto& a, const auto& b) {
     return a.second.segment != b.second.segment ? a.second.segment < b.second.segment
                                                 : a.first < b.first;

@@ -8,6 +8,7 @@
 
 #include "asterism/mesh/gradation/nodal_gradation.hpp"
 #include "asterism/mesh/search/triangle_locator.hpp"
+#include "asterism/mesh/support/number_present.hpp"
 #include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal::adapting {
@@ -56,32 +57,38 @@ void grade_mesh(editable_mesh& m, double distortion, double unit, const cancella
 }
 
 background_metric field_of(editable_mesh& m) {
-  std::vector<vertex_index> node_number(m.nodes().size(), none),
-      cell(m.faces().size(), no_triangle);
+  const auto is_node = [&m](std::size_t v) { return m.nodes()[v].kind != node_kind::gone; };
+  const auto is_face = [&m](std::size_t t) { return m.faces()[t].exists(); };
+  const present_numbers nodes = number_present(m.nodes().size(), is_node),
+                        faces = number_present(m.faces().size(), is_face);
   std::vector<point> places;
   std::vector<metric_tensor> tensors;
-  places.reserve(m.count());
-  tensors.reserve(m.count());
-  for (vertex_index v = 0; v < m.nodes().size(); ++v) {
-    if (m.at(v).kind == node_kind::gone) continue;
-    node_number[v] = static_cast<vertex_index>(places.size());
-    places.push_back(m.at(v).position);
-    tensors.push_back(m.at(v).metric);
-  }
-  vertex_index cells = 0;
-  for (vertex_index t = 0; t < m.faces().size(); ++t)
-    if (m.faces()[t].exists()) cell[t] = cells++;
-  std::vector<triangle> triangles(cells);
-  triangle_locator::corner_links across(cells);
-  for (vertex_index t = 0; t < m.faces().size(); ++t) {
-    const face& f = m.faces()[t];
-    if (!f.exists()) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      triangles[cell[t]][i] = node_number[f.v[i]];
-      across[cell[t]][i] = f.next[i] == none ? no_triangle : cell[f.next[i]];
-      m.at(f.v[i]).hint = cell[t];
-    }
-  }
+  resize_in_threads(places, nodes.count);
+  resize_in_threads(tensors, nodes.count);
+  m.each_node([&](vertex_index v) {
+    const node& n = m.at(v);
+    places[nodes.of[v]] = n.position;
+    tensors[nodes.of[v]] = n.metric;
+  });
+  std::vector<triangle> triangles;
+  triangle_locator::corner_links across;
+  resize_in_threads(triangles, faces.count);
+  resize_in_threads(across, faces.count);
+  constexpr std::size_t faces_at_once = 4096;  // for a thread
+  parallel_chunks(
+      m.faces().size(), faces_at_once, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+          const face& f = m.faces()[t];
+          for (std::size_t i = 0; f.exists() && i < 3; ++i) {
+            triangles[faces.of[t]][i] = nodes.of[f.v[i]];
+            across[faces.of[t]][i] = f.next[i] == none ? no_triangle : faces.of[f.next[i]];
+          }
+        }
+      });
+  // By one thread: the last face at a node sets its hint.
+  for (std::size_t t = 0; t < m.faces().size(); ++t)
+    if (is_face(t))
+      for (const vertex_index v : m.faces()[t].v) m.at(v).hint = faces.of[t];
   return {std::make_shared<const triangle_locator>(std::move(places), std::move(triangles),
                                                    std::move(across)),
           std::move(tensors)};

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "asterism/mesh/delivery/assign_regions.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 
 namespace asterism::internal {
 namespace {
@@ -16,6 +17,17 @@ constexpr std::size_t all_findings = std::numeric_limits<std::size_t>::max();
 // Number of open questions above which a star counts as one whose gaps reach far: few stars are
 // such, and they have nearly all questions.
 constexpr std::size_t many_open = 20;
+
+// Lists the faces that exist.
+std::vector<vertex_index> faces_of(const adapting::editable_mesh& m) {
+  constexpr std::size_t faces_at_once = 8192;  // for a thread
+  return collect_chunks<vertex_index>(
+      m.faces().size(), faces_at_once,
+      [&m](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
+        for (std::size_t t = begin; t < end; ++t)
+          if (m.faces()[t].exists()) found.push_back(static_cast<vertex_index>(t));
+      });
+}
 
 }  // namespace
 
@@ -27,20 +39,14 @@ void audited_mesh::take(const adapting::editable_mesh& m) {
   node_of_.assign(subject_.sites.size(), 0);
   for (vertex_index v = 0; v < renumbered.size(); ++v)
     if (renumbered[v] != adapting::none) node_of_[renumbered[v]] = v;
-  face_of_.clear();
-  face_of_.reserve(subject_.triangles.size());
-  for (vertex_index t = 0; t < m.faces().size(); ++t)
-    if (m.faces()[t].exists()) face_of_.push_back(t);
+  face_of_ = faces_of(m);
 }
 
 bool audited_mesh::has_same_nodes_and_faces(const adapting::editable_mesh& m) const {
   const auto exists = [&m](vertex_index v) { return m.at(v).kind != adapting::node_kind::gone; };
   if (m.count() != node_of_.size() || !std::all_of(node_of_.begin(), node_of_.end(), exists))
     return false;
-  auto before = face_of_.begin();
-  for (vertex_index t = 0; t < m.faces().size(); ++t)
-    if (m.faces()[t].exists() && (before == face_of_.end() || *before++ != t)) return false;
-  return before == face_of_.end();
+  return faces_of(m) == face_of_;
 }
 
 // Takes places, tensors and corners where nodes and faces have the numbers they had.
@@ -92,25 +98,35 @@ std::vector<char> audited_mesh::sites_on_segments() const {
 }
 
 mesh_changes audited_mesh::changes(const adapting::editable_mesh& m) const {
+  constexpr std::size_t at_once = 8192;  // sites or faces, for a thread
   mesh_changes found;
-  node_list displaced;  // sites
-  for (vertex_index s = 0; s < node_of_.size(); ++s) {
+  const auto has_stayed = [&](vertex_index s) {
     const adapting::node& is = m.at(node_of_[s]);
-    const bool exists = is.kind != adapting::node_kind::gone;
-    const bool has_stayed = exists && is.position == subject_.sites[s].position;
-    if (!has_stayed) displaced.push_back(s);
-    if (exists && !(has_stayed && identical(is.metric, subject_.sites[s].metric)))
-      found.nodes.push_back(node_of_[s]);
+    return is.kind != adapting::node_kind::gone && is.position == subject_.sites[s].position;
+  };
+  const auto list_sites = [&](std::size_t begin, std::size_t end, node_list& sites) {
+    for (auto s = static_cast<vertex_index>(begin); s < end; ++s)
+      if (!has_stayed(s) || !identical(m.at(node_of_[s]).metric, subject_.sites[s].metric))
+        sites.push_back(s);
+  };
+  const auto list_corners = [&](std::size_t begin, std::size_t end, node_list& nodes) {
+    auto before = std::lower_bound(face_of_.begin(), face_of_.end(), begin);
+    for (auto t = static_cast<vertex_index>(begin); t < end; ++t) {
+      const auto nth = static_cast<std::size_t>(before - face_of_.begin());
+      const bool had_face = before != face_of_.end() && *before == t;
+      if (had_face) ++before;
+      const adapting::face& is = m.faces()[t];
+      if (is.exists() && !(had_face && has_same_corners(is, subject_.triangles[nth])))
+        nodes.insert(nodes.end(), is.v.begin(), is.v.end());
+    }
+  };
+  node_list displaced;  // sites
+  for (const vertex_index s : collect_chunks<vertex_index>(node_of_.size(), at_once, list_sites)) {
+    if (!has_stayed(s)) displaced.push_back(s);
+    if (m.at(node_of_[s]).kind != adapting::node_kind::gone) found.nodes.push_back(node_of_[s]);
   }
-  auto before = face_of_.begin();
-  for (vertex_index t = 0; t < m.faces().size(); ++t) {
-    const auto nth = static_cast<std::size_t>(before - face_of_.begin());
-    const bool had_face = before != face_of_.end() && *before == t;
-    if (had_face) ++before;
-    const adapting::face& is = m.faces()[t];
-    if (is.exists() && !(had_face && has_same_corners(is, subject_.triangles[nth])))
-      found.nodes.insert(found.nodes.end(), is.v.begin(), is.v.end());
-  }
+  const node_list corners = collect_chunks<vertex_index>(m.faces().size(), at_once, list_corners);
+  found.nodes.insert(found.nodes.end(), corners.begin(), corners.end());
   if (displaced.empty()) return found;
   const std::vector<char> are_on = sites_on_segments();
   found.are_inside = std::none_of(displaced.begin(), displaced.end(),
