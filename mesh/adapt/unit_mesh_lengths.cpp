@@ -9,6 +9,7 @@
 #include "asterism/mesh/adapt/unit_mesh.hpp"
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal::adapting {
 namespace {
@@ -101,6 +102,21 @@ class stretches {
   std::size_t begin_ = 0, length_ = 0;  // of the present one; none before the first edge
   std::size_t next_length_ = 1024;      // of the first one
 };
+
+// Prefetches faces at the ends of edges that follow edge i of a list, which are anywhere in memory.
+void prefetch_faces(const editable_mesh& m, const std::vector<measured_edge>& edges,
+                    std::size_t i) {
+  if (i + 2 * sites_ahead < edges.size()) {
+    const measured_edge& later = edges[i + 2 * sites_ahead];
+    prefetch(&m.at(later.a));
+    prefetch(&m.faces()[later.face]);
+  }
+  if (i + sites_ahead >= edges.size()) return;
+  const measured_edge& next = edges[i + sites_ahead];
+  prefetch(&m.faces()[m.at(next.a).face]);
+  for (const vertex_index t : m.faces()[next.face].next)
+    if (t != none) prefetch(&m.faces()[t]);
+}
 
 // Returns the face with the edge from a to b, and the number of the edge in it.
 std::pair<vertex_index, std::size_t> find_edge(const editable_mesh& m, vertex_index a,
@@ -278,6 +294,7 @@ std::size_t unit_mesh_remesher::split_long(double longest, std::size_t most,
     if (done >= most || m_.count() >= options_.most_nodes || options_.stop.is_requested())
       return done;
     if (ahead.moves_on_at(i)) nodes = nodes_on_edges(ahead.present());
+    prefetch_faces(m_, found, i);
     const measured_edge& e = found[i];
     const auto [t, edge] = find_edge(m_, e.a, e.b);
     if (t == none || !(m_.length(e.a, e.b) > longest)) continue;

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<point> places_of(const mesh& m) {
   std::vector<point> places;
-  places.reserve(m.sites.size());
+  reserve_in_threads(places, m.sites.size());
   for (const site& s : m.sites) places.push_back(s.position);
   return places;
 }
@@ -32,8 +32,8 @@ checked_triangulation::checked_triangulation(const mesh& subject, const domain* 
                                              triangulation_lists lists, const audit_report& report)
     : places_(places_of(subject)),
       given_(subject.given),
-      triangles_(subject.triangles),
-      regions_(subject.regions),
+      triangles_(copy_in_threads(subject.triangles)),
+      regions_(copy_in_threads(subject.regions)),
       boundary_(subject.boundary),
       original_(original),
       lists_(std::move(lists)),

@@ -46,7 +46,7 @@ site_tree::site_tree(const std::vector<site>& sites) : order_(sites.size()) {
   bound_roundings(sites);
   resize_in_threads(sites_, sites.size());
   if (!sites.empty()) {
-    nodes_.resize(node_count(sites.size()));
+    resize_in_threads(nodes_, node_count(sites.size()));
     build(sites, 0, 0, sites.size());
   }
   for (const node& n : nodes_)

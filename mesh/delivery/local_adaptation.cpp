@@ -178,7 +178,7 @@ class local_adaptation {
   void make_room_for_lookups(std::size_t nodes) {
     constexpr std::size_t part = 64;  // of the nodes: repairs and splits add fewer
     if (looked_up_.capacity() < nodes) looked_up_.reserve(nodes + nodes / part);
-    looked_up_.resize(nodes);
+    resize_in_threads(looked_up_, nodes);
   }
 
   // Returns the metric wanted at a node, remembered from the last time unless the node has moved.

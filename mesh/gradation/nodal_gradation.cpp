@@ -154,8 +154,8 @@ class edge_set {
 // Lists the edges at each node of a graph, ascending.
 class edges_of_nodes {
  public:
-  edges_of_nodes(std::size_t nodes, const std::vector<graph_edge>& edges)
-      : first_(nodes + 1, 0), all_(2 * edges.size()) {
+  edges_of_nodes(std::size_t nodes, const std::vector<graph_edge>& edges) : first_(nodes + 1, 0) {
+    resize_in_threads(all_, 2 * edges.size());
     for (const graph_edge& e : edges) {
       ++first_[e.a];
       ++first_[e.b];

@@ -59,6 +59,15 @@ void resize_in_threads(List& list, std::size_t size) {
   list.resize(size);
 }
 
+// Returns a copy of a list. Several threads access its memory first.
+template <class List>
+List copy_in_threads(const List& list) {
+  List copy;
+  reserve_in_threads(copy, list.size());
+  copy.assign(list.begin(), list.end());
+  return copy;
+}
+
 // Returns the concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.
 template <class Item, class Append>
 std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const Append& append) {
