@@ -8,6 +8,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <vector>
@@ -101,6 +102,36 @@ TEST_CASE("a mesh cut into blocks and put together is the same one") {
     CHECK(placed_faces(m) == before);
     CHECK(triangulation_of(m).boundary.size() == pieces);
   }
+}
+
+TEST_CASE("a mesh with many vertices of the domain in each block is cut and put together") {
+  // Blocks may share the domain's vertices, and number them as nodes of the frame.
+  constexpr int vertices = 10000;
+  domain d;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = 2 * std::numbers::pi * i / vertices;
+    d.vertices.push_back({std::cos(angle), std::sin(angle)});
+    d.segments.push_back(
+        {static_cast<vertex_index>(i), static_cast<vertex_index>((i + 1) % vertices), 1});
+  }
+  editable_mesh m = coarse_mesh(d);
+  REQUIRE(mesh_blocks::are_worth_it(m));
+  const auto before = placed_faces(m);
+  const std::size_t count = m.count();
+  mesh_blocks blocks(m, 3);
+  std::ptrdiff_t most = 0;  // vertices of the domain in a block
+  for (std::size_t b = 0; b < blocks.count(); ++b) {
+    mesh_blocks::block taken = blocks.take_out(b);
+    const auto shared = std::count_if(taken.nodes.begin(), taken.nodes.end(),
+                                      [](vertex_index v) { return v < vertices; });
+    most = std::max(most, shared);
+    blocks.put_back(b, std::move(taken));
+  }
+  CHECK(most > 600);
+  blocks.join(0);
+  CHECK(is_linked(m));
+  CHECK(placed_faces(m) == before);
+  CHECK(m.count() == count);
 }
 
 TEST_CASE("a join tells the numbers of each block's nodes and faces in the whole") {

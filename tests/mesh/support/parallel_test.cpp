@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "asterism/mesh/support/number_present.hpp"
+#include "asterism/mesh/support/thread_limit.hpp"
+
 using namespace asterism::internal;
 
 TEST_CASE("a list resized in threads keeps its elements, and has none of what was in its memory") {
@@ -24,6 +27,29 @@ TEST_CASE("a list resized in threads keeps its elements, and has none of what wa
   resize_in_threads(text, after);
   CHECK(text.substr(0, 5) == std::string("kept\0", 5));
   CHECK(text.find_first_not_of('\0', 4) == std::string::npos);
+}
+
+TEST_CASE("a list copied in threads is the same list") {
+  for (const std::size_t size : {0U, 1U, 3'000'000U}) {
+    std::vector<int> list(size);
+    std::iota(list.begin(), list.end(), 1);
+    CHECK(copy_in_threads(list) == list);
+  }
+}
+
+TEST_CASE("items that are present are numbered in their order, for any number of threads") {
+  constexpr std::size_t count = 100'000;
+  const auto is_present = [](std::size_t i) { return i % 5 != 2 && i / 10'000 != 3; };
+  for (const std::size_t threads : {1U, 2U, 7U}) {
+    const thread_limit limit(threads);
+    const present_numbers numbers = number_present(count, is_present);
+    REQUIRE(numbers.of.size() == count);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      REQUIRE(numbers.of[i] == (is_present(i) ? next++ : present_numbers::gone));
+    CHECK(numbers.count == next);
+  }
+  CHECK(number_present(0, is_present).count == 0);
 }
 
 TEST_CASE("what chunks append is joined in their order, also what can only be moved") {
