@@ -296,47 +296,63 @@ editable_mesh editable_mesh::like(parts p) const {
   return made;
 }
 
+namespace {
+
+static_assert(present_numbers::gone == none);
+
+// A piece of a segment between two nodes, and its place along the segment.
+using placed_piece = std::pair<double, boundary_edge>;
+
+// Returns the piece that is edge i of a face, where it is directed as its segment is: of the two
+// faces at a piece inside the domain one has it.
+std::optional<placed_piece> piece_at(const domain& d, const std::vector<node>& nodes, const face& f,
+                                     std::size_t i) {
+  if (f.segment[i] == none) return std::nullopt;
+  const segment& s = d.segments[f.segment[i]];
+  const point &a = d.vertices[s.a], &b = d.vertices[s.b];
+  const vertex_index u = f.v[after(i)], w = f.v[before(i)];
+  const point &p = nodes[u].position, &q = nodes[w].position;
+  const double x = b.x - a.x, y = b.y - a.y;
+  if ((q.x - p.x) * x + (q.y - p.y) * y < 0) return std::nullopt;
+  return placed_piece{(p.x - a.x) * x + (p.y - a.y) * y,
+                      {u, w, f.segment[i], s.marker, s.internal}};
+}
+
+bool is_before(const placed_piece& p, const placed_piece& q) {
+  return p.second.segment != q.second.segment ? p.second.segment < q.second.segment
+                                              : p.first < q.first;
+}
+
+}  // namespace
+
 mesh editable_mesh::triangulation(std::vector<vertex_index>& renumbered) const {
   const auto is_node = [this](std::size_t v) { return nodes_[v].kind != node_kind::gone; };
   const auto is_face = [this](std::size_t t) { return faces_[t].exists(); };
-  present_numbers numbers = number_present(nodes_.size(), is_node);
+  present_numbers sites = number_present(nodes_.size(), is_node);
   const present_numbers triangles = number_present(faces_.size(), is_face);
-  renumbered = std::move(numbers.of);
+  renumbered = std::move(sites.of);
   mesh made;
   made.given = static_cast<vertex_index>(domain_->vertices.size());
-  resize_in_threads(made.sites, numbers.count);
+  resize_in_threads(made.sites, sites.count);
   resize_in_threads(made.triangles, triangles.count);
   each_node([&](vertex_index v) {
     made.sites[renumbered[v]] = {nodes_[v].position, nodes_[v].metric};
   });
-  using placed_edge = std::pair<double, boundary_edge>;  // with its place along the segment
-  const auto take = [&](std::size_t begin, std::size_t end, std::vector<placed_edge>& found) {
+  const auto take = [&](std::size_t begin, std::size_t end, std::vector<placed_piece>& pieces) {
     for (std::size_t t = begin; t < end; ++t) {
       const face& f = faces_[t];
-      if (!f.exists()) continue;
-      made.triangles[triangles.of[t]] = {renumbered[f.v[0]], renumbered[f.v[1]],
-                                         renumbered[f.v[2]]};
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (f.segment[i] == none) continue;
-        const segment& s = domain_->segments[f.segment[i]];
-        const point &a = domain_->vertices[s.a], &b = domain_->vertices[s.b];
-        const vertex_index u = f.v[after(i)], w = f.v[before(i)];
-        const point &p = nodes_[u].position, &q = nodes_[w].position;
-        const double x = b.x - a.x, y = b.y - a.y;
-        if ((q.x - p.x) * x + (q.y - p.y) * y < 0) continue;  // its twin will do
-        found.push_back({(p.x - a.x) * x + (p.y - a.y) * y,
-                         {renumbered[u], renumbered[w], f.segment[i], s.marker, s.internal}});
+      for (std::size_t i = 0; f.exists() && i < 3; ++i) {
+        made.triangles[triangles.of[t]][i] = renumbered[f.v[i]];
+        if (auto piece = piece_at(*domain_, nodes_, f, i)) pieces.push_back(*piece);
       }
     }
   };
   constexpr std::size_t faces_at_once = 4096;  // for a thread
-  std::vector<placed_edge> subsegments =
-      collect_chunks<placed_edge>(faces_.size(), faces_at_once, take);
-  std::sort(subsegments.begin(), subsegments.end(), [](const auto& a, const auto& b) {
-    return a.second.segment != b.second.segment ? a.second.segment < b.second.segment
-                                                : a.first < b.first;
-  });
-  for (const auto& p : subsegments) made.boundary.push_back(p.second);
+  std::vector<placed_piece> pieces =
+      collect_chunks<placed_piece>(faces_.size(), faces_at_once, take);
+  std::sort(pieces.begin(), pieces.end(), is_before);
+  for (const auto& [place, e] : pieces)
+    made.boundary.push_back({renumbered[e.a], renumbered[e.b], e.segment, e.marker, e.internal});
   return made;
 }
 

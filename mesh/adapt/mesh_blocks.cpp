@@ -2,7 +2,6 @@
 #include "asterism/mesh/adapt/mesh_blocks.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "asterism/mesh/support/parallel.hpp"

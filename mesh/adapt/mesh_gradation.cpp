@@ -85,7 +85,7 @@ background_metric field_of(editable_mesh& m) {
           }
         }
       });
-  // By one thread: the last face at a node sets its hint.
+  // Sets the hint of each node to the last face at it, in one thread, as their order counts.
   for (std::size_t t = 0; t < m.faces().size(); ++t)
     if (is_face(t))
       for (const vertex_index v : m.faces()[t].v) m.at(v).hint = faces.of[t];
