@@ -303,8 +303,8 @@ static_assert(present_numbers::gone == none);
 // A piece of a segment between two nodes, and its place along the segment.
 using placed_piece = std::pair<double, boundary_edge>;
 
-// Returns the piece that is edge i of a face, where it is directed as its segment is: of the two
-// faces at a piece inside the domain one has it.
+// Returns edge i of a face as a piece of its segment. Returns none where the edge is on no segment,
+// or runs against its segment: the face across has the piece then.
 std::optional<placed_piece> piece_at(const domain& d, const std::vector<node>& nodes, const face& f,
                                      std::size_t i) {
   if (f.segment[i] == none) return std::nullopt;

@@ -42,7 +42,7 @@ class background_metric {
   // the search has visited to `looked_at`: few, unless triangles are so thin that the box of each
   // overlaps those of thousands.
   metric_tensor at(const point& q, vertex_index& hint, std::size_t& looked_at) const;
-  // Does the same without a count.
+  // Returns the same tensor, and counts no triangles.
   metric_tensor at(const point& q, vertex_index& hint) const {
     std::size_t looked_at = 0;
     return at(q, hint, looked_at);

@@ -12,12 +12,13 @@
 
 namespace asterism::internal {
 
+// Numbers of the items of a list that are present.
 struct present_numbers {
   static constexpr vertex_index gone = ~vertex_index{0};
 
-  std::vector<vertex_index>
-      of;                 // each item, from 0 on in their order; `gone` for those not present
-  std::size_t count = 0;  // of those present
+  // The number of each item: from 0 on, in the order of the items; `gone` where one is not present.
+  std::vector<vertex_index> of;
+  std::size_t count = 0;  // of items that are present
 };
 
 // Numbers items 0 to count - 1, in several threads; is_present(item) may be called from any.
