@@ -70,11 +70,9 @@ areas_by_region rounded(const exact_areas& doubled) {
 
 areas_by_region areas_of_regions(const mesh& m) {
   constexpr std::size_t chunk = 4096;
-  std::vector<exact_areas> parts(internal::chunk_count(m.triangles.size(), chunk));
-  internal::parallel_chunks(m.triangles.size(), chunk,
-                            [&](std::size_t i, std::size_t begin, std::size_t end) {
-                              parts[i] = sum_of_triangles(m, begin, end);
-                            });
+  const auto parts = internal::map_chunks<exact_areas>(
+      m.triangles.size(), chunk,
+      [&m](std::size_t begin, std::size_t end) { return sum_of_triangles(m, begin, end); });
   exact_areas all;
   for (const exact_areas& part : parts)
     for (const auto& [region, sum] : part) {

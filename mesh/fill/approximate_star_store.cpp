@@ -38,13 +38,13 @@ bool has_neighbour(const approximate_star& star, vertex_index w) {
 // Concatenates, in order, what append(begin, end, claims) adds to `claims` for each chunk.
 template <class Append>
 void collect_claims(std::size_t count, claim_list& claims, const Append& append) {
-  std::vector<claim_list> parts(chunk_count(count, stars_a_chunk));
-  parallel_chunks(count, stars_a_chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
-    claim_list found;  // a thread's own: the lists of the parts share cache lines
+  const auto found_in = [&append](std::size_t begin, std::size_t end) {
+    claim_list found;
     append(begin, end, found);
-    parts[i] = std::move(found);
-  });
-  for (const claim_list& part : parts) claims.append(part);
+    return found;
+  };
+  for (const claim_list& part : map_chunks<claim_list>(count, stars_a_chunk, found_in))
+    claims.append(part);
 }
 
 }  // namespace

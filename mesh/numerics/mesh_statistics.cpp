@@ -227,13 +227,14 @@ mesh_statistics measure(const mesh& m) {
   if (m.triangles.empty()) return {};
   mesh_statistics measured = means_of(sums_over(m), m.triangles.size());
   constexpr std::size_t sites_at_once = 4096;  // for a thread
-  std::vector<double> greatest(chunk_count(m.sites.size(), sites_at_once), measured.aspect);
-  parallel_chunks(m.sites.size(), sites_at_once,
-                  [&](std::size_t i, std::size_t begin, std::size_t end) {
-                    for (std::size_t v = begin; v < end; ++v)
-                      greatest[i] = std::max(greatest[i], aspect(m.sites[v].metric));
-                  });
-  for (const double of_chunk : greatest) measured.aspect = std::max(measured.aspect, of_chunk);
+  const auto greatest_of = [&m](std::size_t begin, std::size_t end) {
+    double greatest = 0;
+    for (std::size_t v = begin; v < end; ++v)
+      greatest = std::max(greatest, aspect(m.sites[v].metric));
+    return greatest;
+  };
+  for (const double of_chunk : map_chunks<double>(m.sites.size(), sites_at_once, greatest_of))
+    measured.aspect = std::max(measured.aspect, of_chunk);
   return measured;
 }
 

@@ -24,15 +24,13 @@ std::vector<double> nodal_areas(const mesh& m, const mesh_links& links);
 // Returns the sum of value(v) over [0, count): chunk by chunk, then the chunks' sums in order.
 template <class Value>
 double ordered_sum(std::size_t count, const Value& value) {
-  if (count == 0) return 0;
-  std::vector<double> parts(chunk_count(count, nodal_chunk), 0.0);
-  parallel_chunks(count, nodal_chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+  const auto sum_of = [&value](std::size_t begin, std::size_t end) {
     double sum = 0;
     for (std::size_t v = begin; v < end; ++v) sum += value(v);
-    parts[i] = sum;
-  });
+    return sum;
+  };
   double sum = 0;
-  for (const double part : parts) sum += part;
+  for (const double part : map_chunks<double>(count, nodal_chunk, sum_of)) sum += part;
   return sum;
 }
 

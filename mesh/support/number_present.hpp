@@ -26,11 +26,10 @@ template <class Test>
 present_numbers number_present(std::size_t count, const Test& is_present) {
   constexpr std::size_t chunk = 8192;  // items
   present_numbers numbers;
-  std::vector<std::size_t> next(chunk_count(count, chunk));
-  parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+  auto next = map_chunks<std::size_t>(count, chunk, [&](std::size_t begin, std::size_t end) {
     std::size_t present = 0;
     for (std::size_t k = begin; k < end; ++k) present += is_present(k) ? 1 : 0;
-    next[i] = present;
+    return present;
   });
   for (std::size_t& first : next) numbers.count += std::exchange(first, numbers.count);
   resize_in_threads(numbers.of, count);

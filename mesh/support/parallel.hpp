@@ -31,6 +31,17 @@ void parallel_chunks(std::size_t count, std::size_t chunk, const Work& work) {
                [&](std::size_t i) { work(i, i * chunk, std::min(count, (i + 1) * chunk)); });
 }
 
+// Returns what work(begin, end) returns for each chunk of [0, count), in order. Results of several
+// chunks share lines of the cache, so that each is written once, when its chunk is done.
+template <class Result, class Work>
+std::vector<Result> map_chunks(std::size_t count, std::size_t chunk, const Work& work) {
+  std::vector<Result> results(chunk_count(count, chunk));
+  parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
+    results[i] = work(begin, end);
+  });
+  return results;
+}
+
 // Writes to each page of new memory, in several threads: the system clears a page at its first
 // access, and one thread alone would wait for all of them. The bytes must not be in use.
 inline void access_pages(void* memory, std::size_t bytes) {
@@ -71,12 +82,10 @@ List copy_in_threads(const List& list) {
 // Returns the concatenation of what append(begin, end, out) adds to `out` for each chunk, in order.
 template <class Item, class Append>
 std::vector<Item> collect_chunks(std::size_t count, std::size_t chunk, const Append& append) {
-  std::vector<std::vector<Item>> parts(chunk_count(count, chunk));
-  parallel_chunks(count, chunk, [&](std::size_t i, std::size_t begin, std::size_t end) {
-    // Lists of the parts share cache lines, and each item that is added changes one.
+  auto parts = map_chunks<std::vector<Item>>(count, chunk, [&](std::size_t begin, std::size_t end) {
     std::vector<Item> found;
     append(begin, end, found);
-    parts[i] = std::move(found);
+    return found;
   });
   std::size_t total = 0;
   for (const auto& part : parts) total += part.size();

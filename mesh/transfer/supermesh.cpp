@@ -35,18 +35,14 @@ class clipper {
 
   supermesh run() {
     constexpr std::size_t chunk = 8192;
-    const std::size_t chunks = chunk_count(to_.triangles.size(), chunk);
-    std::vector<totals> parts(chunks);
-    parallel_chunks(to_.triangles.size(), chunk,
-                    [&](std::size_t i, std::size_t begin, std::size_t end) {
-                      workspace w;
-                      w.seen.assign(from_.triangles.size(), no_triangle);
-                      totals sums;
-                      for (std::size_t t = begin; t < end; ++t)
-                        clip(static_cast<vertex_index>(t), w, sums);
-                      parts[i] = sums;
-                    });
-    for (const totals& part : parts) {
+    const auto clip_chunk = [this](std::size_t begin, std::size_t end) {
+      workspace w;
+      w.seen.assign(from_.triangles.size(), no_triangle);
+      totals sums;
+      for (std::size_t t = begin; t < end; ++t) clip(static_cast<vertex_index>(t), w, sums);
+      return sums;
+    };
+    for (const totals& part : map_chunks<totals>(to_.triangles.size(), chunk, clip_chunk)) {
       made_.common_area += part.area;
       made_.partly_covered += part.partly;
       made_.pieces += part.pieces;
