@@ -9,6 +9,7 @@
 
 #include "asterism/mesh/adapt/editable_mesh.hpp"
 #include "asterism/mesh/support/free_memory.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 
 namespace asterism::internal::adapting {
 
@@ -23,6 +24,7 @@ class curve_parts {
   std::size_t count() const { return bounds_.size() + 1; }
   // Returns the part of a face; count() for one that does not exist.
   std::uint32_t of(vertex_index t) const { return part_[t]; }
+  void prefetch(vertex_index t) const { internal::prefetch(&part_[t]); }
   // Frees the parts of faces, 4 bytes each; of() must not be called any more.
   void forget_faces() { free_memory(part_); }
   // Returns the part that contains the point's place on the curve. Near the edges between parts the
@@ -30,9 +32,7 @@ class curve_parts {
   std::uint32_t near(const point& q) const;
 
  private:
-  template <class Place, class Prefetch>
-  void divide_curve(const std::vector<face>& faces, const Place& place_of,
-                    const Prefetch& prefetch_nodes, std::size_t parts);
+  void divide_curve(const std::vector<std::uint64_t>& places, std::size_t parts);
   std::uint32_t at(std::uint64_t place) const;
   bool is_in(std::uint64_t place, std::uint32_t part) const;
 

@@ -124,6 +124,9 @@ void mesh_blocks::mark_frame() {
   const auto append = [&](std::size_t begin, std::size_t end, std::vector<frame_edge>& found) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto t = static_cast<vertex_index>(i);
+      if (i + triangles_ahead < end)
+        for (const vertex_index s : faces[i + triangles_ahead].next)
+          if (s != none) parts_.prefetch(s);
       // Compares the parts of all three neighbours at once, which are nearly always the same. A
       // face that is gone has no neighbours.
       const auto& next = faces[t].next;
