@@ -25,6 +25,7 @@
 #include "asterism/mesh/numerics/metric_length.hpp"
 #include "asterism/mesh/support/cancellation.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 #include "asterism/mesh/support/shared_count.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
@@ -144,6 +145,16 @@ class editable_mesh {
       for (std::size_t v = begin; v < end; ++v)
         if (nodes_[v].kind != node_kind::gone) act(static_cast<vertex_index>(v));
     });
+  }
+
+  // Prefetches the corners of a face that will be read soon, or a face at a node; the face or node
+  // itself is read.
+  void prefetch_corners(std::size_t t) const {
+    if (faces_[t].exists())
+      for (const vertex_index v : faces_[t].v) prefetch(&nodes_[v]);
+  }
+  void prefetch_face_at(std::size_t v) const {
+    if (nodes_[v].face != none) prefetch(&faces_[nodes_[v].face]);
   }
 
   // Lists the faces at v, counter-clockwise; at the boundary from its first to its last.

@@ -118,6 +118,7 @@ void look_up_stretch(editable_mesh& m, const background_metric& field, vertex_in
         if (w < begin || w >= end || is_reached[w - begin] != 0) continue;
         is_reached[w - begin] = 1;
         m.at(w).hint = m.at(v).hint;
+        m.prefetch_face_at(w);
         waiting.push_back(w);
       }
     }

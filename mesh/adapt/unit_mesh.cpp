@@ -9,6 +9,7 @@
 #include "asterism/mesh/numerics/quick_logarithm.hpp"
 #include "asterism/mesh/support/free_memory.hpp"
 #include "asterism/mesh/support/parallel.hpp"
+#include "asterism/mesh/support/prefetch.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -40,11 +41,12 @@ std::pair<double, std::size_t> unit_mesh_remesher::measured_area() const {
   m_.each_node([&](vertex_index v) { logarithms[v] = quick_log(m_.at(v).root); });
   m_.note_looked_at(work_weights::faces_for_count * m_.faces().size());
   constexpr std::size_t chunk = 8192;
-  std::vector<std::pair<double, std::size_t>> parts(chunk_count(m_.faces().size(), chunk));
-  const auto add = [&](std::size_t i, std::size_t begin, std::size_t end) {
-    std::pair<double, std::size_t> sum{0, 0};
+  using sum_and_count = std::pair<double, std::size_t>;
+  const auto measured_in = [&](std::size_t begin, std::size_t end) {
+    sum_and_count sum{0, 0};
     auto& [area, faces] = sum;
     for (std::size_t t = begin; t < end; ++t) {
+      if (t + triangles_ahead < end) m_.prefetch_corners(t + triangles_ahead);
       const face& f = m_.faces()[t];
       if (!f.exists()) continue;
       const node &a = m_.at(f.v[0]), &b = m_.at(f.v[1]), &c = m_.at(f.v[2]);
@@ -56,11 +58,11 @@ std::pair<double, std::size_t> unit_mesh_remesher::measured_area() const {
           twice / 2 * quick_exp((logarithms[f.v[0]] + logarithms[f.v[1]] + logarithms[f.v[2]]) / 3);
       ++faces;
     }
-    parts[i] = sum;
+    return sum;
   };
-  parallel_chunks(m_.faces().size(), chunk, add);
-  std::pair<double, std::size_t> whole{0, 0};
-  for (const auto& [area, faces] : parts) {
+  sum_and_count whole{0, 0};
+  for (const auto& [area, faces] :
+       map_chunks<sum_and_count>(m_.faces().size(), chunk, measured_in)) {
     whole.first += area;
     whole.second += faces;
   }
@@ -195,8 +197,7 @@ void unit_mesh_remesher::refit(metric_at field) {
   field_ = std::move(field);
   forget_shapes();
   m_.each_node([this](vertex_index v) { measure(v); });
-  for (vertex_index t = 0; t < m_.faces().size(); ++t)
-    if (m_.faces()[t].exists()) note_change(t);
+  note_change_of_all();
   // Starts with many nodes from the crowding factor that refitting needs in most meshes, corrected
   // by the count that the first fit left: then one round is enough in most.
   constexpr double usual = 1.085, power = 0.6;

@@ -204,6 +204,7 @@ class unit_mesh_remesher {
   bool try_move(vertex_index v, const point& to, const face_list& at, const node_ring& ring,
                 double most, node_ring::energies& then);
   void note_change(vertex_index t);
+  void note_change_of_all();
   bool is_allowed(const node& a, const node& b, const node& c) const {
     return !allowed_ || allowed_(a, b, c);
   }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "asterism/mesh/adapt/unit_mesh.hpp"
+#include "asterism/mesh/support/parallel.hpp"
 #include "asterism/mesh/support/work_weights.hpp"
 
 namespace asterism::internal::adapting {
@@ -30,6 +32,26 @@ void unit_mesh_remesher::note_change(vertex_index t) {
   if (t < flips_in_vain_.size()) flips_in_vain_[t] = {never, never, never};
   if (!was_due) due_.push_back(t);
   if (changed_) changed_->push_back(t);
+}
+
+// Does that for all faces, which count as one change. Requires that no energies are known, and no
+// list of changed faces is wanted.
+void unit_mesh_remesher::note_change_of_all() {
+  ++changes_;
+  make_states();
+  m_.each_node([this](vertex_index v) { node_states_[v] = {changes_, true}; });
+  constexpr std::size_t faces_at_once = 16384;  // for a thread
+  const auto append = [this](std::size_t begin, std::size_t end, face_numbers& newly_due) {
+    for (std::size_t t = begin; t < end; ++t) {
+      if (!m_.faces()[t].exists()) continue;
+      face_state& state = face_states_[t];
+      state.change = changes_;
+      if (!std::exchange(state.is_due, true)) newly_due.push_back(static_cast<vertex_index>(t));
+    }
+  };
+  const face_numbers newly_due =
+      collect_chunks<vertex_index>(m_.faces().size(), faces_at_once, append);
+  due_.insert(due_.end(), newly_due.begin(), newly_due.end());
 }
 
 // True if a flip of this edge of t was tested in vain, and neither t nor the face across, s, has
@@ -142,10 +164,9 @@ void unit_mesh_remesher::smooth() {
   node_ring ring;
   node_ring::energies now, then;
   for (vertex_index v = 0; v < m_.nodes().size(); ++v) {
+    if (was_inside(v) || !node_state_of(v).is_restless) continue;
     const node_kind kind = m_.at(v).kind;
-    if (kind == node_kind::given || kind == node_kind::gone || !node_state_of(v).is_restless)
-      continue;
-    if (was_inside(v)) continue;
+    if (kind == node_kind::given || kind == node_kind::gone) continue;
     node_state_of(v).is_restless = false;
     m_.around(v, at);
     if (!ring.gather(m_, v, at)) continue;

@@ -91,6 +91,7 @@ void vertex_smoothing::find_defect_free() {
     node_settling at(whole_, cotangent_);
     for (std::size_t i = begin; i < end; ++i) {
       const auto v = static_cast<vertex_index>(i);
+      if (i + sites_ahead < end) m.prefetch_face_at(i + sites_ahead);
       if (is_movable(m.at(v))) whole_.is_defect_free[v] = at.has_defect(v) ? 0 : 1;
     }
   });
@@ -129,6 +130,7 @@ std::vector<char> vertex_smoothing::nodes_near_other_parts(const curve_parts& pa
     const auto append = [&](std::size_t begin, std::size_t end, std::vector<vertex_index>& found) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto t = static_cast<vertex_index>(i);
+        if (i + triangles_ahead < end) m.prefetch_corners(i + triangles_ahead);
         for (const vertex_index v : m.faces()[t].v)
           if (m.faces()[t].exists() && is_concerned(t, v)) found.push_back(v);
       }
@@ -153,6 +155,7 @@ bool vertex_smoothing::settle_part(std::size_t part) {
   bool any = false;
   for (std::size_t i = first_[part]; i < first_[part + 1]; ++i) {
     const vertex_index v = nodes_[i];
+    if (i + sites_ahead < first_[part + 1]) whole_.m.prefetch_face_at(nodes_[i + sites_ahead]);
     if (std::exchange(whole_.is_awake[v], char{0}) == 0) continue;
     if (whole_.is_defect_free[v] == 0 && at.settle(v)) any = true;
   }
