@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/apps/run/freed_memory.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>  // defines __GLIBC__ where it is the C library
 
@@ -16,14 +17,8 @@ namespace asterism::apps {
 
 namespace {
 
-// Sets the size in bytes of the smallest blocks that are given back to the system when they are
-// freed.
-void give_back_from([[maybe_unused]] int bytes) {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, bytes);
-  mallopt(M_TRIM_THRESHOLD, bytes);
-#endif
-}
+// A global variable, since `operator new` reads it (memory_account.cpp).
+constinit std::atomic<bool> are_kept = false;
 
 // Places the next small blocks in a large page of the system, which becomes resident at one access
 // in place of 512. The header of the first block lies in the page before, since nothing of a large
@@ -47,15 +42,25 @@ void begin_large_page() {
 }  // namespace
 
 void give_back_large_blocks() {
-  constexpr int large = 128 << 10;  // where the library begins by itself
-  give_back_from(large);
+#ifdef __GLIBC__
+  constexpr int large = 128 << 10, most = 1 << 16;  // size and number, the library's own at first
+  mallopt(M_MMAP_THRESHOLD, large);
+  mallopt(M_TRIM_THRESHOLD, large);
+  mallopt(M_MMAP_MAX, most);
+#endif
+  are_kept = false;
 }
 
 void keep_freed_blocks() {
-  constexpr int large = 32 << 20;  // the most that the library takes
-  give_back_from(large);
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);  // never
+#endif
+  are_kept = true;
   begin_large_page();
 }
+
+bool keeps_freed_blocks() { return are_kept.load(std::memory_order_relaxed); }
 
 void give_back_small_blocks() {
 #ifdef __GLIBC__

@@ -11,13 +11,14 @@ namespace asterism::apps {
 // triangles.
 void give_back_large_blocks();
 
-// Keeps blocks of up to 32 megabytes for the next ones instead: a page that is requested anew takes
-// the system one to ten microseconds. A pass of an adaptation with 100,000 vertices then has two
-// fifths of the page faults, half of the system's time, which was a tenth of all, and 7 % more
-// memory. The next two megabytes of small blocks are in one large page: 500 vertices have 380 page
-// faults in all for 605. For small runs, and for local changes of meshes of any size, which need
-// blocks of the same sizes again and again; other large runs call give_back_large_blocks() again.
+// Keeps all freed blocks for the next ones instead: a page that is requested anew takes the system
+// one to ten microseconds. A pass of an adaptation with 100,000 vertices then has two fifths of the
+// page faults, half of the system's time, which was a tenth of all, and 7 % more memory. The next
+// two megabytes of small blocks are in one large page: 500 vertices have 380 page faults in all for
+// 605. For small runs, and for local changes of meshes of any size, which need blocks of the same
+// sizes again and again; other large runs call give_back_large_blocks() again.
 void keep_freed_blocks();
+bool keeps_freed_blocks();
 
 // Gives back free small blocks where they fill whole pages. Takes milliseconds.
 void give_back_small_blocks();

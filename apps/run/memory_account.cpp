@@ -15,6 +15,7 @@
 #include <limits>
 #include <new>
 
+#include "asterism/apps/run/freed_memory.hpp"
 #include "asterism/mesh/support/large_page_allocator.hpp"
 
 namespace {
@@ -102,7 +103,7 @@ void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::siz
   constexpr std::size_t large = 4 << 20, very_large = 32 << 20;
   constexpr std::uintptr_t page = 4096;
   const bool is_for_pages = alignment >= asterism::internal::large_page;
-  if (size < large && !is_for_pages) return;
+  if (!is_for_pages && (size < large || asterism::apps::keeps_freed_blocks())) return;
   const std::size_t asked = is_for_pages || size >= very_large ? size : size / 2;
   const std::uintptr_t beyond = reinterpret_cast<std::uintptr_t>(block) % page;
   const std::size_t to_page = beyond == 0 ? 0 : page - beyond;
