@@ -34,8 +34,8 @@ void unit_mesh_remesher::note_change(vertex_index t) {
   if (changed_) changed_->push_back(t);
 }
 
-// Does that for all faces, which count as one change. Requires that no energies are known, and no
-// list of changed faces is wanted.
+// Queues all edges for flips and all nodes for moves, as one change of all faces. Requires that no
+// energies are known, and that changed faces are not listed.
 void unit_mesh_remesher::note_change_of_all() {
   ++changes_;
   make_states();
