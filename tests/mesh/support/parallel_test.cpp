@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "asterism/mesh/support/parallel.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <memory>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "asterism/mesh/support/number_present.hpp"
@@ -35,6 +37,20 @@ TEST_CASE("a list copied in threads is the same list") {
     std::iota(list.begin(), list.end(), 1);
     CHECK(copy_in_threads(list) == list);
   }
+}
+
+TEST_CASE("results of chunks are in the order of the chunks, for any number of threads") {
+  constexpr std::size_t count = 1001, chunk = 10;
+  using range = std::pair<std::size_t, std::size_t>;
+  const auto bounds = [](std::size_t begin, std::size_t end) { return range{begin, end}; };
+  for (const unsigned threads : {1U, 2U, 3U, 7U}) {
+    const thread_limit limit(threads);
+    const auto results = map_chunks<range>(count, chunk, bounds);
+    REQUIRE(results.size() == chunk_count(count, chunk));
+    for (std::size_t i = 0; i < results.size(); ++i)
+      CHECK(results[i] == range{i * chunk, std::min(count, (i + 1) * chunk)});
+  }
+  CHECK(map_chunks<range>(0, chunk, bounds).empty());
 }
 
 TEST_CASE("items that are present are numbered in their order, for any number of threads") {
