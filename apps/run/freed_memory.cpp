@@ -43,7 +43,7 @@ void begin_large_page() {
 
 void give_back_large_blocks() {
 #ifdef __GLIBC__
-  constexpr int large = 128 << 10, most = 1 << 16;  // size and number, the library's own at first
+  constexpr int large = 128 << 10, most = 1 << 16;  // bytes, blocks: what the library begins with
   mallopt(M_MMAP_THRESHOLD, large);
   mallopt(M_TRIM_THRESHOLD, large);
   mallopt(M_MMAP_MAX, most);

@@ -18,6 +18,7 @@ void give_back_large_blocks();
 // 605. For small runs, and for local changes of meshes of any size, which need blocks of the same
 // sizes again and again; other large runs call give_back_large_blocks() again.
 void keep_freed_blocks();
+// True from keep_freed_blocks() until give_back_large_blocks() is called.
 bool keeps_freed_blocks();
 
 // Gives back free small blocks where they fill whole pages. Takes milliseconds.

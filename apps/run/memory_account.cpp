@@ -93,10 +93,12 @@ bool may_hold(std::size_t more) {
 // Asks the system for large pages, where it has them on request: the first access to each page
 // takes one to ten microseconds, and data read in random order needs a page to be found for each
 // access. Asks for all of a block that is aligned to such pages
-// (mesh/support/large_page_allocator), and for the first half of another large one: the other half
-// of a list that has grown may never be touched, and the page in which it begins would be resident,
-// which is 2 % of all at a million triangles. Where a system has no such pages, the request fails
-// without effect.
+// (mesh/support/large_page_allocator). Asks for the first half of another large one, too, where
+// freed blocks are given back: the other half of a list that has grown may never be touched, and
+// the page in which it begins would be resident, which is 2 % of all at a million triangles. Where
+// freed blocks are kept, most lists lie in memory that is resident already, and a new large page
+// can take the system more time than it saves (docs/results/profile.md). Where a system has no such
+// pages, the request fails without effect.
 void ask_for_large_pages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t size,
                          [[maybe_unused]] std::size_t alignment) {
 #ifdef MADV_HUGEPAGE
